@@ -4,6 +4,8 @@
     SHD_LIBRARY=libshd.so pip install ./bindings/python      records the path
     SHD_BUNDLE=libshd.so pip wheel ./bindings/python         copies the library, and those that it needs besides the
                                                              system's, into a wheel for this platform
+
+wheel.sh makes wheels for other systems: it sets SHD_PLATFORM to a tag that audit.py has checked.
 """
 import os
 import pathlib
@@ -54,7 +56,7 @@ class Build(build_py):
 
 class Wheel(bdist_wheel):
     def get_tag(self):
-        return ("py3", "none", super().get_tag()[2])
+        return ("py3", "none", os.environ.get("SHD_PLATFORM") or super().get_tag()[2])
 
 
 class Package(Distribution):

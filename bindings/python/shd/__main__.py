@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""python -m shd [picture.png]: renders a torus with a checkered texture."""
+"""Commands of the package.
+
+    python -m shd [render] [picture.png] [--size W H]   renders a torus with a checkered texture
+    python -m shd compare A.png B.png [-o map.png]      compares two pictures
+    python -m shd golden [FOLDER] [--update]            lists results of failed golden tests, or accepts them
+"""
 import argparse
 import pathlib
 import sys
@@ -7,7 +12,7 @@ import sys
 import numpy as np
 
 import shd
-from shd import _png
+from shd import _commands, _png
 
 
 def picture(width, height, samples=4):
@@ -28,8 +33,9 @@ def picture(width, height, samples=4):
         return framebuffer.read_color("rgba8_srgb")
 
 
-def main(arguments=None):
-    parser = argparse.ArgumentParser(prog="python -m shd", description=__doc__)
+def render(arguments):
+    parser = argparse.ArgumentParser(prog="python -m shd", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("picture", nargs="?", default="shd.png", type=pathlib.Path)
     parser.add_argument("--size", nargs=2, type=int, default=(320, 240), metavar=("WIDTH", "HEIGHT"))
     options = parser.parse_args(arguments)
@@ -40,6 +46,16 @@ def main(arguments=None):
         return 1
     print(f"{options.picture}: {options.size[0]} x {options.size[1]} pixels")
     return 0
+
+
+COMMANDS = {"render": render, "compare": _commands.compare, "golden": _commands.golden}
+
+
+def main(arguments=None):
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    if arguments and arguments[0] in COMMANDS:
+        return COMMANDS[arguments[0]](arguments[1:])
+    return render(arguments)
 
 
 if __name__ == "__main__":

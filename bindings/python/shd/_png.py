@@ -1,22 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""PNG files of 8-bit pixels, after "PNG (Portable Network Graphics) Specification" (third edition, 2023)."""
+"""Writes PNG files, after "PNG (Portable Network Graphics) Specification" (third edition, 2023)."""
 import struct
 import zlib
 
 import numpy as np
 
+COLOUR_TYPES = {1: 0, 2: 4, 3: 2, 4: 6}
+
 
 def encode(pixels):
-    """Bytes of a PNG file from an array [height][width][3 or 4] of uint8."""
+    """Bytes of a PNG file from an array [height][width][1..4] of sRGB-coded uint8 or uint16; 2 and 4 have alpha."""
     if not isinstance(pixels, np.ndarray) or pixels.ndim != 3:
-        raise TypeError("pixels: an array [height][width][3 or 4], not " +
+        raise TypeError("pixels: an array [height][width][1..4], not " +
                         (f"of shape {pixels.shape}" if isinstance(pixels, np.ndarray) else type(pixels).__name__))
     height, width, channels = pixels.shape
-    if pixels.dtype != np.uint8 or channels not in (3, 4):
-        raise TypeError(f"pixels: [height][width][3 or 4] of uint8, not {pixels.shape} of {pixels.dtype}")
-    rows = np.zeros((height, 1 + width * channels), np.uint8)  # filter 0 before each row
-    rows[:, 1:] = pixels.reshape(height, -1)
-    header = struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0)
+    if pixels.dtype not in (np.uint8, np.uint16) or channels not in COLOUR_TYPES:
+        raise TypeError(f"pixels: [height][width][1..4] of uint8 or uint16, not {pixels.shape} of {pixels.dtype}")
+    size = pixels.dtype.itemsize
+    rows = np.zeros((height, 1 + width * channels * size), np.uint8)  # filter 0 before each row
+    rows[:, 1:] = np.ascontiguousarray(pixels, f">u{size}").view(np.uint8).reshape(height, -1)
+    header = struct.pack(">IIBBBBB", width, height, 8 * size, COLOUR_TYPES[channels], 0, 0, 0)
     chunks = [(b"IHDR", header), (b"sRGB", b"\0"), (b"IDAT", zlib.compress(rows.tobytes(), 6)), (b"IEND", b"")]
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# wheel.sh FOLDER [option of cmake]...: builds the wheels shd, shd-color and shd-io in FOLDER/dist, and audits them.
+# The builds are FOLDER-core and FOLDER-components. ccache finds objects of another build whose folder has equal depth.
+#
+# The wheel shd has libshd with oneTBB, Highway and libstdc++ linked in; glibc 2.28 suffices. PYTHON is the interpreter
+# with pip, wheel and setuptools; JOBS the number of compilers; COMPONENTS the wheels besides shd, "color io" by default.
+# Exit code 77: a tool or the sources of oneTBB are absent.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+mkdir -p "$1"
+work=$(cd "$1" && pwd)
+shift
+python=${PYTHON:-python3}
+jobs=${JOBS:-$(nproc)}
+if ! "$python" -c 'import setuptools, pip, wheel' 2> /dev/null || ! command -v strip > /dev/null; then
+  echo "skipped: no strip, or $python lacks pip, setuptools or wheel (Debian: binutils python3-pip python3-wheel)"
+  exit 77
+fi
+"$here/wheel/libraries.sh" "$work/libraries"
+dist=$work/dist
+rm -rf "$dist"
+mkdir -p "$dist"
+
+# folder, linker flags, option of cmake...: configures a build with RPATH $ORIGIN
+configure() {
+  local build=$1 link=$2
+  shift 2
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=OFF \
+    -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF \
+    -DSHD_WHEEL_LIBRARIES="$work/libraries" -Dhwy_DIR="$here/wheel/static" -DTBB_DIR="$here/wheel/static" \
+    -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON -DCMAKE_INSTALL_RPATH="\$ORIGIN" \
+    -DCMAKE_SHARED_LINKER_FLAGS="$link" -DCMAKE_MODULE_LINKER_FLAGS="$link" "$@" > "$build.log" 2>&1 \
+    || { tail -20 "$build.log"; exit 1; }
+}
+build() {
+  cmake --build "$1" -j "$jobs" --target "${@:2}" >> "$1.log" 2>&1 || { tail -40 "$1.log"; exit 1; }
+}
+
+# glibc 2.28 has the functions of threads and of dlopen in two libraries of their own.
+configure "$work-core" "-static-libstdc++ -static-libgcc $work/libraries/glibc.o \
+-Wl,--push-state,--no-as-needed,-l:libpthread.so.0,-l:libdl.so.2,--pop-state" -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF "$@"
+build "$work-core" shd
+sources=$work/sources  # pip builds inside the sources
+rm -rf "$sources"
+mkdir -p "$sources/bindings"
+cp -r "$here/../shd.json" "$here" "$sources/bindings/"
+SHD_PLATFORM=$("$here/audit.py" --tag "$work-core/src/libshd.so") SHD_BUNDLE=$work-core/src/libshd.so \
+  "$python" -m pip wheel --quiet --disable-pip-version-check --no-index --no-build-isolation --no-deps \
+  --wheel-dir "$dist" "$sources/bindings/python"
+"$here/audit.py" "$dist"/shd-*.whl
+size=$(stat -c %s "$dist"/shd-*.whl)
+if [ "$size" -gt 4194304 ]; then
+  echo "the wheel has $size bytes, more than 4 MiB"
+  exit 1
+fi
+
+# Components share classes of libstdc++ with OpenColorIO and OpenImageIO, so they need that of the system. RPATH,
+# unlike RUNPATH, also serves the libraries that they need.
+components=${COMPONENTS-color io}
+if [ -z "$components" ]; then exit 0; fi
+configure "$work-components" "-Wl,--disable-new-dtags" -DCMAKE_EXE_LINKER_FLAGS="-Wl,--disable-new-dtags" "$@"
+for component in $components; do
+  build "$work-components" "shd_$component"
+  wheel=$("$here/wheel/component.py" "$component" --build "$work-components/src" --output "$dist")
+  case $component in
+    color) "$here/audit.py" --libstdc++ --beside libshd.so.0.1 "$wheel" ;;
+    io) "$here/audit.py" --libstdc++ --beside libshd.so.0.1 --system libOpenImageIO.so.2.4 \
+          --system libOpenImageIO_Util.so.2.4 "$wheel" ;;
+  esac
+done

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""component.py color|io --build FOLDER --output FOLDER: writes the wheel shd-color or shd-io.
+
+Its files lie in the folder of the package shd, where the package searches components. Libraries that a component needs
+are copied under a name of their own, of equal length: libexpat.so.1 becomes libexpat-1f2e, for the first digits of its
+SHA-256. The component finds them by its RPATH, $ORIGIN, which also holds for libraries that it loads.
+"""
+import argparse
+import base64
+import hashlib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import zipfile
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+import audit  # noqa: E402
+from elf import Elf  # noqa: E402
+
+# component: (files of the build, libraries of the system that are not copied, description)
+COMPONENTS = {
+    "color": (["libshd_color.so"], [], "Displays and colour spaces for shd, by OpenColorIO"),
+    "io": (["libshd_io.so", "libshd_io_oiio.so", "shd-io-worker"],
+           ["libOpenImageIO.so.2.4", "libOpenImageIO_Util.so.2.4"], "Picture files for shd, by OpenImageIO"),
+}
+
+
+def stripped(path):
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / "copy"
+        subprocess.run(["strip", "--strip-unneeded", "-o", copy, path], check=True)
+        return copy.read_bytes()
+
+
+def own_name(name, data):
+    """A name of equal length with digits of the hash instead of the ending .so.N."""
+    stem, ending = re.fullmatch(r"(lib.*?)(\.so\.[\d.]+)", name).groups()
+    return f"{stem}-{hashlib.sha256(data).hexdigest()[:len(ending) - 1]}"
+
+
+def found_by_loader(path):
+    """{name: path} of all libraries that a file needs, also indirectly."""
+    run = subprocess.run(["ldd", path], check=True, stdout=subprocess.PIPE, text=True)
+    return dict(re.findall(r"^\s*(\S+) => (/\S+)", run.stdout, re.M))
+
+
+def collect(paths, system):
+    """{name in the wheel: bytes} of the files of a component and of the libraries that they need."""
+    places = {name: place for path in paths for name, place in found_by_loader(path).items()}
+    files, queue, names = {}, list(paths), {}
+    while queue:
+        path = queue.pop()
+        data = stripped(path)
+        files[path] = data
+        for name in Elf(data).needed:
+            if audit.GLIBC.match(name) or name in audit.STDCXX or name in system or name.startswith("libshd"):
+                continue
+            if name not in names:
+                library = pathlib.Path(places[name]).resolve()
+                names[name] = own_name(name, library.read_bytes())
+                queue.append(library)
+    renamed = {pathlib.Path(places[old]).resolve(): new for old, new in names.items()}
+    return {renamed.get(path, path.name): Elf(data).renamed(names) for path, data in files.items()}
+
+
+def project():
+    """Version of the package."""
+    return re.search(r'^version = "(.+)"', (HERE.parent / "pyproject.toml").read_text("utf-8"), re.M)[1]
+
+
+def write_wheel(path, name, files, version, summary, readme, tag):
+    """A wheel after "Binary distribution format" of the Python Packaging User Guide. Its bytes depend on the files only."""
+    info = f"{name}-{version}.dist-info"
+    metadata = (f"Metadata-Version: 2.1\nName: {name.replace('_', '-')}\nVersion: {version}\nSummary: {summary}\n"
+                f"License: MIT\nRequires-Python: >=3.9\nRequires-Dist: shd (=={version})\n"
+                f"Description-Content-Type: text/markdown\n\n{readme}")
+    wheel = f"Wheel-Version: 1.0\nGenerator: shd component.py\nRoot-Is-Purelib: false\nTag: py3-none-{tag}\n"
+    members = {**{f"shd/{n}": d for n, d in sorted(files.items())},
+               f"{info}/METADATA": metadata.encode(), f"{info}/WHEEL": wheel.encode()}
+    record = []
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
+        for member, data in members.items():
+            digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+            record.append(f"{member},sha256={digest},{len(data)}\n")
+            put(out, member, data)
+        put(out, f"{info}/RECORD", "".join([*record, f"{info}/RECORD,,\n"]).encode())
+
+
+def put(out, member, data):
+    entry = zipfile.ZipInfo(member)
+    is_program = member.startswith("shd/") and "." not in member and not member.startswith("shd/lib")
+    entry.external_attr = (0o100755 if is_program else 0o100644) << 16
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    out.writestr(entry, data)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("component", choices=COMPONENTS)
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="folder of the built libraries")
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    options = parser.parse_args()
+    names, system, summary = COMPONENTS[options.component]
+    files = collect([(options.build / n).resolve() for n in names], system)
+    files = {next((n for n in names if k.startswith(n)), k): d for k, d in files.items()}  # without .0.1.0
+    with tempfile.TemporaryDirectory() as folder:
+        paths = []
+        for name, data in files.items():
+            paths.append(pathlib.Path(folder) / name)
+            paths[-1].write_bytes(data)
+        tag = audit.tag(paths)
+    tag = re.sub(r"manylinux_\d+_\d+", "linux", tag) if system else tag
+    path = options.output / f"shd_{options.component}-{project()}-py3-none-{tag}.whl"
+    readme = (HERE / f"{options.component}.md").read_text("utf-8")
+    write_wheel(path, f"shd_{options.component}", files, project(), summary, readme, tag)
+    print(path)
+
+
+if __name__ == "__main__":
+    main()
