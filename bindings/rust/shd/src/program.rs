@@ -16,11 +16,11 @@ pub(crate) type FragmentFn<'a> = dyn Fn(&Fragments<'_>, &mut Radiance<'_>) + Sen
 pub(crate) type VertexFn<'a> = dyn Fn(&Vertices<'_>, &mut VertexOutputs<'_>) + Send + Sync + 'a;
 pub(crate) type ProcedureFn<'a> = dyn Fn(&Fragments<'_>, &mut SlotValues<'_>) + Send + Sync + 'a;
 
-/// The panic of a program, on its way from a worker to the call that runs the frame.
+/// Panics of programs, on their way from workers to the call that runs the frame.
 #[derive(Default)]
 pub(crate) struct Call {
     panicked: AtomicBool,
-    panic: Mutex<Option<Panic>>,
+    panics: Mutex<Vec<Panic>>,
 }
 
 impl Call {
@@ -30,12 +30,8 @@ impl Call {
             return;
         }
         if let Err(panic) = panic::catch_unwind(AssertUnwindSafe(body)) {
-            let mut kept = self.panic.lock().unwrap_or_else(PoisonError::into_inner);
-            // The value of a second panic may panic when it is dropped, so it is not dropped.
-            match *kept {
-                None => *kept = Some(panic),
-                Some(_) => std::mem::forget(panic),
-            }
+            // All are kept, because the value of a panic may panic when it is dropped.
+            self.panics.lock().unwrap_or_else(PoisonError::into_inner).push(panic);
             self.panicked.store(true, Ordering::Release);
         }
     }
@@ -44,9 +40,11 @@ impl Call {
         self.panicked.load(Ordering::Acquire)
     }
 
-    /// Continues a panic after the call of the library has returned.
+    /// Continues the first panic after the call of the library has returned.
     pub(crate) fn finish(self) {
-        if let Some(panic) = self.panic.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        let mut panics = self.panics.into_inner().unwrap_or_else(PoisonError::into_inner);
+        panics.truncate(1);
+        if let Some(panic) = panics.pop() {
             panic::resume_unwind(panic);
         }
     }
