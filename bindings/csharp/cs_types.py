@@ -13,7 +13,7 @@ HANDWRITTEN = {"shd_f32_in", "shd_f32_out", "shd_u32_in", "shd_u32_out", "shd_u1
 VIEWS = ["shd_fragments", "shd_radiance", "shd_vertices", "shd_vertex_outputs", "shd_rays"]
 COLUMNS = {"shd_f32_in": "float", "shd_f32_out": "float", "shd_u32_in": "uint", "shd_u32_out": "uint",
            "shd_u16_in": "ushort"}
-# Fields of arrays: a struct of that many elements.
+# Fields of arrays: a struct of as many elements.
 INLINE = {("float", 9): "Matrix3", ("float", 16): "Matrix4"}
 
 
