@@ -98,7 +98,8 @@ public static class Lifetime
             });
             Collect();
             float[,] red = Make.Red(context, material, 64, 32);
-            for (int x = 0; x < 64; ++x) Check.IsTrue(Math.Abs(red[7, x] - (x + 0.5f) / 64) < 1e-6f, "red of column " + x);
+            for (int x = 0; x < 64; ++x)
+                Check.IsTrue(Math.Abs(red[7, x] - (x + 0.5f) / 64) < 1e-6f, "red of column " + x);
             material.Dispose();
         }
     }

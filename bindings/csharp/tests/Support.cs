@@ -24,7 +24,7 @@ public static class Check
 
     public static void Equal<T>(T expected, T got, string text)
     {
-        if (!EqualityComparer<T>.Default.Equals(expected, got)) throw new Failure(text + ": " + got + ", not " + expected);
+        IsTrue(EqualityComparer<T>.Default.Equals(expected, got), text + ": " + got + ", not " + expected);
     }
 
     /// <summary>The exception of an action, whose text has all the given words.</summary>
