@@ -67,6 +67,8 @@ public static class Lifetime
         LookupBatch batch = texture.Prepare(Make.Nearest(context), new Lookups { U = new float[3], V = new float[3] },
                                             Make.Channel(3));
         batch.Run();
+        PlaneView view = new Framebuffer(context, 4, 4).ViewPlane(Shd.Plane.R);
+        Check.Equal(4, view.Row(3).Length, "row");
         Check.IsTrue(memory.Alive > 0, "blocks");
     }
 

@@ -142,8 +142,11 @@ public static class Tests
         }
         catch (TargetInvocationException problem)
         {
-            Console.WriteLine("FAIL " + name + ": " + problem.InnerException);
-            return false;
+            bool isMissing = problem.InnerException is DllNotFoundException &&
+                             problem.InnerException.Message.StartsWith("libshd_");
+            Console.WriteLine((isMissing ? "skip " : "FAIL ") + name + ": " +
+                              (isMissing ? problem.InnerException.Message : problem.InnerException.ToString()));
+            return isMissing;
         }
     }
 
