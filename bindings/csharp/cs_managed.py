@@ -177,7 +177,7 @@ class Twin:
                     "        /// <summary>The defaults of the library.</summary>",
                     f"        public static {self.name} Default {{ get {{ return new {self.name}(); }} }}", ""]
         yield from [*self.members, ""]
-        yield "        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>"
+        yield "        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>"
         yield f"        internal {native} Build(Call call, string name, long rows = -1)"
         yield "        {"
         yield f"            {native} made = Raw;"
@@ -253,9 +253,9 @@ class Managed:
         element = self.types.type_of(self.types.base(text))
         span = f"{'ReadOnlySpan' if is_const else 'Span'}<{element}>"
         if "(*)[4]" in text:
-            return (f"public {span} {name}(int index, int channel) {{ return Inline.Write<{element}>(raw->{name} == null "
-                    f"? null : raw->{name}[Inline.Check(index, raw->{camel(length[0])}) * 4 + Inline.Check(channel, 4)], "
-                    "Count); }")
+            column = f"Inline.Check(index, raw->{camel(length[0])}) * 4 + Inline.Check(channel, 4)"
+            return (f"public {span} {name}(int index, int channel) {{ return Inline.Write<{element}>("
+                    f"raw->{name} == null ? null : raw->{name}[{column}], Count); }}")
         if text.count("*") == 2:
             return (f"public {span} {name}(int index) {{ return Inline.{'Read' if is_const else 'Write'}<{element}>("
                     f"raw->{name}[Inline.Check(index, raw->{camel(length[0])})], Count); }}")

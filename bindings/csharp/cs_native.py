@@ -103,8 +103,9 @@ class Native:
         yield f"        /// <summary>Element 0 .. {total - 1}.</summary>"
         yield f"        public {element} this[int index]"
         yield "        {"
-        yield f"            get {{ Inline.Check(index, Length); fixed ({element}* first = &{names[0]}) return first[index]; }}"
-        yield f"            set {{ Inline.Check(index, Length); fixed ({element}* first = &{names[0]}) first[index] = value; }}"
+        for accessor, action in (("get", "return first[index];"), ("set", "first[index] = value;")):
+            yield (f"            {accessor} {{ Inline.Check(index, Length); "
+                   f"fixed ({element}* first = &{names[0]}) {action} }}")
         yield "        }"
         if len(dims) == 2:
             yield f"        public {element} this[int row, int column]"

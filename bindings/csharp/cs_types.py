@@ -13,7 +13,7 @@ HANDWRITTEN = {"shd_f32_in", "shd_f32_out", "shd_u32_in", "shd_u32_out", "shd_u1
 VIEWS = ["shd_fragments", "shd_radiance", "shd_vertices", "shd_vertex_outputs", "shd_rays"]
 COLUMNS = {"shd_f32_in": "float", "shd_f32_out": "float", "shd_u32_in": "uint", "shd_u32_out": "uint",
            "shd_u16_in": "ushort"}
-# Fields of arrays: a struct of as many elements.
+# Structs for arrays inside structs that have a name of their own.
 INLINE = {("float", 9): "Matrix3", ("float", 16): "Matrix4"}
 
 
@@ -114,7 +114,8 @@ class Types:
         if not name:
             size = "x".join(map(str, dims))
             head = "Pointer" if "*" in element else ""
-            name = {"uint": "UInt", "byte": "Bytes"}.get(element, camel(element.rstrip("*")) if element.islower() or "*" in element else element)
+            noun = element.rstrip("*")
+            name = {"uint": "UInt", "byte": "Bytes"}.get(noun, camel(noun) if noun.islower() else noun)
             name = f"{name}{head}{size}"
         self.inline.setdefault(name, (element, dims))
         return name

@@ -35,7 +35,8 @@ public static class Programs
                 texels[i + 3] = 255;
             }
         }
-        return new Texture(context, new TextureDesc(Format.Rgba8Srgb, Size, Size, texels) { Tables = TableFlags.Mipmap });
+        TextureDesc desc = new TextureDesc(Format.Rgba8Srgb, Size, Size, texels) { Tables = TableFlags.Mipmap };
+        return new Texture(context, desc);
     }
 
     private static Sampler CreateSampler(Context context, Filter filter)

@@ -96,7 +96,8 @@ public static class Teapot
                 texels[y, x, 3] = 255;
             }
         }
-        return new Texture(context, new TextureDesc(Format.Rgba8Srgb, size, size, texels) { Tables = TableFlags.Mipmap });
+        TextureDesc desc = new TextureDesc(Format.Rgba8Srgb, size, size, texels) { Tables = TableFlags.Mipmap };
+        return new Texture(context, desc);
     }
 
     private static byte[] Render(int width, int height)
@@ -114,7 +115,8 @@ public static class Teapot
             Model = Model.BlinnPhong, Specular = new Float3(0.4f, 0.4f, 0.4f), Exponent = 60,
             Slots = new[] { Slot.FromTexture(SlotTarget.Diffuse, checker, sampler) } }))
         using (Light sun = new Light(context, new LightDesc {
-            Kind = LightKind.Directional, Direction = new Float3(-1, -1.5f, -1), Intensity = new Float3(0.9f, 0.88f, 0.8f) }))
+            Kind = LightKind.Directional, Direction = new Float3(-1, -1.5f, -1),
+            Intensity = new Float3(0.9f, 0.88f, 0.8f) }))
         using (Light sky = new Light(context, new LightDesc {
             Kind = LightKind.Ambient, Intensity = new Float3(0.15f, 0.18f, 0.25f) }))
         using (Framebuffer framebuffer = new Framebuffer(context, width, height, 8))

@@ -105,7 +105,11 @@ namespace Shd
 
         public string WorkingSpace
         {
-            get { using (Call call = new Call()) return Utf8.Read(Native.LibShdColor.ColorWorkingSpace(call.Use(this, "color"))); }
+            get
+            {
+                using (Call call = new Call())
+                    return Utf8.Read(Native.LibShdColor.ColorWorkingSpace(call.Use(this, "color")));
+            }
         }
     }
 

@@ -24,13 +24,18 @@ namespace Shd
         {
             get
             {
-                using (Call call = new Call()) return Utf8.Read(Native.LibShd.ContextSimdTarget(call.Use(this, "context")));
+                using (Call call = new Call())
+                    return Utf8.Read(Native.LibShd.ContextSimdTarget(call.Use(this, "context")));
             }
         }
 
         public int WorkerCount
         {
-            get { using (Call call = new Call()) return (int)Native.LibShd.ContextWorkerCount(call.Use(this, "context")); }
+            get
+            {
+                using (Call call = new Call())
+                    return (int)Native.LibShd.ContextWorkerCount(call.Use(this, "context"));
+            }
         }
 
         /// <summary>Frees scratch memory that the context keeps for later calls.</summary>

@@ -47,7 +47,11 @@ namespace Shd
 
         public string ColorSpace
         {
-            get { using (Call call = new Call()) return Utf8.Read(Native.LibShdIo.BitmapColorSpace(call.Use(this, "bitmap"))); }
+            get
+            {
+                using (Call call = new Call())
+                    return Utf8.Read(Native.LibShdIo.BitmapColorSpace(call.Use(this, "bitmap")));
+            }
         }
 
         /// <summary>A copy of the pixels, as bytes.</summary>
@@ -61,7 +65,8 @@ namespace Shd
                 byte[] pixels = new byte[row * view.Height];
                 byte* to = (byte*)call.Pin(pixels);
                 for (long y = 0; y < view.Height; ++y)
-                    Buffer.MemoryCopy((byte*)view.Pixels + y * (view.RowStride != 0 ? view.RowStride : row), to + y * row,
+                    Buffer.MemoryCopy((byte*)view.Pixels + y * (view.RowStride != 0 ? view.RowStride : row),
+                                      to + y * row,
                                       row, row);
                 return new Image(view.Format, (int)view.Width, (int)view.Height, pixels);
             }
@@ -154,7 +159,8 @@ namespace Shd
             using (Call call = new Call())
             {
                 Native.SaveDesc built = (desc ?? new SaveDesc()).Build(call, "desc");
-                call.Check(Native.LibShdIo.FramebufferSave(call.Use(framebuffer, "framebuffer"), call.Text(path), &built));
+                call.Check(Native.LibShdIo.FramebufferSave(call.Use(framebuffer, "framebuffer"), call.Text(path),
+                                                           &built));
             }
         }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 using System;
-using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Shd
 {
@@ -100,7 +100,7 @@ namespace Shd
     {
         private readonly Call call = new Call();
         private readonly Native.PlaneView view;
-        private bool isDisposed;
+        private int isDisposed;
 
         public readonly int Width, Height;
 
@@ -119,7 +119,7 @@ namespace Shd
             }
             catch
             {
-                call.Dispose();
+                Dispose();
                 throw;
             }
         }
@@ -127,15 +127,21 @@ namespace Shd
         /// <summary>Row `y` from the top. The span is valid until Dispose, and not after it.</summary>
         public ReadOnlySpan<float> Row(int y)
         {
-            if (isDisposed) throw new ObjectDisposedException("PlaneView");
+            if (isDisposed != 0) throw new ObjectDisposedException("PlaneView");
             return new ReadOnlySpan<float>((byte*)view.F32 + Inline.Check(y, Height) * view.RowStride, Width);
         }
 
+        ~PlaneView() { Close(); }
+
         public void Dispose()
         {
-            if (isDisposed) return;
-            isDisposed = true;
-            call.Dispose();
+            Close();
+            GC.SuppressFinalize(this);
+        }
+
+        private void Close()
+        {
+            if (Interlocked.Exchange(ref isDisposed, 1) == 0) call.Dispose();
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 using System;
 using System.Numerics;
+using System.Text;
 
 namespace Shd
 {
@@ -65,6 +66,17 @@ namespace Shd
                 made[0] = made[4] = made[8] = 1;
                 return made;
             }
+        }
+    }
+
+    public unsafe partial struct Bytes64
+    {
+        /// <summary>The text that the bytes have, up to the first zero.</summary>
+        public override string ToString()
+        {
+            int length = 0;
+            while (length < Length && this[length] != 0) ++length;
+            fixed (byte* first = &e0) return length == 0 ? "" : Encoding.UTF8.GetString(first, length);
         }
     }
 }

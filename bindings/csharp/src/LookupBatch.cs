@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 using System;
-using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Shd
 {
     /// <summary>
     /// A prepared batch of lookups: Run() costs little more than the call in C, and makes no garbage. The batch keeps
-    /// the texture, the sampler and the pinned arrays until Dispose. One thread runs a batch, because its results go to
-    /// the same arrays each time.
+    /// the texture, the sampler and the pinned arrays until Dispose. It serves one thread, because each run writes to
+    /// the same arrays; a concurrent run is refused. Dispose during a run takes effect at its end.
     /// </summary>
-    public sealed unsafe class LookupBatch : SafeHandle
+    public sealed unsafe class LookupBatch : IDisposable
     {
+        private const int Idle = 0, Running = 1, Closing = 2, Closed = 3;
+
         private readonly Call call = new Call();
         private readonly IntPtr texture, sampler;
         private readonly Native.Lookups* lookups;
         private readonly Native.Texels* texels;
         private readonly long capacity;
+        private int state;
 
         internal LookupBatch(Texture texture, Sampler sampler, Lookups input, Texels output)
-            : base(IntPtr.Zero, true)
         {
-            if (input == null) throw new ArgumentNullException("lookups");
-            if (output == null) throw new ArgumentNullException("output");
             try
             {
+                if (input == null) throw new ArgumentNullException("lookups");
+                if (output == null) throw new ArgumentNullException("output");
                 this.texture = call.Use(texture, "texture");
                 this.sampler = call.Use(sampler, "sampler");
                 lookups = (Native.Lookups*)call.Memory(sizeof(Native.Lookups));
@@ -34,23 +36,67 @@ namespace Shd
             }
             catch
             {
-                call.Dispose();
+                Dispose();
                 throw;
             }
-            SetHandle((IntPtr)lookups);
         }
 
-        public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
+        ~LookupBatch() { Close(); }
+
+        public void Dispose()
+        {
+            Close();
+            GC.SuppressFinalize(this);
+        }
+
+        private void Close()
+        {
+            for (int seen = Volatile.Read(ref state); seen == Idle || seen == Running; seen = Volatile.Read(ref state))
+            {
+                int next = seen == Idle ? Closed : Closing;
+                if (Interlocked.CompareExchange(ref state, next, seen) != seen) continue;
+                if (next == Closed) call.Dispose();
+                return;
+            }
+        }
+
+        private void Begin()
+        {
+            if (Interlocked.CompareExchange(ref state, Running, Idle) != Idle) Refuse();
+        }
+
+        private void Refuse()
+        {
+            if (Volatile.Read(ref state) == Running)
+                throw new InvalidOperationException("batch: another thread uses the LookupBatch");
+            throw new ObjectDisposedException("LookupBatch", "batch: the LookupBatch was disposed");
+        }
+
+        private void End()
+        {
+            if (Interlocked.CompareExchange(ref state, Idle, Running) == Running) return;
+            Volatile.Write(ref state, Closed);
+            call.Dispose();
+        }
 
         /// <summary>Number of lookups, from the beginning of the columns; at first their length.</summary>
         public long Count
         {
-            get { return WithLookups(-1); }
+            get
+            {
+                Begin();
+                long count = lookups->Count;
+                End();
+                return count;
+            }
             set
             {
                 if (value < 0 || value > capacity)
-                    throw new ArgumentOutOfRangeException("value", "Count: " + value + " is not in [0, " + capacity + "]");
-                WithLookups(value);
+                    throw new ArgumentOutOfRangeException("value", "Count: " + value + " is not in [0, " +
+                                                          capacity + "]");
+                Begin();
+                lookups->Count = value;
+                End();
             }
         }
 
@@ -60,26 +106,10 @@ namespace Shd
             get
             {
                 Begin();
-                try { return texels->NonfiniteCount; }
-                finally { DangerousRelease(); }
+                long count = texels->NonfiniteCount;
+                End();
+                return count;
             }
-        }
-
-        private long WithLookups(long count)
-        {
-            Begin();
-            try
-            {
-                if (count >= 0) lookups->Count = count;
-                return lookups->Count;
-            }
-            finally { DangerousRelease(); }
-        }
-
-        private void Begin()
-        {
-            bool isAdded = false;
-            DangerousAddRef(ref isAdded);
         }
 
         /// <summary>Filters the lookups into the columns of the batch.</summary>
@@ -87,20 +117,14 @@ namespace Shd
         {
             Begin();
             Result result = Native.LibShd.TextureSample(texture, sampler, lookups, texels);
-            if (result == Result.Ok) DangerousRelease();
+            if (result == Result.Ok) End();
             else Fail(result);
         }
 
         private void Fail(Result result)
         {
             try { call.Check(result); }
-            finally { DangerousRelease(); }
-        }
-
-        protected override bool ReleaseHandle()
-        {
-            call.Dispose();
-            return true;
+            finally { End(); }
         }
     }
 }

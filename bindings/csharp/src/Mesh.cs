@@ -41,7 +41,8 @@ namespace Shd
             {
                 Native.TessellationDesc built = desc.Build(call, "desc");
                 IntPtr made;
-                call.Check(Native.LibShd.MeshTessellate(call.Use(context, "context"), call.Use(this, "mesh"), &built, &made));
+                call.Check(Native.LibShd.MeshTessellate(call.Use(context, "context"), call.Use(this, "mesh"), &built,
+                                                        &made));
                 Mesh mesh = new Mesh();
                 mesh.Handle.Adopt(made, call.Roots);
                 return mesh;

@@ -128,7 +128,8 @@ namespace Shd
             using (Call call = new Call())
             {
                 Native.ShadowRenderDesc built = desc.Build(call, "desc");
-                call.Check(Native.LibShd.ShadowRender(call.Use(context, "context"), call.UseAlone(this, "shadow"), &built));
+                call.Check(Native.LibShd.ShadowRender(call.Use(context, "context"), call.UseAlone(this, "shadow"),
+                                                      &built));
             }
         }
 
@@ -172,7 +173,8 @@ namespace Shd
             {
                 Native.Draw* all = Draw.BuildAll(call, "draws", draws);
                 IntPtr made;
-                call.Check(Native.LibShdEmbree.EmbreeCreate(call.Use(context, "context"), all, (UIntPtr)(uint)draws.Length,
+                call.Check(Native.LibShdEmbree.EmbreeCreate(call.Use(context, "context"), all,
+                                                            (UIntPtr)(uint)draws.Length,
                                                             &made));
                 Handle.Adopt(made, call.Roots);
             }

@@ -29,7 +29,8 @@ namespace Shd
             if (!fits)
                 throw new ArgumentException(name + ": elements are " + element.Name + ", not channels of " + format,
                                             name);
-            long row = rowStride != 0 ? rowStride : width * pixel, layer = layerStride != 0 ? layerStride : height * row;
+            long row = rowStride != 0 ? rowStride : width * pixel,
+                layer = layerStride != 0 ? layerStride : height * row;
             if (width <= 0 || height <= 0 || layers <= 0 || row < 0 || layer < 0) return; // refused by the library
             decimal needed = (decimal)(layers - 1) * layer + (decimal)(height - 1) * row + (decimal)width * pixel;
             decimal bytes = (decimal)pixels.LongLength * size;
@@ -92,8 +93,8 @@ namespace Shd
             if (Levels == null) return;
             uint layers = Depth > 0 ? 1 : Math.Max(1, Layers);
             if (Depth == 0 && Levels.Count % layers != 0)
-                throw new ArgumentException(Call.Join(name, "Levels") + ": " + Levels.Count + " images are not levels of " +
-                                            layers + " layers", "Levels");
+                throw new ArgumentException(Call.Join(name, "Levels") + ": " + Levels.Count +
+                                            " images are not levels of " + layers + " layers", "Levels");
             made.LevelCount = Depth > 0 ? LevelsOfSlices() : (uint)Levels.Count / layers;
             made.Levels = Image.BuildAll(call, Call.Join(name, "Levels"), Levels);
         }

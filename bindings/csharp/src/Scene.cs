@@ -117,7 +117,8 @@ namespace Shd
             using (Call call = new Call())
             {
                 SceneInstance instance = SceneInstance.Default;
-                call.Check(Native.LibShdScene.SceneGetInstance(call.Use(this, "scene"), checked((uint)index), &instance));
+                call.Check(Native.LibShdScene.SceneGetInstance(call.Use(this, "scene"), checked((uint)index),
+                                                               &instance));
                 return instance;
             }
         }

@@ -93,7 +93,8 @@ namespace Shd
             {
                 Native.Lookups built = lookups.Build(call, "lookups");
                 Native.Levels levels = output.Build(call, "output", built.Count);
-                call.Check(Native.LibShd.TextureQueryLevels(call.Use(this, "texture"), call.Use(sampler, "sampler"), &built,
+                call.Check(Native.LibShd.TextureQueryLevels(call.Use(this, "texture"), call.Use(sampler, "sampler"),
+                                                            &built,
                                                             &levels));
             }
         }

@@ -59,6 +59,10 @@ public static class Layout
         Check.IsTrue(sampler.LodMax > 0, "LodMax");
         Check.Equal(1.0f, new RenderDesc().ClearDepth, "ClearDepth");
         Check.Equal(1.0f, new Draw().ObjectToWorld[5], "ObjectToWorld");
+        Bytes64 text = new Bytes64();
+        text[0] = (byte)'v';
+        text[1] = (byte)'x';
+        Check.Equal("vx", text.ToString(), "text");
         Check.Throws<ArgumentOutOfRangeException>(() => { float x = new Float3(1, 2, 3)[3]; }, "3 is not in [0, 3)");
     }
 }

@@ -67,6 +67,8 @@ public static class Lifetime
         LookupBatch batch = texture.Prepare(Make.Nearest(context), new Lookups { U = new float[3], V = new float[3] },
                                             Make.Channel(3));
         batch.Run();
+        PlaneView view = new Framebuffer(context, 4, 4).ViewPlane(Shd.Plane.R);
+        Check.Equal(4, view.Row(3).Length, "row");
         Check.IsTrue(memory.Alive > 0, "blocks");
     }
 
@@ -98,7 +100,8 @@ public static class Lifetime
             });
             Collect();
             float[,] red = Make.Red(context, material, 64, 32);
-            for (int x = 0; x < 64; ++x) Check.IsTrue(Math.Abs(red[7, x] - (x + 0.5f) / 64) < 1e-6f, "red of column " + x);
+            for (int x = 0; x < 64; ++x)
+                Check.IsTrue(Math.Abs(red[7, x] - (x + 0.5f) / 64) < 1e-6f, "red of column " + x);
             material.Dispose();
         }
     }

@@ -42,7 +42,7 @@ public static class Misuse
             Check.Throws<ObjectDisposedException>(() => batch.Run());
             Check.Throws<ObjectDisposedException>(() => { long n = batch.Count; });
             Check.Throws<ObjectDisposedException>(() => texture.Sample(sampler, new Lookups { U = Half, V = Half },
-                                                                       new Texels()), "texture: the Texture was disposed");
+                new Texels()), "texture: the Texture was disposed");
             Check.Throws<ObjectDisposedException>(() => { TextureInfo info = texture.Info; });
             Check.Throws<ObjectDisposedException>(() => new Material(context, new MaterialDesc {
                 Slots = new[] { Slot.FromTexture(SlotTarget.Diffuse, texture) } }), "desc.Slots[0].Texture");
@@ -67,7 +67,8 @@ public static class Misuse
                     () => context.Render(new RenderDesc { Framebuffer = framebuffer, Draws = new Draw[] { null } }),
                     "frame.Draws[0]");
                 Check.Throws<ShdException>(
-                    () => context.Render(new RenderDesc { Framebuffer = framebuffer, Draws = new[] { new Draw() } }), "mesh");
+                    () => context.Render(new RenderDesc { Framebuffer = framebuffer, Draws = new[] { new Draw() } }),
+                    "mesh");
             }
         }
     }
@@ -81,18 +82,23 @@ public static class Misuse
         using (Sampler sampler = Make.Nearest(context))
         {
             ArgumentException problem = Check.Throws<ArgumentException>(
-                () => texture.Sample(sampler, new Lookups { U = Half, V = two }, new Texels()), "lookups.V: 2 elements, not 1");
+                () => texture.Sample(sampler, new Lookups { U = Half, V = two }, new Texels()),
+                "lookups.V: 2 elements, not 1");
             Check.Equal("V", problem.ParamName, "ParamName");
             Texels texels = new Texels();
             texels.Channel[1] = two;
             Check.Throws<ArgumentException>(
-                () => texture.Sample(sampler, new Lookups { U = Half, V = Half }, texels), "output.Channel: 2 elements, not 1");
-            Check.Throws<ArgumentException>(() => SampleSpans(texture, sampler, Half, two, Half), "V: 2 elements, not 1");
-            Check.Throws<ArgumentException>(() => SampleSpans(texture, sampler, Half, Half, two), "R: 2 elements, not 1");
+                () => texture.Sample(sampler, new Lookups { U = Half, V = Half }, texels),
+                "output.Channel: 2 elements, not 1");
+            Check.Throws<ArgumentException>(() => SampleSpans(texture, sampler, Half, two, Half),
+                                            "V: 2 elements, not 1");
+            Check.Throws<ArgumentException>(() => SampleSpans(texture, sampler, Half, Half, two),
+                                            "R: 2 elements, not 1");
             using (LookupBatch batch = texture.Prepare(sampler, new Lookups { U = two, V = two }, new Texels()))
                 Check.Throws<ArgumentOutOfRangeException>(() => batch.Count = 3, "3 is not in [0, 2]");
-            Check.Throws<ArgumentException>(() => new Texture(context, new TextureDesc(Format.Rgba8, 2, 2, new byte[15])),
-                                            "desc.Texels: 15 bytes, not 16");
+            Check.Throws<ArgumentException>(
+                () => new Texture(context, new TextureDesc(Format.Rgba8, 2, 2, new byte[15])),
+                "desc.Texels: 15 bytes, not 16");
             MeshDesc mesh = new MeshDesc();
             Column.Set(mesh.Position, new float[9]);
             Column.Set(mesh.Uv, new float[4]);
@@ -113,14 +119,16 @@ public static class Misuse
         Check.Throws<ArgumentException>(() => Column.Set(mesh.Position, new double[9]), "rows: elements are Double");
         Check.Throws<ArgumentException>(() => Column.Set(mesh.Position, new Float2[3]), "rows: elements are Float2");
         Check.Throws<ArgumentException>(() => Column.Set(mesh.Position, new float[3, 2]), "2 columns, not 3");
-        Check.Throws<ArgumentException>(() => Column.OfField<float, Vertex>(new Vertex[3], "Z"), "field Z is Double, not Single");
+        Check.Throws<ArgumentException>(() => Column.OfField<float, Vertex>(new Vertex[3], "Z"),
+                                        "field Z is Double, not Single");
         Check.Throws<ArgumentException>(() => Column.OfField<float, Vertex>(new Vertex[3], "W"), "no field W");
         using (Context context = new Context())
         using (Texture texture = Make.Checker(context))
         using (Sampler sampler = Make.Nearest(context))
         {
-            Check.Throws<ArgumentException>(() => new Texture(context, new TextureDesc(Format.Rgba8, 1, 1, new float[1])),
-                                            "desc.Texels: elements are Single, not channels of Rgba8");
+            Check.Throws<ArgumentException>(
+                () => new Texture(context, new TextureDesc(Format.Rgba8, 1, 1, new float[1])),
+                "desc.Texels: elements are Single, not channels of Rgba8");
             Check.Throws<ArgumentException>(() => new Texture(context, new TextureDesc(Format.R32f, 1, 1, new int[1])),
                                             "elements are Int32, not channels of R32f");
             Texels texels = new Texels();
@@ -128,8 +136,7 @@ public static class Misuse
             Check.Throws<ArgumentException>(() => texture.Sample(sampler, new Lookups { U = Half, V = Half }, texels),
                                             "output.Channel: the memory is read-only");
             Check.Throws<ArgumentException>(
-                () => new Texture(context, new TextureDesc(Format.R8, 1, 1, new byte[1]) { Flags = TextureFlags.Borrow }),
-                "cannot borrow");
+                () => new Texture(context, new TextureDesc { Flags = TextureFlags.Borrow }), "cannot borrow");
         }
     }
 
@@ -148,7 +155,8 @@ public static class Misuse
         {
             IntPtr memory = Marshal.AllocHGlobal(64);
             Check.Throws<ShdException>(() => texture.Sample(sampler, new Lookups {
-                U = Column.At<float>(memory, 2, 6), V = Column.At<float>(memory, 2, 8) }, Make.Channel(2)), "lookups.u", "6");
+                U = Column.At<float>(memory, 2, 6), V = Column.At<float>(memory, 2, 8) }, Make.Channel(2)),
+                "lookups.u", "6");
             Marshal.FreeHGlobal(memory);
         }
     }
@@ -191,12 +199,47 @@ public static class Misuse
             };
             using (Material material = Make.Program(context, program))
             {
-                RenderDesc frame = new RenderDesc { Framebuffer = framebuffer, Draws = new[] { new Draw(mesh, material) } };
+                RenderDesc frame = new RenderDesc { Framebuffer = framebuffer,
+                                                    Draws = new[] { new Draw(mesh, material) } };
                 context.Render(frame);
-                Check.IsTrue(inside is InvalidOperationException && inside.Message.Contains("frame.Framebuffer: another call"),
+                Check.IsTrue(inside is InvalidOperationException &&
+                             inside.Message.Contains("frame.Framebuffer: another call"),
                              "the second frame: " + inside);
                 context.Render(frame); // the framebuffer is free again
             }
+        }
+    }
+
+    /// <summary>A batch serves one thread; the other one is refused while it runs.</summary>
+    [Test]
+    public static void TwoThreadsOnOneBatch()
+    {
+        float[] u = new float[20000];
+        using (Context context = new Context(new ContextDesc { WorkerCount = 1 }))
+        using (Texture texture = Make.Checker(context))
+        using (Sampler sampler = Make.Nearest(context))
+        using (LookupBatch batch = texture.Prepare(sampler, new Lookups { U = u, V = u }, Make.Channel(u.Length)))
+        {
+            int ran = 0, refused = 0;
+            Exception other = null;
+            ThreadStart loop = () =>
+            {
+                for (int i = 0; i < 100000 && Volatile.Read(ref refused) == 0; ++i)
+                {
+                    try
+                    {
+                        batch.Run();
+                        Interlocked.Increment(ref ran);
+                    }
+                    catch (InvalidOperationException) { Interlocked.Increment(ref refused); }
+                    catch (Exception problem) { other = problem; }
+                }
+            };
+            Thread second = new Thread(loop);
+            second.Start();
+            loop();
+            second.Join();
+            Check.IsTrue(other == null && ran > 0 && refused > 0, ran + " runs, " + refused + " refused, " + other);
         }
     }
 }

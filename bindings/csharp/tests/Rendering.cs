@@ -18,7 +18,10 @@ public static class Rendering
     private sealed class Broken : Executor
     {
         public override int WorkerCount { get { return 2; } }
-        public override void ParallelFor(long count, ParallelTask task) { throw new InvalidOperationException("no threads"); }
+        public override void ParallelFor(long count, ParallelTask task)
+        {
+            throw new InvalidOperationException("no threads");
+        }
     }
 
     [Test]
@@ -32,13 +35,14 @@ public static class Rendering
             Texels texels = new Texels();
             texels.Channel[0] = new Memory<float>(red);
             texels.Channel[3] = Column.Of(green, 1, 3, 2);
-            texture.Sample(sampler, new Lookups { U = Column.Of(u, 0, 2, 2), V = new ReadOnlyMemory<float>(v) }, texels);
+            texture.Sample(sampler, new Lookups { U = Column.Of(u, 0, 2, 2), V = new ReadOnlyMemory<float>(v) },
+                           texels);
             Check.Equal("0 1", red[0] + " " + red[1], "red");
             Check.Equal("0 1 0 0 1 0", string.Join(" ", green), "alpha");
             texture.Sample(sampler, new LookupSpans { U = v, V = v }, new TexelSpans { R = red });
             Check.Equal("0 0", red[0] + " " + red[1], "red of spans");
-            using (LookupBatch batch = texture.Prepare(sampler, new Lookups { U = new float[] { float.NaN, 0.75f }, V = v },
-                                                       texels))
+            Lookups other = new Lookups { U = new float[] { float.NaN, 0.75f }, V = v };
+            using (LookupBatch batch = texture.Prepare(sampler, other, texels))
             {
                 batch.Run();
                 Check.Equal("0 1", red[0] + " " + red[1], "red of a batch");
@@ -114,7 +118,8 @@ public static class Rendering
         using (Framebuffer framebuffer = new Framebuffer(context, 16, 8))
         {
             Matrix4 move = Matrix4x4.CreateTranslation(1, 0, 0);
-            foreach (Draw draw in new[] { new Draw(mesh) { ObjectToWorld = move }, new Draw(mesh) { Instances = new[] { move } } })
+            foreach (Draw draw in new[] { new Draw(mesh) { ObjectToWorld = move },
+                                          new Draw(mesh) { Instances = new[] { move } } })
             {
                 context.Render(new RenderDesc { Framebuffer = framebuffer, Draws = new[] { draw } });
                 float[,] depth = framebuffer.ReadPlane(Plane.Depth);
@@ -252,7 +257,12 @@ public static class Rendering
         using (Framebuffer framebuffer = new Framebuffer(context, 8, 8))
         {
             float last = 0;
-            context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = fraction => { last = fraction; return false; } });
+            Func<float, bool> progress = fraction =>
+            {
+                last = fraction;
+                return false;
+            };
+            context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = progress });
             Check.Equal(1.0f, last, "the last fraction");
             ShdException problem = Check.Throws<ShdException>(
                 () => context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = fraction => true }));

@@ -24,7 +24,7 @@ public static class Check
 
     public static void Equal<T>(T expected, T got, string text)
     {
-        if (!EqualityComparer<T>.Default.Equals(expected, got)) throw new Failure(text + ": " + got + ", not " + expected);
+        IsTrue(EqualityComparer<T>.Default.Equals(expected, got), text + ": " + got + ", not " + expected);
     }
 
     /// <summary>The exception of an action, whose text has all the given words.</summary>
@@ -142,8 +142,11 @@ public static class Tests
         }
         catch (TargetInvocationException problem)
         {
-            Console.WriteLine("FAIL " + name + ": " + problem.InnerException);
-            return false;
+            bool isMissing = problem.InnerException is DllNotFoundException &&
+                             problem.InnerException.Message.StartsWith("libshd_");
+            Console.WriteLine((isMissing ? "skip " : "FAIL ") + name + ": " +
+                              (isMissing ? problem.InnerException.Message : problem.InnerException.ToString()));
+            return isMissing;
         }
     }
 

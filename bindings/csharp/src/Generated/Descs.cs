@@ -27,7 +27,7 @@ namespace Shd
         /// <summary>TexelState of width * height texels; default not wanted</summary>
         public Column<uint> States;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.BakeDesc Build(Call call, string name, long rows = -1)
         {
             Native.BakeDesc made = Raw;
@@ -70,7 +70,7 @@ namespace Shd
         /// <summary>colour space or role of framebuffers; NULL = the role scene_linear</summary>
         public string WorkingSpace;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ColorDesc Build(Call call, string name, long rows = -1)
         {
             Native.ColorDesc made = Raw;
@@ -110,7 +110,7 @@ namespace Shd
         /// <summary>default Simd.Best; Result.ErrorUnsupported if it cannot run here</summary>
         public Simd Simd { get { return Raw.Simd; } set { Raw.Simd = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ContextDesc Build(Call call, string name, long rows = -1)
         {
             Native.ContextDesc made = Raw;
@@ -146,7 +146,7 @@ namespace Shd
         /// <summary>EdgeFlags bits, among the requested ones</summary>
         public Column<uint> Kinds;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Edges Build(Call call, string name, long rows = -1)
         {
             Native.Edges made = Raw;
@@ -191,7 +191,7 @@ namespace Shd
         /// <summary>default EnvironmentTables.All</summary>
         public EnvironmentTables Tables { get { return Raw.Tables; } set { Raw.Tables = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentDesc Build(Call call, string name, long rows = -1)
         {
             Native.EnvironmentDesc made = Raw;
@@ -234,7 +234,7 @@ namespace Shd
         /// </summary>
         public Column<float> Exponent;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentLookups Build(Call call, string name, long rows = -1)
         {
             Native.EnvironmentLookups made = Raw;
@@ -268,7 +268,7 @@ namespace Shd
         /// <summary>red, green, blue; irradiance, or radiance in the unit of the image</summary>
         public readonly Column<float>[] Rgb = new Column<float>[3];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentLight Build(Call call, string name, long rows = -1)
         {
             Native.EnvironmentLight made = Raw;
@@ -306,7 +306,7 @@ namespace Shd
         /// <summary>dv/dy</summary>
         public Column<float> Dvdy;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Derivatives Build(Call call, string name, long rows = -1)
         {
             Native.Derivatives made = Raw;
@@ -355,7 +355,7 @@ namespace Shd
         /// <summary>change of `direction` per pixel step in y; absent = 0</summary>
         public readonly Column<float>[] DirectionDy = new Column<float>[3];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RayDifferentials Build(Call call, string name, long rows = -1)
         {
             Native.RayDifferentials made = Raw;
@@ -400,7 +400,7 @@ namespace Shd
         /// <summary>diameter of the cone at the hit, in the units of the points; required</summary>
         public Column<float> Width;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RayCones Build(Call call, string name, long rows = -1)
         {
             Native.RayCones made = Raw;
@@ -441,7 +441,7 @@ namespace Shd
         /// <summary>bytes between rows, at least width * pixel size; 0 = packed</summary>
         public long RowStride { get { return Raw.RowStride; } set { Raw.RowStride = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Image Build(Call call, string name, long rows = -1)
         {
             Native.Image made = Raw;
@@ -502,7 +502,7 @@ namespace Shd
         /// </summary>
         public string WorkerPath;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.LoadDesc Build(Call call, string name, long rows = -1)
         {
             Native.LoadDesc made = Raw;
@@ -543,7 +543,7 @@ namespace Shd
         /// <summary>a framebuffer's colour in 8 and 16 bits; default none</summary>
         public Dither Dither { get { return Raw.Dither; } set { Raw.Dither = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SaveDesc Build(Call call, string name, long rows = -1)
         {
             Native.SaveDesc made = Raw;
@@ -621,7 +621,7 @@ namespace Shd
         /// <summary>sampler of `texture`; NULL = bilinear, black outside; retained</summary>
         public Sampler Sampler;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.LightDesc Build(Call call, string name, long rows = -1)
         {
             Native.LightDesc made = Raw;
@@ -678,7 +678,7 @@ namespace Shd
         /// <summary>dw/dy; absent = 0</summary>
         public Column<float> Dwdy;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Lookups Build(Call call, string name, long rows = -1)
         {
             Native.Lookups made = Raw;
@@ -737,7 +737,7 @@ namespace Shd
         /// </summary>
         public readonly Column<float>[] Dw = new Column<float>[4];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Texels Build(Call call, string name, long rows = -1)
         {
             Native.Texels made = Raw;
@@ -774,7 +774,7 @@ namespace Shd
         /// <summary>nearest mip level: ceil(lod + 1/2) - 1, or the profile's</summary>
         public Column<uint> Level;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Levels Build(Call call, string name, long rows = -1)
         {
             Native.Levels made = Raw;
@@ -898,7 +898,7 @@ namespace Shd
         /// <summary>0..1; default 0</summary>
         public float ClearcoatRoughness { get { return Raw.ClearcoatRoughness; } set { Raw.ClearcoatRoughness = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.MaterialDesc Build(Call call, string name, long rows = -1)
         {
             Native.MaterialDesc made = Raw;
@@ -961,7 +961,7 @@ namespace Shd
         /// <summary>16-bit vertex numbers; at most one of indices and indices16 is set</summary>
         public Column<ushort> Indices16;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.MeshDesc Build(Call call, string name, long rows = -1)
         {
             Native.MeshDesc made = Raw;
@@ -1020,7 +1020,7 @@ namespace Shd
         /// </summary>
         public IList<Draw> Draws;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionDesc Build(Call call, string name, long rows = -1)
         {
             Native.OcclusionDesc made = Raw;
@@ -1056,7 +1056,7 @@ namespace Shd
         /// <summary>x, y, z, world space, any length; required unless count is 0</summary>
         public readonly Column<float>[] Normal = new Column<float>[3];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionPoints Build(Call call, string name, long rows = -1)
         {
             Native.OcclusionPoints made = Raw;
@@ -1104,7 +1104,7 @@ namespace Shd
         /// <summary>TexelState of width * height texels; default not wanted</summary>
         public Column<uint> States;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionAtlas Build(Call call, string name, long rows = -1)
         {
             Native.OcclusionAtlas made = Raw;
@@ -1152,7 +1152,7 @@ namespace Shd
         /// </summary>
         public uint Segments { get { return Raw.Segments; } set { Raw.Segments = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonDesc Build(Call call, string name, long rows = -1)
         {
             Native.PolygonDesc made = Raw;
@@ -1184,7 +1184,7 @@ namespace Shd
         /// <summary>x and y; required</summary>
         public readonly Column<float>[] Position = new Column<float>[2];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonPoints Build(Call call, string name, long rows = -1)
         {
             Native.PolygonPoints made = Raw;
@@ -1220,7 +1220,7 @@ namespace Shd
         /// <summary>written: points that are not finite</summary>
         public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonWeights Build(Call call, string name, long rows = -1)
         {
             Native.PolygonWeights made = Raw;
@@ -1259,7 +1259,7 @@ namespace Shd
         /// <summary>change of `direction` per pixel step in y; absent = 0</summary>
         public readonly Column<float>[] DirectionDy = new Column<float>[3];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Directions Build(Call call, string name, long rows = -1)
         {
             Native.Directions made = Raw;
@@ -1307,7 +1307,7 @@ namespace Shd
         /// <summary>written: directions that count as +Z</summary>
         public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ProjectedPoints Build(Call call, string name, long rows = -1)
         {
             Native.ProjectedPoints made = Raw;
@@ -1351,7 +1351,7 @@ namespace Shd
         /// <summary>face of CUBE; absent = 0; numbers above 5 mean 5; other projections ignore it</summary>
         public Column<uint> Face;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ImagePoints Build(Call call, string name, long rows = -1)
         {
             Native.ImagePoints made = Raw;
@@ -1392,7 +1392,7 @@ namespace Shd
         /// <summary>written: points with a coordinate that is not finite; it counts as 0</summary>
         public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PointDirections Build(Call call, string name, long rows = -1)
         {
             Native.PointDirections made = Raw;
@@ -1432,7 +1432,7 @@ namespace Shd
         /// </summary>
         public IList<Image> Images;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.DirectionImages Build(Call call, string name, long rows = -1)
         {
             Native.DirectionImages made = Raw;
@@ -1520,7 +1520,7 @@ namespace Shd
         /// <summary>threshold of EdgeFlags.Crease, as in EdgesDesc: -1..1; default 0.5</summary>
         public float CreaseCosine { get { return Raw.CreaseCosine; } set { Raw.CreaseCosine = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Draw Build(Call call, string name, long rows = -1)
         {
             Native.Draw made = Raw;
@@ -1656,7 +1656,7 @@ namespace Shd
         /// </summary>
         public IList<VolumeDraw> Volumes;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RenderDesc Build(Call call, string name, long rows = -1)
         {
             Native.RenderDesc made = Raw;
@@ -1728,7 +1728,7 @@ namespace Shd
         /// <summary>[s] 0 = 60. Checked between the steps of assimp, meshes and textures</summary>
         public double TimeLimit { get { return Raw.TimeLimit; } set { Raw.TimeLimit = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SceneDesc Build(Call call, string name, long rows = -1)
         {
             Native.SceneDesc made = Raw;
@@ -1782,7 +1782,7 @@ namespace Shd
         public Float3 BoundsMin { get { return Raw.BoundsMin; } set { Raw.BoundsMin = value; } }
         public Float3 BoundsMax { get { return Raw.BoundsMax; } set { Raw.BoundsMax = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShadowRenderDesc Build(Call call, string name, long rows = -1)
         {
             Native.ShadowRenderDesc made = Raw;
@@ -1817,7 +1817,7 @@ namespace Shd
         /// <summary>unit, world space; all three columns or none</summary>
         public readonly Column<float>[] Normal = new Column<float>[3];
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShadowLookups Build(Call call, string name, long rows = -1)
         {
             Native.ShadowLookups made = Raw;
@@ -1856,7 +1856,7 @@ namespace Shd
         /// <summary>three for each triangle</summary>
         public Column<uint> Indices;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShapeColumns Build(Call call, string name, long rows = -1)
         {
             Native.ShapeColumns made = Raw;
@@ -1947,7 +1947,7 @@ namespace Shd
         /// </summary>
         public float PlaceWidth { get { return Raw.PlaceWidth; } set { Raw.PlaceWidth = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Slot Build(Call call, string name, long rows = -1)
         {
             Native.Slot made = Raw;
@@ -1984,7 +1984,7 @@ namespace Shd
         /// <summary>diameter of a pixel at the point [units of the positions]; absent = 0: no band limit</summary>
         public Column<float> Width;
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SolidPoints Build(Call call, string name, long rows = -1)
         {
             Native.SolidPoints made = Raw;
@@ -2026,7 +2026,7 @@ namespace Shd
         /// <summary>written: points whose position or width is not finite</summary>
         public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SolidValues Build(Call call, string name, long rows = -1)
         {
             Native.SolidValues made = Raw;
@@ -2092,7 +2092,7 @@ namespace Shd
         /// <summary>used with displacement; default DisplacedNormals.Tilted</summary>
         public DisplacedNormals Normals { get { return Raw.Normals; } set { Raw.Normals = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TessellationDesc Build(Call call, string name, long rows = -1)
         {
             Native.TessellationDesc made = Raw;
@@ -2159,7 +2159,7 @@ namespace Shd
         /// </summary>
         public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TextureDesc Build(Call call, string name, long rows = -1)
         {
             Native.TextureDesc made = Raw;
@@ -2226,7 +2226,7 @@ namespace Shd
         /// <summary>reserved; 0</summary>
         public uint Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VolumeDesc Build(Call call, string name, long rows = -1)
         {
             Native.VolumeDesc made = Raw;
@@ -2264,7 +2264,7 @@ namespace Shd
         /// <summary>affine, finite, invertible; default identity</summary>
         public Matrix4 ObjectToWorld { get { return Raw.ObjectToWorld; } set { Raw.ObjectToWorld = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VolumeDraw Build(Call call, string name, long rows = -1)
         {
             Native.VolumeDraw made = Raw;
@@ -2304,7 +2304,7 @@ namespace Shd
         /// <summary>number of the last slice, first..first + 65535; default 0</summary>
         public uint Last { get { return Raw.Last; } set { Raw.Last = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.StackDesc Build(Call call, string name, long rows = -1)
         {
             Native.StackDesc made = Raw;
@@ -2343,7 +2343,7 @@ namespace Shd
         /// <summary>last voxel of the box, at least box_min on each axis; read with VdbFlags.Box</summary>
         public Int3 BoxMax { get { return Raw.BoxMax; } set { Raw.BoxMax = value; } }
 
-        /// <summary>The struct of C, valid during a call. `rows` is the length of columns, if it is given.</summary>
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VdbDesc Build(Call call, string name, long rows = -1)
         {
             Native.VdbDesc made = Raw;
