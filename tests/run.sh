@@ -107,7 +107,7 @@ stage_tsan() {
 # The release stage has built shd as a part of another project and of a Python package, and has run the unit tests on
 # the generic SIMD target; failures of allocations do not depend on it.
 stage_core() {
-  build core -DSHD_SIMD=scalar && run_tests core -E '^(bindings\.python\.install$|consumer\.add_subdirectory$|unit\.|api\.(call_faults(_directions)?|faults)$)'
+  build core -DSHD_SIMD=scalar && run_tests core -E '^(bindings\.(cpp|csharp|js|love|lua|packages|python|rust)|consumer\.add_subdirectory$|unit\.|api\.(call_faults(_directions)?|faults)$)'
 }
 # Only the golden hashes and those of the bindings' programs: the emulator takes a minute for them.
 stage_arm() {

@@ -24,7 +24,7 @@ import sys
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 # Names of CMake options and of the environment, and of files and folders, are no names of the interface.
 NAME = re.compile(r"(?<![\w./-])(?:shd_[a-z0-9_]+|SHD_[A-Z0-9_]+[A-Z0-9])(?![\w-]|\.\w)")
-OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|INSTALL|NO_INSTALL|LIBRARY|BUNDLE)|shd_(?:color|io)")
+OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|INSTALL|NO_INSTALL|LIBRARY|LIB_DIR|BUNDLE)|shd_(?:color|io)")
 
 # A test, and a case of it up to a `*`.
 TEST = re.compile(r"`((?:abi|api|consumer|fuzz|tool|unit)\.[\w.-]*\w)(?: ([^`]+))?`")
