@@ -46,6 +46,13 @@ sources=$work/sources  # pip builds inside the sources
 rm -rf "$sources"
 mkdir -p "$sources/bindings"
 cp -r "$here/../shd.json" "$here" "$sources/bindings/"
+mkdir "$sources/bindings/python/licenses"  # of all that is linked in
+cp "$root/LICENSE" "$sources/bindings/python/licenses/shd.txt"
+libstdcxx=$(dpkg -S "$("${CXX:-c++}" -print-file-name=libstdc++.a | xargs realpath)" | cut -d: -f1)
+for package in libtbb-dev libhwy-dev "$libstdcxx"; do
+  cp "/usr/share/doc/$package/copyright" "$sources/bindings/python/licenses/$package.txt"
+done
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-315532800}  # times in the wheel: equal bytes from equal sources
 SHD_PLATFORM=$("$here/audit.py" --tag "$work-core/src/libshd.so") SHD_BUNDLE=$work-core/src/libshd.so \
   "$python" -m pip wheel --quiet --disable-pip-version-check --no-index --no-build-isolation --no-deps \
   --wheel-dir "$dist" "$sources/bindings/python"
