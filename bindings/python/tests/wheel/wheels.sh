@@ -80,6 +80,10 @@ _api.check(_api.lib.shd_image_save(ctypes.addressof(image), b"saved.png", ctypes
 _api.lib.shd_bitmap_release(bitmap)
 CHECK
 whole/bin/python -m shd compare saved.png expected.png --max-abs 1
-for wheel in dist/*.whl; do
-  "$PYTHON" -m zipfile -l "$wheel" | grep -q 'dist-info/.*shd.txt' || { echo "$wheel has no licences"; exit 1; }
-done
+"$PYTHON" - dist/*.whl <<'CHECK'
+import sys
+import zipfile
+for wheel in sys.argv[1:]:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert any("dist-info/" in n and n.endswith("shd.txt") for n in names), f"{wheel} has no licences: {names}"
+CHECK
