@@ -86,7 +86,7 @@ def project():
 
 
 def write_wheel(path, name, files, licences, version, summary, readme, tag):
-    """A wheel after "Binary distribution format" of the Python Packaging User Guide. Its bytes depend on the files only."""
+    """A wheel after "Binary distribution format" of the Python Packaging User Guide. Equal files make equal bytes."""
     info = f"{name}-{version}.dist-info"
     metadata = (f"Metadata-Version: 2.1\nName: {name.replace('_', '-')}\nVersion: {version}\nSummary: {summary}\n"
                 f"License: MIT\nRequires-Python: >=3.9\nRequires-Dist: shd (=={version})\n"

@@ -17,8 +17,8 @@ if [ "${1:-}" != mounted ]; then exec unshare --mount "$0" mounted; fi  # mounts
 chroot=$WORK/debian11
 trap 'umount "$chroot/proc" 2> /dev/null || true; rm -rf --one-file-system "$chroot"' EXIT
 rm -rf "$chroot"
-mirror=$(grep -hoE 'https?://[^ ]+/debian/? *$' /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2> /dev/null \
-  | head -1 || true)
+mirror=$(grep -hoE 'https?://[^ ]+/debian/? *$' /etc/apt/sources.list.d/debian.sources \
+  /etc/apt/sources.list 2> /dev/null | head -1 || true)
 if ! debootstrap --variant=minbase --include=python3-numpy bullseye "$chroot" $mirror > "$WORK/debian11.log" 2>&1; then
   echo "skipped: debootstrap failed: $(tail -1 "$WORK/debian11.log")"
   exit 77

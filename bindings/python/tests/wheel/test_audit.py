@@ -148,7 +148,8 @@ class Files(Case):
         for _ in range(3000):
             data = bytearray(seed[:choose.randrange(1, len(seed))] if choose.random() < 0.2 else seed)
             for _ in range(choose.randrange(1, 20)):
-                data[choose.randrange(min(len(data), 1024) if choose.random() < 0.5 else len(data))] = choose.randrange(256)
+                end = min(len(data), 1024) if choose.random() < 0.5 else len(data)
+                data[choose.randrange(end)] = choose.randrange(256)
             try:
                 Elf(data)
             except ValueError:

@@ -53,7 +53,8 @@ sys.exit(min(cpu) > 0.3)
 CHECK
 if core/bin/python -c 'import pytest' 2> /dev/null; then
   mkdir -p suite
-  printf 'import numpy as np\ndef test_a(golden):\n    golden.check(np.zeros((4, 4, 3), np.uint8), "a")\n' > suite/test_a.py
+  printf 'import numpy as np\ndef test_a(golden):\n    golden.check(np.zeros((4, 4, 3), np.uint8), "a")\n' \
+    > suite/test_a.py
   core/bin/python -m pytest -q -p no:cacheprovider --shd-update suite       # the installed plugin
   core/bin/python -m pytest -q -p no:cacheprovider -p shd.pytest_plugin suite  # is not loaded twice
 else
