@@ -118,7 +118,7 @@ def main():
     parser.add_argument("--tag", action="store_true")
     parser.add_argument("--libstdc++", dest="libstdcxx", action="store_true")
     parser.add_argument("--system", action="append", default=[], metavar="NAME")
-    parser.add_argument("--beside", action="append", default=[], metavar="NAME", help="a library of another wheel of shd")
+    parser.add_argument("--beside", action="append", default=[], metavar="NAME", help="a library in another wheel")
     options = parser.parse_args()
     try:
         if options.tag:

@@ -4,7 +4,8 @@
 # The builds are FOLDER-core and FOLDER-components. ccache finds objects of another build whose folder has equal depth.
 #
 # The wheel shd has libshd with oneTBB, Highway and libstdc++ linked in; glibc 2.28 suffices. PYTHON is the interpreter
-# with pip, wheel and setuptools; JOBS the number of compilers; COMPONENTS the wheels besides shd, "color io" by default.
+# with pip, wheel and setuptools; JOBS the number of compilers; COMPONENTS the wheels besides shd, by default
+# "color io".
 # Exit code 77: a tool or the sources of oneTBB are absent.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -40,12 +41,20 @@ build() {
 
 # glibc 2.28 has the functions of threads and of dlopen in two libraries of their own.
 configure "$work-core" "-static-libstdc++ -static-libgcc $work/libraries/glibc.o \
--Wl,--push-state,--no-as-needed,-l:libpthread.so.0,-l:libdl.so.2,--pop-state" -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF "$@"
+-Wl,--push-state,--no-as-needed,-l:libpthread.so.0,-l:libdl.so.2,--pop-state" \
+  -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF "$@"
 build "$work-core" shd
 sources=$work/sources  # pip builds inside the sources
 rm -rf "$sources"
 mkdir -p "$sources/bindings"
 cp -r "$here/../shd.json" "$here" "$sources/bindings/"
+mkdir "$sources/bindings/python/licenses"  # of all that is linked in
+cp "$root/LICENSE" "$sources/bindings/python/licenses/shd.txt"
+libstdcxx=$(dpkg -S "$("${CXX:-c++}" -print-file-name=libstdc++.a | xargs realpath)" | cut -d: -f1)
+for package in libtbb-dev libhwy-dev "$libstdcxx"; do
+  cp "/usr/share/doc/$package/copyright" "$sources/bindings/python/licenses/$package.txt"
+done
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-315532800}  # times in the wheel: equal bytes from equal sources
 SHD_PLATFORM=$("$here/audit.py" --tag "$work-core/src/libshd.so") SHD_BUNDLE=$work-core/src/libshd.so \
   "$python" -m pip wheel --quiet --disable-pip-version-check --no-index --no-build-isolation --no-deps \
   --wheel-dir "$dist" "$sources/bindings/python"

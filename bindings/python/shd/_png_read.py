@@ -39,7 +39,8 @@ class _Header:
     def __init__(self, body):
         if len(body) != 13:
             raise ValueError(f"IHDR has {len(body)} bytes, not 13")
-        self.width, self.height, self.depth, self.kind, compression, filters, interlace = struct.unpack(">IIBBBBB", body)
+        self.width, self.height, self.depth, self.kind = struct.unpack_from(">IIBB", body)
+        compression, filters, interlace = body[10:]
         if self.width == 0 or self.height == 0 or max(self.width, self.height) >= 1 << 31:
             raise ValueError(f"the size is {self.width} x {self.height} pixels")
         if self.kind not in COLOUR_TYPES or self.depth not in COLOUR_TYPES[self.kind][1]:

@@ -22,10 +22,10 @@ sys.path[:0] = [str(HERE), str(HERE.parent)]
 import audit  # noqa: E402
 from elf import Elf  # noqa: E402
 
-# component: (files of the build, libraries of the system that are not copied, description)
+# component: (files of the build, packages that are linked in, libraries of the system that are not copied, description)
 COMPONENTS = {
-    "color": (["libshd_color.so"], [], "Displays and colour spaces for shd, by OpenColorIO"),
-    "io": (["libshd_io.so", "libshd_io_oiio.so", "shd-io-worker"],
+    "color": (["libshd_color.so"], ["libhwy-dev"], [], "Displays and colour spaces for shd, by OpenColorIO"),
+    "io": (["libshd_io.so", "libshd_io_oiio.so", "shd-io-worker"], [],
            ["libOpenImageIO.so.2.4", "libOpenImageIO_Util.so.2.4"], "Picture files for shd, by OpenImageIO"),
 }
 
@@ -50,7 +50,7 @@ def found_by_loader(path):
 
 
 def collect(paths, system):
-    """{name in the wheel: bytes} of the files of a component and of the libraries that they need."""
+    """{name in the wheel: bytes} of the files of a component and of the libraries that they need, and the libraries."""
     places = {name: place for path in paths for name, place in found_by_loader(path).items()}
     files, queue, names = {}, list(paths), {}
     while queue:
@@ -65,7 +65,19 @@ def collect(paths, system):
                 names[name] = own_name(name, library.read_bytes())
                 queue.append(library)
     renamed = {pathlib.Path(places[old]).resolve(): new for old, new in names.items()}
-    return {renamed.get(path, path.name): Elf(data).renamed(names) for path, data in files.items()}
+    return {renamed.get(path, path.name): Elf(data).renamed(names) for path, data in files.items()}, list(renamed)
+
+
+def packages_of(paths):
+    """Names of the Debian packages of libraries."""
+    for path in paths:
+        # Either path, because /lib is a link to /usr/lib.
+        run = subprocess.run(["dpkg", "-S", path, str(path).removeprefix("/usr")], stdout=subprocess.PIPE,
+                             stderr=subprocess.DEVNULL, text=True)
+        package = run.stdout.split(":")[0]
+        if not package:
+            raise FileNotFoundError(f"{path} is of no Debian package: its licence is not known")
+        yield package
 
 
 def project():
@@ -73,14 +85,15 @@ def project():
     return re.search(r'^version = "(.+)"', (HERE.parent / "pyproject.toml").read_text("utf-8"), re.M)[1]
 
 
-def write_wheel(path, name, files, version, summary, readme, tag):
-    """A wheel after "Binary distribution format" of the Python Packaging User Guide. Its bytes depend on the files only."""
+def write_wheel(path, name, files, licences, version, summary, readme, tag):
+    """A wheel after "Binary distribution format" of the Python Packaging User Guide. Equal files make equal bytes."""
     info = f"{name}-{version}.dist-info"
     metadata = (f"Metadata-Version: 2.1\nName: {name.replace('_', '-')}\nVersion: {version}\nSummary: {summary}\n"
                 f"License: MIT\nRequires-Python: >=3.9\nRequires-Dist: shd (=={version})\n"
                 f"Description-Content-Type: text/markdown\n\n{readme}")
     wheel = f"Wheel-Version: 1.0\nGenerator: shd component.py\nRoot-Is-Purelib: false\nTag: py3-none-{tag}\n"
     members = {**{f"shd/{n}": d for n, d in sorted(files.items())},
+               **{f"{info}/licenses/{n}.txt": d for n, d in sorted(licences.items())},
                f"{info}/METADATA": metadata.encode(), f"{info}/WHEEL": wheel.encode()}
     record = []
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
@@ -105,8 +118,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True, help="folder of the built libraries")
     parser.add_argument("--output", type=pathlib.Path, required=True)
     options = parser.parse_args()
-    names, system, summary = COMPONENTS[options.component]
-    files = collect([(options.build / n).resolve() for n in names], system)
+    names, packages, system, summary = COMPONENTS[options.component]
+    files, copied = collect([(options.build / n).resolve() for n in names], system)
     files = {next((n for n in names if k.startswith(n)), k): d for k, d in files.items()}  # without .0.1.0
     with tempfile.TemporaryDirectory() as folder:
         paths = []
@@ -116,8 +129,11 @@ def main():
         tag = audit.tag(paths)
     tag = re.sub(r"manylinux_\d+_\d+", "linux", tag) if system else tag
     path = options.output / f"shd_{options.component}-{project()}-py3-none-{tag}.whl"
+    licences = {"shd": (HERE.parents[2] / "LICENSE").read_bytes()}
+    for package in [*packages, *packages_of(copied)]:
+        licences[package] = pathlib.Path(f"/usr/share/doc/{package}/copyright").read_bytes()
     readme = (HERE / f"{options.component}.md").read_text("utf-8")
-    write_wheel(path, f"shd_{options.component}", files, project(), summary, readme, tag)
+    write_wheel(path, f"shd_{options.component}", files, licences, project(), summary, readme, tag)
     print(path)
 
 

@@ -14,10 +14,12 @@ ${CC:-cc} -std=c99 -O2 -fPIC -Wall -Wextra -c "$here/glibc.c" -o glibc.o
 if [ -e libtbb.a ] && [ -e libhwy.a ]; then exit 0; fi
 
 skip() { echo "skipped: $*"; exit 77; }
-command -v apt-get > /dev/null && command -v dpkg-source > /dev/null || skip "no apt-get or dpkg-source (Debian: dpkg-dev)"
+command -v apt-get > /dev/null && command -v dpkg-source > /dev/null \
+  || skip "no apt-get or dpkg-source (Debian: dpkg-dev)"
 mkdir -p apt/sources apt/lists/partial apt/cache/archives/partial source
 for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
-  if [ -e "$file" ]; then sed -E 's/^Types: .*/Types: deb-src/; s/^deb /deb-src /' "$file" > "apt/sources/${file##*/}"; fi
+  if [ ! -e "$file" ]; then continue; fi
+  sed -E 's/^Types: .*/Types: deb-src/; s/^deb /deb-src /' "$file" > "apt/sources/${file##*/}"
 done
 if [ -e apt/sources/sources.list ]; then mv apt/sources/sources.list apt/sources/main.list; fi
 options=(-qq -o "Dir::Etc::SourceList=/dev/null" -o "Dir::Etc::SourceParts=$PWD/apt/sources"

@@ -98,7 +98,8 @@ def flip(reference, picture, pixels_per_degree=PIXELS_PER_DEGREE):
     return np.clip(colour, 0, 1) ** (1 - np.clip(feature, 0, 1))  # rounding may leave [0, 1] by the last bit
 
 
-# Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), with its exposure of 0.6 taken out: (a x^2 + b x) / (c x^2 + d x + e)
+# Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), with its exposure of 0.6 taken out:
+# (a x^2 + b x) / (c x^2 + d x + e)
 TONE = (0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14)
 DISPLAYED = 0.85  # tone-mapped luminance of the brightest, and of the median pixel, at the ends of the exposures
 

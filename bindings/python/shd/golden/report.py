@@ -32,7 +32,8 @@ def side_by_side(difference):
     """Reference, picture and FLIP map side by side. Without a map, as for pictures of other shapes, the first two."""
     scale = 1.0
     if difference.hdr:
-        scale = 2.0 ** float(np.median(_flip.exposures(np.maximum(difference.reference[..., :3], 0).astype(np.float64))))
+        linear = np.maximum(difference.reference[..., :3].astype(np.float64), 0)
+        scale = 2.0 ** float(np.median(_flip.exposures(linear)))
     parts = [_shown(p, difference.hdr, scale) for p in (difference.reference, difference.picture)]
     if not difference.mismatch:
         parts.append(heat(difference.flip))

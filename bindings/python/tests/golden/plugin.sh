@@ -11,4 +11,5 @@ temporary=$(mktemp -d)
 trap 'rm -rf "$temporary"' EXIT
 cd "$temporary"
 export PYTHONPATH=$here/../.. PYTHONDONTWRITEBYTECODE=1 PYTEST_DISABLE_PLUGIN_AUTOLOAD=1
-"$PYTHON" -m pytest -q -p pytester -p no:cacheprovider --basetemp="$temporary/base" --rootdir="$temporary" "$here/plugin_cases.py"
+"$PYTHON" -m pytest -q -p pytester -p no:cacheprovider --basetemp="$temporary/base" --rootdir="$temporary" \
+  "$here/plugin_cases.py"

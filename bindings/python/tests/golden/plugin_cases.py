@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pytest plugin, run by pytest with -p pytester. The name keeps unittest and pytest from collecting it elsewhere."""
+"""The pytest plugin, run by pytest with -p pytester. Because of its name, nothing else collects the file."""
 import numpy as np
 
 from shd import golden

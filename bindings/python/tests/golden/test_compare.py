@@ -84,7 +84,8 @@ class Differences(unittest.TestCase):
         nan = changed(grey(0.5, dtype=np.float32), np.nan)
         for wrong, text in ((nan, r"picture: 1 values are NaN or infinite, the first at \[2, 3, 1\]"),
                             (changed(grey(0.5, dtype=float), np.inf), "infinite"), (grey(dtype=np.int32), "int32, not"),
-                            (np.zeros(4), "shape is .4,."), (np.zeros((0, 4, 3)), "shape"), (np.zeros((2, 2, 5)), "shape"),
+                            (np.zeros(4), "shape is .4,."), (np.zeros((0, 4, 3)), "shape"),
+                            (np.zeros((2, 2, 5)), "shape"),
                             ([["a"]], "type is"), (None, "type is object")):
             with self.assertRaisesRegex(golden.PictureError, text):
                 golden.compare(grey(0.5, dtype=np.float32), wrong)

@@ -135,6 +135,9 @@ class HighDynamicRange(unittest.TestCase):
         self.assertGreater(difference.flip[:2].min(), 0.3)
         self.assertLess(difference.flip[-1].max(), 1e-3)
         self.assertEqual(golden.compare(first, first, hdr=True).max_flip, 0)
+        shown = golden.side_by_side(difference)
+        self.assertEqual(shown.shape, (16, 3 * 16 + 8, 3))
+        self.assertGreater(int(shown[0, 0, 0]), int(shown[15, 0, 0]))
 
     def test_black_references(self):
         black = np.zeros((4, 4, 3))

@@ -148,7 +148,8 @@ class Files(Case):
         for _ in range(3000):
             data = bytearray(seed[:choose.randrange(1, len(seed))] if choose.random() < 0.2 else seed)
             for _ in range(choose.randrange(1, 20)):
-                data[choose.randrange(min(len(data), 1024) if choose.random() < 0.5 else len(data))] = choose.randrange(256)
+                end = min(len(data), 1024) if choose.random() < 0.5 else len(data)
+                data[choose.randrange(end)] = choose.randrange(256)
             try:
                 Elf(data)
             except ValueError:
@@ -160,14 +161,15 @@ class Components(Case):
     def test_wheels_have_their_files_and_records(self):
         out = self.folder / "shd_x-1-py3-none-linux_x86_64.whl"
         files = {"libshd_x.so": b"a", "shd-x-worker": b"b"}
-        component.write_wheel(out, "shd_x", files, "1", "summary", "text", "linux_x86_64")
+        component.write_wheel(out, "shd_x", files, {"libx": b"licence"}, "1", "summary", "text", "linux_x86_64")
         first = out.read_bytes()
-        component.write_wheel(out, "shd_x", files, "1", "summary", "text", "linux_x86_64")
+        component.write_wheel(out, "shd_x", files, {"libx": b"licence"}, "1", "summary", "text", "linux_x86_64")
         self.assertEqual(out.read_bytes(), first)
         with zipfile.ZipFile(out) as wheel:
             self.assertIsNone(wheel.testzip())
             self.assertEqual(wheel.getinfo("shd/shd-x-worker").external_attr >> 16, 0o100755)
             self.assertEqual(wheel.getinfo("shd/libshd_x.so").external_attr >> 16, 0o100644)
+            self.assertEqual(wheel.read("shd_x-1.dist-info/licenses/libx.txt"), b"licence")
             record = wheel.read("shd_x-1.dist-info/RECORD").decode()
             self.assertEqual(len(record.splitlines()), len(wheel.namelist()))
             self.assertIn("Requires-Dist: shd (==1)", wheel.read("shd_x-1.dist-info/METADATA").decode())

@@ -53,7 +53,8 @@ sys.exit(min(cpu) > 0.3)
 CHECK
 if core/bin/python -c 'import pytest' 2> /dev/null; then
   mkdir -p suite
-  printf 'import numpy as np\ndef test_a(golden):\n    golden.check(np.zeros((4, 4, 3), np.uint8), "a")\n' > suite/test_a.py
+  printf 'import numpy as np\ndef test_a(golden):\n    golden.check(np.zeros((4, 4, 3), np.uint8), "a")\n' \
+    > suite/test_a.py
   core/bin/python -m pytest -q -p no:cacheprovider --shd-update suite       # the installed plugin
   core/bin/python -m pytest -q -p no:cacheprovider -p shd.pytest_plugin suite  # is not loaded twice
 else
@@ -80,3 +81,10 @@ _api.check(_api.lib.shd_image_save(ctypes.addressof(image), b"saved.png", ctypes
 _api.lib.shd_bitmap_release(bitmap)
 CHECK
 whole/bin/python -m shd compare saved.png expected.png --max-abs 1
+"$PYTHON" - dist/*.whl <<'CHECK'
+import sys
+import zipfile
+for wheel in sys.argv[1:]:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert any("dist-info/" in n and n.endswith("shd.txt") for n in names), f"{wheel} has no licences: {names}"
+CHECK
