@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the time from the start of an interpreter to its first picture, the best of ten runs."""
+"""Prints the time from the start of an interpreter to its first picture, the best of ten runs.
+
+    start_time.py [--installed]      of the package in this folder, or of the one that is installed
+"""
 import importlib.util
 import os
 import pathlib
@@ -27,7 +30,7 @@ def main():
     if importlib.util.find_spec("numpy") is None:
         print(f"{sys.executable} has no NumPy (Debian: python3-numpy)")
         return 1
-    environment = {**os.environ, "PYTHONPATH": str(HERE)}
+    environment = {**os.environ, **({} if "--installed" in sys.argv[1:] else {"PYTHONPATH": str(HERE)})}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed package has its bytecode
     with tempfile.TemporaryDirectory() as folder:
         environment["PYTHONPYCACHEPREFIX"] = folder

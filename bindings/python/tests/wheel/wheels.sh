@@ -34,23 +34,7 @@ assert workers == len(os.sched_getaffinity(0)), workers  # of oneTBB
 found = set(re.findall(r"\S*/(?:libshd|libhwy|libtbb)\S*", open("/proc/self/maps").read()))
 assert found == {f"{shd.__path__[0]}/libshd.so"}, found
 CHECK
-core/bin/python - <<'CHECK'
-import os
-import subprocess
-import sys
-import time
-wall, cpu = [], []
-for _ in range(7):
-    start, before = time.perf_counter(), os.times()
-    subprocess.run([sys.executable, "-m", "shd", "timed.png"], check=True, stdout=subprocess.DEVNULL)
-    after = os.times()
-    wall.append(time.perf_counter() - start)
-    cpu.append(after.children_user + after.children_system - before.children_user - before.children_system)
-# The processors of a busy machine are shared, so the limit is one of processor time.
-print(f"from the start of Python to a picture of 320 x 240 pixels: {min(wall):.2f} s, {min(cpu):.2f} s of the "
-      "processor, at most 0.3 s")
-sys.exit(min(cpu) > 0.3)
-CHECK
+core/bin/python "$here/../../start_time.py" --installed
 if core/bin/python -c 'import pytest' 2> /dev/null; then
   mkdir -p suite
   printf 'import numpy as np\ndef test_a(golden):\n    golden.check(np.zeros((4, 4, 3), np.uint8), "a")\n' \
