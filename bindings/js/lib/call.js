@@ -9,6 +9,8 @@ import { ShdError, describe, refuse } from "./error.js";
 
 // Functions that a program may call.
 const IN_PROGRAMS = /^shd_(texture_(sample|query_levels|explain)|solid_evaluate|format_size|last_error)$/;
+// References belong to the objects; addresses are for users of `raw`.
+const RAW_ONLY = /^shd_(\w+_(retain|release)|context_(allocate|free|parallel_for)|object_\w+|desc_init)$/;
 // Parameters that are const structs, but whose columns or pixels are written.
 const WRITTEN = new Set(["out", "levels", "mixed", "to"]);
 
@@ -150,6 +152,7 @@ function check(module, result, name) {
 export function invoke(module, name, values, made = null) {
   const entry = functions[name];
   if (!entry) throw new TypeError(`libshd has no function ${name}`);
+  if (RAW_ONLY.test(name)) refuse(name, "only shd.raw has it; objects have close()");
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
   const rows = rowsOf(name, values);
   const mark = module.memory.mark();

@@ -5,11 +5,9 @@
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
-rm -rf "$WORK/pack" "$WORK/empty"
-mkdir -p "$WORK/pack" "$WORK/empty"
-cp -r "$source"/{package.json,README.md,lib,examples} "$WORK/pack"
-cp "$SHD_WASM" "$WORK/pack/lib/shd.wasm"
-tarball=$(cd "$WORK/pack" && npm pack --silent --pack-destination "$WORK/empty")
+rm -rf "$WORK/empty"
+mkdir -p "$WORK/empty"
+tarball=$("$source/pack.sh" "$WORK/empty")
 cd "$WORK/empty"
 npm init -y >/dev/null
 npm install --offline --no-audit --no-fund "./$tarball" >/dev/null
