@@ -133,7 +133,7 @@ try {
   await checkControls();
   await checkKeysAndDivider();
   await checkFootprint();
-  for (const plain of ["compare=0&shadow=0&model=lambert&b.filter=trilinear", "compare=0&b.filter=trilinear", "", "compare=0&b.filter=ewa"]) {
+  for (const plain of ["compare=0&shadow=0&model=lambert&b.filter=trilinear", ""]) {
     console.log(await measure(plain));
   }
   assert.deepEqual(problems, []);
