@@ -130,8 +130,10 @@ class Arguments {
   structs(type, values, key) {
     const { size } = structOf(type);
     const address = this.call.allocate(size * values.length);
-    values.forEach((value, i) => writeStruct(this.call, type, address + i * size, value, values.length > 1 ? `${key}[${i}]` : key,
-                                             null));
+    values.forEach((value, i) => {
+      const label = values.length > 1 ? `${key}[${i}]` : key;
+      writeStruct(this.call, type, address + i * size, value, label, null);
+    });
     return address;
   }
   /** A struct that the library reads and writes: numbers that it writes become fields of the value. */
@@ -167,7 +169,8 @@ export function invoke(module, name, values, made = null) {
     made?.(call);
     isDone = true;
     if (entry[0] === "text") return module.memory.text(returned >>> 0);
-    if (entry[0] !== "shd_result") return typeof returned === "number" && entry[0] === "u32" ? returned >>> 0 : returned;
+    if (entry[0] === "u32") return returned >>> 0;
+    if (entry[0] !== "shd_result") return returned;
     if (results.length === 1) return results[0][1]();
     return results.length ? Object.fromEntries(results.map(([key, read]) => [key, read()])) : undefined;
   } finally {

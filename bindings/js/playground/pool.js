@@ -19,7 +19,7 @@ export function balance(edges, times, height) {
 /** Compiles shd.wasm once for all workers, which share the code. */
 async function compile() {
   const response = await fetch(new URL("../lib/shd.wasm", import.meta.url));
-  if (!response.ok) throw new Error(`shd.wasm: ${response.status} ${response.statusText}. Build it and copy it to lib/`);
+  if (!response.ok) throw new Error(`shd.wasm: ${response.status}. Build it and copy it to lib/`);
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
@@ -57,13 +57,16 @@ export class Pool {
   async draw(state) {
     const height = Number(state.size.split("x")[1]);
     const count = this.#workers.length;
-    const edges = this.#edges.get(height) ?? Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const equal = () => Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const edges = this.#edges.get(height) ?? equal();
     const bands = await Promise.all(this.#workers.map((worker, i) =>
       this.#ask(worker, { state, rows: [edges[i], edges[i + 1]] })));
     const times = bands.map((band) => band.milliseconds);
     const wanted = balance(edges, times, height);
-    this.#edges.set(height, edges.map((edge, i) => Math.round((edge + wanted[i]) / 2)));  // half the way: times are noisy
-    return { bands, edges, size: state.size, milliseconds: Math.max(...times), fragments: bands.reduce((sum, band) => sum + band.fragments, 0) };
+    // Half the way: times are noisy.
+    this.#edges.set(height, edges.map((edge, i) => Math.round((edge + wanted[i]) / 2)));
+    const fragments = bands.reduce((sum, band) => sum + band.fragments, 0);
+    return { bands, edges, size: state.size, milliseconds: Math.max(...times), fragments };
   }
   /** The footprint of a pixel of a frame that draw() returned. */
   async footprint({ edges }, x, y) {

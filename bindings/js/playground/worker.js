@@ -17,7 +17,8 @@ function applyView(made, view, pixels, first) {
     return falseColour(pixels, LEVELS, (i) => (depth[i] < 1 ? Math.max(0, level[i]) : -1));
   }
   const [dudx, dvdx, dudy, dvdy] = ["dudx", "dvdx", "dudy", "dvdy"].map(read);
-  return falseColour(pixels, RATIO_COLOURS, (i) => (depth[i] < 1 ? Math.log2(ratioOf(dudx[i], dvdx[i], dudy[i], dvdy[i])) : -1));
+  return falseColour(pixels, RATIO_COLOURS, (i) => (depth[i] < 1 ? Math.log2(ratioOf(dudx[i], dvdx[i], dudy[i],
+      dvdy[i])) : -1));
 }
 
 let whole = null;

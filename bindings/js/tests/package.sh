@@ -22,7 +22,7 @@ cp node_modules/shd/examples/{hello,png}.mjs .
   for (let i = 0; i < rows.length - 4; i += 97) colours.add(rows.readUInt32BE(i));
   if (colours.size < 500) throw new Error(`only ${colours.size} colours`);'
 wasm=node_modules/shd/lib/shd.wasm
-echo "tarball $(stat -c %s "$tarball") bytes, shd.wasm $(stat -c %s $wasm), compressed by gzip $(gzip -9c $wasm | wc -c)"
+echo "bytes: tarball $(stat -c %s "$tarball"), shd.wasm $(stat -c %s $wasm), by gzip $(gzip -9c $wasm | wc -c)"
 if ! npm install --no-audit --no-fund --silent typescript@5 2>/dev/null; then
   echo "the registry of npm cannot be reached: the types were not compiled"
   exit 0

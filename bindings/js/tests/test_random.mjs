@@ -19,12 +19,17 @@ function generator(seed) {
 function makeValues(shd, context) {
   const framebuffer = new shd.Framebuffer(context, { width: 8, height: 8 });
   const mesh = shd.Mesh.shape(context, { shape: "box" });
-  const texture = new shd.Texture(context, { format: "r8", width: 2, height: 2, texels: new Uint8Array(4), tables: "mipmap" });
-  const objects = [context, framebuffer, mesh, texture, new shd.Sampler(context), new shd.Material(context), new shd.Light(context),
+  const texture = new shd.Texture(context, { format: "r8", width: 2, height: 2, texels: new Uint8Array(4),
+      tables: "mipmap" });
+  const objects = [context, framebuffer, mesh, texture, new shd.Sampler(context), new shd.Material(context),
+      new shd.Light(context),
                    new shd.Shadow(context, { size: 16 })];
-  const plain = [null, undefined, 0, 1, 2, 3, -1, 1.5, NaN, 1e30, true, "", "ewa", "rgba8", "lambert|toon", Symbol.iterator.description,
-                 [], [1], [1, 2, 3], [0, 1, 2, 3], [[1, 2], [3]], {}, { u: [1], v: [1] }, new Float32Array(3), new Float32Array(4),
-                 new Uint32Array(3), new Uint8Array(64), new Float64Array(2), new ArrayBuffer(16), () => 0, { data: new Float32Array(4), stride: 2 }];
+  const plain = [null, undefined, 0, 1, 2, 3, -1, 1.5, NaN, 1e30, true, "", "ewa", "rgba8", "lambert|toon",
+      Symbol.iterator.description,
+                 [], [1], [1, 2, 3], [0, 1, 2, 3], [[1, 2], [3]], {}, { u: [1], v: [1] }, new Float32Array(3),
+                     new Float32Array(4),
+                 new Uint32Array(3), new Uint8Array(64), new Float64Array(2), new ArrayBuffer(16), () => 0,
+                     { data: new Float32Array(4), stride: 2 }];
   return [...plain, ...objects];
 }
 
@@ -34,7 +39,8 @@ function randomDesc(name, pick, values, depth = 0) {
   for (const field of structOf(name).list) {
     if (pick(3)) continue;
     const isNested = (field.kind === "list" || field.kind === "struct") && structs[field.type] && depth < 3;
-    desc[field.name] = isNested && pick(4) ? randomDesc(field.type, pick, values, depth + 1) : values[pick(values.length)];
+    desc[field.name] = isNested && pick(4) ? randomDesc(field.type, pick, values,
+        depth + 1) : values[pick(values.length)];
   }
   return desc;
 }
@@ -70,8 +76,10 @@ test("random/every_function", (shd, context) => {
 test("random/classes", (shd, context) => {
   const pick = generator(7);
   const values = makeValues(shd, context);
-  const descs = { Texture: "texture_desc", Sampler: "sampler_desc", Mesh: "mesh_desc", Material: "material_desc", Light: "light_desc",
-                  Framebuffer: "framebuffer_desc", Environment: "environment_desc", Shadow: "shadow_desc", Volume: "volume_desc" };
+  const descs = { Texture: "texture_desc", Sampler: "sampler_desc", Mesh: "mesh_desc", Material: "material_desc",
+      Light: "light_desc",
+                  Framebuffer: "framebuffer_desc", Environment: "environment_desc", Shadow: "shadow_desc",
+                      Volume: "volume_desc" };
   for (const [name, desc] of Object.entries(descs)) {
     for (let round = 0; round < 10 * ROUNDS; ++round) {
       try {
