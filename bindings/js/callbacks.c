@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Functions that C calls and JavaScript implements. Written by generate.py; do not edit.
+// clang-format off
 #include <shd/extension.h>
 #include <shd/shd.h>
 

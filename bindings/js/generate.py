@@ -43,8 +43,8 @@ def javascript(api):
 
 def c_callbacks(api):
     """Functions that JavaScript implements, and their addresses."""
-    lines = [HEAD.format("Functions that C calls and JavaScript implements.").rstrip(), "#include <shd/extension.h>",
-             "#include <shd/shd.h>", ""]
+    lines = [HEAD.format("Functions that C calls and JavaScript implements.").rstrip(), "// clang-format off",
+             "#include <shd/extension.h>", "#include <shd/shd.h>", ""]
     for entry in api.callbacks.values():
         name = layout.short(entry["name"]).replace(".", "_")
         parameters = ", ".join(api.c_parameter(p) for p in entry["parameters"])

@@ -119,7 +119,8 @@ def declarations(api):
     for struct in api.structs.values():
         if not SKIPPED.match(struct["name"]):
             lines += types.struct_lines(struct)
-    lines += ["", "/** The functions of C. Pointers are addresses in the memory of WebAssembly. */", "export interface Raw {",
+    lines += ["", "/** The functions of C. Pointers are addresses in the memory of WebAssembly. */",
+              "export interface Raw {",
               "  malloc(size: number): number;", "  free(address: number): void;"]
     for entry in api.functions.values():
         lines += types.function_lines(entry)

@@ -12,7 +12,8 @@ export function renderFloor(shd, filter = "trilinear") {
   for (let y = 0, i = 0; y < SIZE; ++y) {
     for (let x = 0; x < SIZE; ++x, i += 4) texels.set([x >> 1, y >> 1, (x ^ y) & 255, 255], i);
   }
-  const texture = new shd.Texture(context, { width: SIZE, height: SIZE, format: "rgba8_srgb", texels, tables: "mipmap" });
+  const texture = new shd.Texture(context, { width: SIZE, height: SIZE, format: "rgba8_srgb", texels,
+      tables: "mipmap" });
   const sampler = new shd.Sampler(context, { filter });
   const material = new shd.Material(context, {
     model: "unlit", diffuse: [1, 1, 1],
@@ -29,7 +30,8 @@ export function renderFloor(shd, filter = "trilinear") {
     shd.render(context, frame);
     best = Math.min(best, performance.now() - start);
   }
-  const hash = hashBytes(framebuffer.readColor("rgba8_srgb")).map((word) => word.toString(16).padStart(8, "0")).join("");
+  const hash = hashBytes(framebuffer.readColor("rgba8_srgb")).map((word) => word.toString(16).padStart(8, "0"))
+      .join("");
   return `${context.simdTarget} ${filter} ${best.toFixed(3)} ms ${hash}`;
 }
 

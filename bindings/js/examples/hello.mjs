@@ -6,9 +6,11 @@ import { encodePng } from "./png.mjs";
 
 const shd = await load();
 const context = new shd.Context();
-const wood = { kind: "wood", size: 0.3, distortion: 0.4, colorCount: 2, colors: [[0.3, 0.12, 0.04, 1], [0.75, 0.45, 0.2, 1]] };
+const browns = [[0.3, 0.12, 0.04, 1], [0.75, 0.45, 0.2, 1]];
+const wood = { kind: "wood", size: 0.3, distortion: 0.4, colorCount: 2, colors: browns };
 const tiles = { kind: "checker", size: 1.5, colorCount: 2, colors: [[0.1, 0.12, 0.15, 1], [0.8, 0.8, 0.75, 1]] };
-const placeTransform = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0.5, 0, 1];  // the floor lies inside cells of the checker
+// The floor lies inside cells of the checker.
+const placeTransform = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0.5, 0, 1];
 const material = (solid) => new shd.Material(context, {
   model: "blinn_phong", diffuse: [1, 1, 1], slots: [{ target: "diffuse", solid, placeTransform }],
 });

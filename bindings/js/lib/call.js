@@ -9,6 +9,8 @@ import { ShdError, describe, refuse } from "./error.js";
 
 // Functions that a program may call.
 const IN_PROGRAMS = /^shd_(texture_(sample|query_levels|explain)|solid_evaluate|format_size|last_error)$/;
+// References belong to the objects; addresses are for users of `raw`.
+const RAW_ONLY = /^shd_(\w+_(retain|release)|context_(allocate|free|parallel_for)|object_\w+|desc_init)$/;
 // Parameters that are const structs, but whose columns or pixels are written.
 const WRITTEN = new Set(["out", "levels", "mixed", "to"]);
 
@@ -128,8 +130,10 @@ class Arguments {
   structs(type, values, key) {
     const { size } = structOf(type);
     const address = this.call.allocate(size * values.length);
-    values.forEach((value, i) => writeStruct(this.call, type, address + i * size, value, values.length > 1 ? `${key}[${i}]` : key,
-                                             null));
+    values.forEach((value, i) => {
+      const label = values.length > 1 ? `${key}[${i}]` : key;
+      writeStruct(this.call, type, address + i * size, value, label, null);
+    });
     return address;
   }
   /** A struct that the library reads and writes: numbers that it writes become fields of the value. */
@@ -150,6 +154,7 @@ function check(module, result, name) {
 export function invoke(module, name, values, made = null) {
   const entry = functions[name];
   if (!entry) throw new TypeError(`libshd has no function ${name}`);
+  if (RAW_ONLY.test(name)) refuse(name, "only shd.raw has it; objects have close()");
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
   const rows = rowsOf(name, values);
   const mark = module.memory.mark();
@@ -164,7 +169,8 @@ export function invoke(module, name, values, made = null) {
     made?.(call);
     isDone = true;
     if (entry[0] === "text") return module.memory.text(returned >>> 0);
-    if (entry[0] !== "shd_result") return typeof returned === "number" && entry[0] === "u32" ? returned >>> 0 : returned;
+    if (entry[0] === "u32") return returned >>> 0;
+    if (entry[0] !== "shd_result") return returned;
     if (results.length === 1) return results[0][1]();
     return results.length ? Object.fromEntries(results.map(([key, read]) => [key, read()])) : undefined;
   } finally {

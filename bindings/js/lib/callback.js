@@ -44,7 +44,8 @@ class Record {
       return this._pointers(word, this._word(POINTERS[name])).map((p) => this._view(p, Float32Array, this._rows));
     }
     if (name === "target") {
-      const all = this._pointers(word, 4 * this._word("targetCount")).map((p) => this._view(p, Float32Array, this._rows));
+      const pointers = this._pointers(word, 4 * this._word("targetCount"));
+      const all = pointers.map((p) => this._view(p, Float32Array, this._rows));
       return Array.from({ length: all.length / 4 }, (_, i) => all.slice(4 * i, 4 * i + 4));
     }
     if (name === "channel") {
@@ -108,7 +109,8 @@ export class Callbacks {
     if (kind === "text") return memory.text(word >>> 0);
     if (kind === "enum") return enumName(rest, word);
     if (name === "slot_fn" && key === "out") {
-      return Array.from(memory.array(Uint32Array, word >>> 0, 4), (p) => (p ? memory.array(Float32Array, p, rows) : null));
+      const pointers = memory.array(Uint32Array, word >>> 0, 4);
+      return Array.from(pointers, (p) => (p ? memory.array(Float32Array, p, rows) : null));
     }
     if (kind === "data" && rows !== undefined) return memory.array(arrayOf(rest), word >>> 0, rows);
     return word;

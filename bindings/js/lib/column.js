@@ -22,7 +22,7 @@ function typed(value, type, isOut, label) {
 export function place(call, array, isOut, isWhole) {
   const { memory } = call;
   if (memory.has(array)) return array.byteOffset;
-  if (call.isPrepared) refuse(call.label, "arrays of a prepared lookup must be in the memory of WebAssembly (allocate)");
+  if (call.isPrepared) refuse(call.label, "arrays of a prepared lookup must be made by allocate()");
   if (!array.byteLength) return 0;  // also the state of an array over memory that grew
   if (call.placed.has(array)) return call.placed.get(array);  // several columns of one array
   const address = call.allocate(array.byteLength);

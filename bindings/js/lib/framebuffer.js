@@ -22,9 +22,10 @@ export class Framebuffer extends SharedObject {
     this.reference("framebuffer");
     return { ...this.#info };
   }
-  /** Pixels [height][width][4] of a format, by default bytes for ImageData. `out` may be an array of an earlier call. */
+  /** Pixels [height][width][4], by default bytes for ImageData. `out` may be an array of an earlier call. */
   readColor(format = "rgba8_srgb", out = null) {
-    const [type, channels] = PIXELS[format] ?? refuse("format", `${format} is none of ${Object.keys(PIXELS).join(", ")}`);
+    const [type, channels] = PIXELS[format]
+        ?? refuse("format", `${format} is none of ${Object.keys(PIXELS).join(", ")}`);
     const { width, height } = this.#info;
     out ??= new type(width * height * channels);
     invoke(this.module, "shd_framebuffer_read_color", [this, { format, width, height, pixels: out }]);

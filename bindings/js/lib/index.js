@@ -4,7 +4,8 @@ import { invoke } from "./call.js";
 import { Callbacks } from "./callback.js";
 import { instantiate } from "./instance.js";
 import { Allocation, Memory } from "./memory.js";
-import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture, Volume } from "./objects.js";
+import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture,
+    Volume } from "./objects.js";
 import { Framebuffer } from "./framebuffer.js";
 import { ShdError, refuse } from "./error.js";
 

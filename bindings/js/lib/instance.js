@@ -3,7 +3,8 @@
 
 /** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
 async function readModule(source) {
-  if (source instanceof WebAssembly.Module || ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;
+  if (source instanceof WebAssembly.Module || ArrayBuffer.isView(source)
+      || source instanceof ArrayBuffer) return source;
   const url = source ?? new URL("./shd.wasm", import.meta.url);
   const isNode = typeof process !== "undefined" && process.versions?.node;
   if (isNode && !/^https?:/.test(String(url))) {

@@ -47,5 +47,6 @@ export const enumName = (kind, value) => namesOf(kind).get(value) ?? value;
 export function flagNames(kind, value) {
   const exact = namesOf(kind).get(value);
   if (exact) return exact;
-  return [...namesOf(kind)].filter(([bit]) => bit && !(bit & (bit - 1)) && value & bit).map(([, name]) => name).join("|");
+  const single = [...namesOf(kind)].filter(([bit]) => bit && !(bit & (bit - 1)) && value & bit);
+  return single.map(([, name]) => name).join("|");
 }

@@ -52,7 +52,7 @@ export class Memory {
   }
   allocate(size) {
     const address = size <= 0x7fffffff ? this.#exports.malloc(size) >>> 0 : 0;
-    if (!address) throw new ShdError("out_of_memory", `${size} bytes could not be allocated in the memory of WebAssembly`);
+    if (!address) throw new ShdError("out_of_memory", `${size} bytes could not be allocated for WebAssembly`);
     return address;
   }
   free(address) {

@@ -22,7 +22,8 @@ function readField(memory, field, address) {
       return Array.from(memory.array(arrayOf(field.type), address, field.count), Number);
     }
     case "enum": {
-      const names = Array.from({ length: field.count }, (_, i) => enumName(field.type, memory.view.getInt32(address + 4 * i, true)));
+      const nameAt = (i) => enumName(field.type, memory.view.getInt32(address + 4 * i, true));
+      const names = Array.from({ length: field.count }, (_, i) => nameAt(i));
       return field.count === 1 ? names[0] : names;
     }
     case "flags": return flagNames(field.type, memory.view.getUint32(address, true));

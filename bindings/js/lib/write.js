@@ -7,7 +7,8 @@ import { checkPixels } from "./pixels.js";
 import { refuse, describe } from "./error.js";
 
 const RANGES = { u8: [0, 255], u16: [0, 65535], u32: [0, 4294967295], i32: [-2147483648, 2147483647] };
-const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "setUint16", u32: "setUint32", i32: "setInt32" };
+const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "setUint16", u32: "setUint32",
+    i32: "setInt32" };
 
 function writeNumber(view, address, type, value, label) {
   if (typeof value === "boolean") value = Number(value);
@@ -144,7 +145,8 @@ function writeStats(call, address, field, value) {
 // Structs of functions that an instance cannot use: it has one thread and its own memory.
 const UNAVAILABLE = new Set(["allocator", "executor", "display"]);
 
-const isPlain = (value) => value !== null && typeof value === "object" && !Array.isArray(value) && !ArrayBuffer.isView(value);
+const isPlain = (value) => value !== null && typeof value === "object" && !Array.isArray(value)
+    && !ArrayBuffer.isView(value);
 
 /** What is not written as it stands: functions for structs with one function, and the source of a slot. */
 function complete(struct, value, label) {

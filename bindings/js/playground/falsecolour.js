@@ -2,7 +2,8 @@
 // Planes of numbers as colours.
 
 /** Colours of levels 0..9, from fine to coarse. */
-export const LEVELS = ["#e8eef4", "#7fd0e8", "#3fa7d6", "#2f6fb5", "#37449c", "#6b3fa0", "#a63a94", "#d6456b", "#ee7b3c", "#f5c542"];
+export const LEVELS = ["#e8eef4", "#7fd0e8", "#3fa7d6", "#2f6fb5", "#37449c", "#6b3fa0",
+                       "#a63a94", "#d6456b", "#ee7b3c", "#f5c542"];
 /** Ratios of the footprint's axes and their colours. */
 export const RATIOS = [1, 2, 4, 8, 16, 32];
 export const RATIO_COLOURS = ["#e9f5ee", "#8fd3b6", "#3fa58a", "#f0b840", "#e06a2c", "#b3202c"];

@@ -45,7 +45,8 @@ export function showFootprint(footprint, name) {
   target.imageSmoothingEnabled = scale < 1;
   const whole = (v) => v - Math.floor(v);
   const [x, y] = [whole(footprint.u) * SIZE, whole(footprint.v) * SIZE];
-  for (let j = -3; j <= 3; ++j) for (let i = -3; i <= 3; ++i) target.drawImage(tileOf(name), i * SIZE - x, j * SIZE - y);
+  for (let j = -3; j <= 3; ++j) for (let i = -3; i <= 3; ++i) target.drawImage(tileOf(name), i * SIZE - x,
+      j * SIZE - y);
   target.setTransform(1, 0, 0, 1, 0, 0);
   drawEllipse(target, scale, footprint);
   const [long, short] = [footprint.longer, footprint.shorter].map((axis) => 2 * Math.hypot(...axis));

@@ -91,7 +91,8 @@ function report({ milliseconds, fragments, size }) {
   const mean = times.reduce((sum, [, value]) => sum + value, 0) / times.length;
   find("#time").value = `${mean.toFixed(1)} ms`;
   find("#rate").value = page.isSpinning && times.length > 1
-    ? `${(((times.length - 1) * 1000) / (now - times[0][0])).toFixed(0)} frames/s` : `≈ ${(1000 / mean).toFixed(0)} frames/s`;
+    ? `${(((times.length - 1) * 1000) / (now - times[0][0])).toFixed(0)} frames/s`
+        : `≈ ${(1000 / mean).toFixed(0)} frames/s`;
   find("#fragments").value = `${(fragments / 1000).toFixed(0)} k fragments`;
   find("#workers").value = `${size.replace("x", " × ")}, ${pool.count} ${pool.count === 1 ? "worker" : "workers"}`;
 }
@@ -116,7 +117,8 @@ find("#spin").addEventListener("click", (event) => {
 find("#reset").addEventListener("click", () => { location.hash = ""; });
 find("#swap").addEventListener("click", () => {
   const { state } = page;
-  const swapped = Object.entries(state).map(([key, value]) => [key.replace(/^[ab]\./, (side) => (side === "a." ? "b." : "a.")), value]);
+  const swapped = Object.entries(state).map(([key, value]) => [key.replace(/^[ab]\./,
+      (side) => (side === "a." ? "b." : "a.")), value]);
   page.state = { ...state, ...Object.fromEntries(swapped) };
   change("wipe", Number((1 - state.wipe).toFixed(3)));
   show();

@@ -16,9 +16,17 @@ export function balance(edges, times, height) {
   return [...made, height];
 }
 
+/** Compiles shd.wasm once for all workers, which share the code. */
+async function compile() {
+  const response = await fetch(new URL("../lib/shd.wasm", import.meta.url));
+  if (!response.ok) throw new Error(`shd.wasm: ${response.status}. Build it and copy it to lib/`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
 export class Pool {
   #workers;
   #waiting = new Map();
+  #module = compile();
   #next = 1;
   #edges = new Map();  // by height of the picture
   constructor(count) {
@@ -37,23 +45,28 @@ export class Pool {
       return worker;
     });
   }
-  #ask(worker, message) {
+  async #ask(worker, message) {
     const id = this.#next++;
+    const module = await this.#module;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject });
-      worker.postMessage({ id, ...message });
+      worker.postMessage({ id, module, ...message });
     });
   }
   /** Draws a state: bands of pixels, and the milliseconds of the slowest band. */
   async draw(state) {
     const height = Number(state.size.split("x")[1]);
     const count = this.#workers.length;
-    const edges = this.#edges.get(height) ?? Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const equal = () => Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const edges = this.#edges.get(height) ?? equal();
     const bands = await Promise.all(this.#workers.map((worker, i) =>
       this.#ask(worker, { state, rows: [edges[i], edges[i + 1]] })));
     const times = bands.map((band) => band.milliseconds);
-    this.#edges.set(height, balance(edges, times, height));
-    return { bands, edges, size: state.size, milliseconds: Math.max(...times), fragments: bands.reduce((sum, band) => sum + band.fragments, 0) };
+    const wanted = balance(edges, times, height);
+    // Half the way: times are noisy.
+    this.#edges.set(height, edges.map((edge, i) => Math.round((edge + wanted[i]) / 2)));
+    const fragments = bands.reduce((sum, band) => sum + band.fragments, 0);
+    return { bands, edges, size: state.size, milliseconds: Math.max(...times), fragments };
   }
   /** The footprint of a pixel of a frame that draw() returned. */
   async footprint({ edges }, x, y) {

@@ -37,7 +37,7 @@ export class Renderer {
     this.#shadow.object = new shd.Shadow(this.#context, { size: 1024, filter: "pcf", taps: 3 });
   }
 
-  /** Draws rows of a description, by default all. `view` and `inspect` choose the planes that are kept beside colour. */
+  /** Draws rows of a description, by default all. `view` and `inspect` choose the planes beside colour. */
   draw(scene, view = "shaded", inspect = false, [top, bottom] = [0, scene.height]) {
     const [shd, context, cache] = [this.#shd, this.#context, this.#cache];
     const aovs = inspect ? "uv|derivatives|level|draw" : AOVS[view];
@@ -107,7 +107,8 @@ export class Renderer {
                       dudy: column("dudy", su), dvdy: column("dvdy", sv) };
     const explanation = texture.explain(samplers[side], lookups);
     return { u: lookups.u[0], v: lookups.v[0], size: SIZE, side: side ? "B" : "A", filter: explanation.filter,
-             lod: explanation.lod, taps: explanation.tapCount, longer: explanation.longerAxis, shorter: explanation.shorterAxis,
+             lod: explanation.lod, taps: explanation.tapCount, longer: explanation.longerAxis,
+                 shorter: explanation.shorterAxis,
              colour: explanation.result };
   }
 }

@@ -4,7 +4,8 @@ import { sideOf } from "./state.js";
 
 const SHAPES = {
   teapot: { desc: { shape: "teapot", segments: [10, 0, 0] }, scale: 0.62, lift: 0, uv: 1 },
-  torus: { desc: { shape: "torus", radius: 1, tubeRadius: 0.42, segments: [96, 48, 0] }, scale: 1, lift: 0.42, uv: [4, 2] },
+  torus: { desc: { shape: "torus", radius: 1, tubeRadius: 0.42, segments: [96, 48, 0] }, scale: 1, lift: 0.42,
+      uv: [4, 2] },
   sphere: { desc: { shape: "sphere", segments: [96, 48, 0] }, scale: 1, lift: 1, uv: [4, 2] },
   plane: { desc: { shape: "plane", size: [2.4, 1, 2.4] }, scale: 1, lift: 0.02, uv: 1 },
 };
@@ -35,13 +36,16 @@ export function describe(state) {
   const repeat = state.repeat;
   const uv = Array.isArray(shape.uv) ? shape.uv : [shape.uv, shape.uv];
   const [width, height] = state.size.split("x").map(Number);
-  const draws = [{ mesh: shape.desc, material: materialOf(state, scaling(uv, repeat)), objectToWorld: placement(shape.scale, shape.lift) }];
+  const draws = [{ mesh: shape.desc, material: materialOf(state, scaling(uv, repeat)),
+      objectToWorld: placement(shape.scale, shape.lift) }];
   if (state.floor) {
-    draws.push({ mesh: { shape: "plane", size: [FLOOR, 1, FLOOR] }, material: materialOf(state, scaling([FLOOR / 2, FLOOR / 2], repeat)),
+    draws.push({ mesh: { shape: "plane", size: [FLOOR, 1, FLOOR] }, material: materialOf(state, scaling([FLOOR / 2,
+        FLOOR / 2], repeat)),
                  objectToWorld: placement(1, 0) });
   }
   const target = [0, state.shape === "teapot" ? 0.85 : 0.6, 0];
-  const eye = direction(state.azimuth, state.elevation).map((v, i) => v * state.distance + target[i] * (i === 1 ? 1 : 0));
+  const eye = direction(state.azimuth, state.elevation).map((v,
+      i) => v * state.distance + target[i] * (i === 1 ? 1 : 0));
   const sun = direction(state.sun, state.height).map((v) => -v);
   return {
     width, height, samples: Number(state.samples), texture: state.texture, draws,

@@ -16,7 +16,8 @@ export const SETTINGS = {
   texture: { label: "Texture", options: ["checker", "wood", "brick", "zone"], value: "brick" },
   repeat: { label: "Repeat", min: 0.5, max: 8, step: 0.5, value: 1 },
   floor: { label: "Floor", toggle: true, value: true },
-  model: { label: "Model", options: ["lambert", "blinn_phong", "metallic_roughness", "gooch", "toon", "unlit"], value: "blinn_phong" },
+  model: { label: "Model", options: ["lambert", "blinn_phong", "metallic_roughness", "gooch", "toon", "unlit"],
+      value: "blinn_phong" },
   roughness: { label: "Roughness", min: 0.05, max: 1, step: 0.05, value: 0.4 },
   sun: { label: "Direction [°]", min: -180, max: 180, step: 1, value: 40 },
   height: { label: "Elevation [°]", min: 5, max: 90, step: 1, value: 50 },
@@ -72,5 +73,6 @@ export function fromHash(text) {
 /** Settings of one side of the picture. */
 export function sideOf(state, prefix) {
   const value = (key) => state[`${prefix}.${key}`];
-  return { filter: value("filter"), maxAnisotropy: Number(value("anisotropy")), lodBias: value("bias"), precision: value("precision") };
+  return { filter: value("filter"), maxAnisotropy: Number(value("anisotropy")), lodBias: value("bias"),
+      precision: value("precision") };
 }

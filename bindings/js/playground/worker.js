@@ -5,7 +5,7 @@ import { describe } from "./scene.js";
 import { falseColour, LEVELS, ratioOf, RATIO_COLOURS } from "./falsecolour.js";
 import { Renderer } from "./renderer.js";
 
-const renderer = load().then((shd) => new Renderer(shd));
+let renderer = null;
 
 /** Replaces the colours of pixels by those of a view. `first` is the number of the first pixel. */
 function applyView(made, view, pixels, first) {
@@ -17,12 +17,14 @@ function applyView(made, view, pixels, first) {
     return falseColour(pixels, LEVELS, (i) => (depth[i] < 1 ? Math.max(0, level[i]) : -1));
   }
   const [dudx, dvdx, dudy, dvdy] = ["dudx", "dvdx", "dudy", "dvdy"].map(read);
-  return falseColour(pixels, RATIO_COLOURS, (i) => (depth[i] < 1 ? Math.log2(ratioOf(dudx[i], dvdx[i], dudy[i], dvdy[i])) : -1));
+  return falseColour(pixels, RATIO_COLOURS, (i) => (depth[i] < 1 ? Math.log2(ratioOf(dudx[i], dvdx[i], dudy[i],
+      dvdy[i])) : -1));
 }
 
 let whole = null;
 
-async function answer({ state, pointer, rows }) {
+async function answer({ module, state, pointer, rows }) {
+  renderer ??= load(module).then((shd) => new Renderer(shd));
   const made = await renderer;
   if (pointer) return { footprint: made.footprint(pointer.x, pointer.y) };
   const scene = describe(state);

@@ -8,7 +8,8 @@ import { join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
-const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css", wasm: "application/wasm",
+const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css",
+    wasm: "application/wasm",
                 svg: "image/svg+xml", png: "image/png" };
 const WASM = process.env.SHD_WASM ?? join(ROOT, "lib/shd.wasm");
 
@@ -51,9 +52,11 @@ async function main(chromium) {
   const folder = mkdtempSync(join(tmpdir(), "shd-browser-"));
   const result = await new Promise((resolve) => {
     serve(resolve).then((server) => {
-      const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", `--user-data-dir=${folder}`];
+      const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     `--user-data-dir=${folder}`];
       // The command is a script that starts processes: all of them are one group.
-      const child = spawn(chromium, [...flags, `http://127.0.0.1:${server.address().port}/`], { detached: true, stdio: "ignore" });
+      const child = spawn(chromium, [...flags, `http://127.0.0.1:${server.address().port}/`], { detached: true,
+          stdio: "ignore" });
       child.on("error", (problem) => resolve({ problem: String(problem) }));
       const timer = setTimeout(() => resolve({ problem: "no result within 60 seconds" }), 60000);
       main.end = () => {

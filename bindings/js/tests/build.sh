@@ -4,6 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 export CCACHE_COMPILERTYPE=clang  # ccache does not recognise emcc
-cmake --preset wasm -B "$1" ${LAUNCHER:+-DCMAKE_C_COMPILER_LAUNCHER="$LAUNCHER" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER"}
+launcher=()
+[ -z "${LAUNCHER:-}" ] || launcher=(-DCMAKE_C_COMPILER_LAUNCHER="$LAUNCHER" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER")
+cmake --preset wasm -B "$1" "${launcher[@]}"
 cmake --build "$1" --target shd_wasm wasm_hashes -j "${JOBS:-2}"
 ls -l "$1/bindings/js/shd.wasm"

@@ -5,7 +5,8 @@ import { load, ShdError, type MaterialDesc, type Texture } from "shd";
 const shd = await load();
 const context = new shd.Context({ log: (level, message) => console.log(level, message) });
 const texture: Texture = new shd.Texture(context, {
-  format: "rgba8_srgb", width: 2, height: 2, texels: new Uint8Array(16), tables: "mipmap|ripmap", swizzle: ["r", "r", "r", "a"],
+  format: "rgba8_srgb", width: 2, height: 2, texels: new Uint8Array(16), tables: "mipmap|ripmap",
+      swizzle: ["r", "r", "r", "a"],
 });
 const sampler = new shd.Sampler(context, { filter: "ewa", maxAnisotropy: 8, wrapU: "clamp" });
 const columns = texture.sample(sampler, { u: new Float32Array(4), v: [0, 0, 0, 0] });

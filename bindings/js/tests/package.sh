@@ -5,11 +5,9 @@
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
-rm -rf "$WORK/pack" "$WORK/empty"
-mkdir -p "$WORK/pack" "$WORK/empty"
-cp -r "$source"/{package.json,README.md,lib,examples} "$WORK/pack"
-cp "$SHD_WASM" "$WORK/pack/lib/shd.wasm"
-tarball=$(cd "$WORK/pack" && npm pack --silent --pack-destination "$WORK/empty")
+rm -rf "$WORK/empty"
+mkdir -p "$WORK/empty"
+tarball=$("$source/pack.sh" "$WORK/empty")
 cd "$WORK/empty"
 npm init -y >/dev/null
 npm install --offline --no-audit --no-fund "./$tarball" >/dev/null
@@ -24,7 +22,7 @@ cp node_modules/shd/examples/{hello,png}.mjs .
   for (let i = 0; i < rows.length - 4; i += 97) colours.add(rows.readUInt32BE(i));
   if (colours.size < 500) throw new Error(`only ${colours.size} colours`);'
 wasm=node_modules/shd/lib/shd.wasm
-echo "tarball $(stat -c %s "$tarball") bytes, shd.wasm $(stat -c %s $wasm), compressed by gzip $(gzip -9c $wasm | wc -c)"
+echo "bytes: tarball $(stat -c %s "$tarball"), shd.wasm $(stat -c %s $wasm), by gzip $(gzip -9c $wasm | wc -c)"
 if ! npm install --no-audit --no-fund --silent typescript@5 2>/dev/null; then
   echo "the registry of npm cannot be reached: the types were not compiled"
   exit 0

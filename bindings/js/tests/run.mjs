@@ -3,6 +3,7 @@
 import { test } from "./support.mjs";
 import "./test_lookup.mjs";
 import "./test_objects.mjs";
+import "./test_random.mjs";
 import "./test_render.mjs";
 
 await test.run();

@@ -2,6 +2,8 @@
 import assert from "node:assert/strict";
 import { load, ShdError } from "../lib/index.js";
 
+export { ShdError };
+
 const cases = [];
 
 /** Registers a test; each has its own instance of the library. */

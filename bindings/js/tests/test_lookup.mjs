@@ -13,7 +13,8 @@ test("lookup/columns", (shd, context) => {
   const texture = grey(shd, context), sampler = new shd.Sampler(context);
   const uv = Float32Array.from(half.flatMap((v) => [v, v]));
   const want = texture.sample(sampler, { u: half, v: half }).channel[0];
-  const strided = texture.sample(sampler, { count: 4, u: { data: uv, stride: 2 }, v: { data: uv, offset: 1, stride: 2 } },
+  const strided = texture.sample(sampler, { count: 4, u: { data: uv, stride: 2 }, v: { data: uv, offset: 1,
+      stride: 2 } },
                                  { channel: [new Float32Array(4)] });
   assert.deepEqual(strided.channel[0], want);
   const whole = new Float32Array(16);
@@ -70,7 +71,8 @@ test("lookup/misuse", (shd, context) => {
   refused(sample({ u: half }), "lookups.v");
   refused(() => texture.sample(null, { u: half, v: half }), "sampler: a sampler, not null");
   refused(() => texture.sample(texture, { u: half, v: half }), "sampler: a sampler, not a value of type Texture");
-  refused(() => texture.lookup(sampler, { u: new Float32Array(1), v: new Float32Array(1) }, {}), "lookups.u: arrays of a");
+  refused(() => texture.lookup(sampler, { u: new Float32Array(1), v: new Float32Array(1) },
+      {}), "lookups.u: arrays of a");
 });
 
 test("lookup/explain", (shd, context) => {

@@ -19,7 +19,8 @@ test("objects/no_leak", (shd, context) => {
     const texture = grey(shd, context, 64), sampler = new shd.Sampler(context);
     const material = new shd.Material(context, { slots: [{ target: "diffuse", texture, sampler }] });
     for (const object of [texture, sampler, material]) object.close();
-    for (const desc of [{ filter: "best" }, { maxAnisotropy: 1e9 }]) assert.throws(() => new shd.Sampler(context, desc));
+    for (const desc of [{ filter: "best" }, { maxAnisotropy: 1e9 }]) assert.throws(() => new shd.Sampler(context,
+        desc));
   };
   for (let i = 0; i < 10; ++i) make();
   const size = shd.memory.buffer.byteLength;
@@ -38,7 +39,8 @@ test("objects/descs", (shd, context) => {
   });
   const camera = shd.call("shd_view_from_camera", { eye: [0, 0, 5] });
   assert.deepEqual(camera.eye, [0, 0, 5]);
-  assert.deepEqual([...shd.call("shd_matrix_invert", new Float32Array([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1]))],
+  assert.deepEqual([...shd.call("shd_matrix_invert", new Float32Array([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0,
+      1]))],
                    [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]);
   assert.deepEqual(shd.call("shd_shape_count", { shape: "plane" }), { vertexCount: 4, indexCount: 6 });
 });
@@ -62,7 +64,8 @@ test("objects/misuse", async (shd, context) => {
   refused(() => shd.allocate(Array, 1), "type: a constructor");
   refused(() => shd.allocate(Uint8Array, 3e9), "3000000000 bytes could not be", "out_of_memory");
   const other = await load(process.env.SHD_WASM);
-  refused(() => new shd.Material(context, { slots: [{ target: "diffuse", texture: grey(other, new other.Context()) }] }),
+  refused(() => new shd.Material(context, { slots: [{ target: "diffuse", texture: grey(other,
+      new other.Context()) }] }),
           "desc.slots[0].texture: it belongs to another instance");
 });
 
@@ -90,7 +93,8 @@ test("objects/mesh", (shd, context) => {
   assert.deepEqual([...mesh.readAttribute(0)], [1, 2, 3]);
   assert.equal(mesh.tessellate(context, { segments: 2 }).info.triangleCount, 4);
   refused(() => new shd.Mesh(context, { position, uv: [0, 0] }), "desc.uv: 1 elements, not vertexCount = 3");
-  refused(() => new shd.Mesh(context, { position: position.subarray(1) }), "desc.position: 8 elements, not a multiple of 3");
+  refused(() => new shd.Mesh(context, { position
+      : position.subarray(1) }), "desc.position: 8 elements, not a multiple of 3");
   refused(() => new shd.Mesh(context, { position, attributes: [[1, 2]] }), "desc.attributes[0]: 2 elements, not 3");
   refused(() => new shd.Mesh(context, { position, indices: [0, 1, 3] }), "mesh.indices");
   refused(() => mesh.read("colour"), "part: colour");

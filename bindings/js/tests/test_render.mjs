@@ -23,7 +23,8 @@ test("render/planes", (shd, context) => {
   const stats = shd.render(context, frame);
   assert(stats.fragments > 500 && stats.triangles > 100);
   const depth = frame.framebuffer.readPlane("depth"), view = frame.framebuffer.viewPlane("depth");
-  const rows = Array.from({ length: 48 }, (_, y) => [...view.array.subarray(y * view.rowStride, y * view.rowStride + 64)]);
+  const rows = Array.from({ length: 48 }, (_, y) => [...view.array.subarray(y * view.rowStride,
+      y * view.rowStride + 64)]);
   assert.deepEqual(rows.flat(), [...depth]);
   assert(frame.framebuffer.readPlane("level") instanceof Uint32Array);
   assert.equal(frame.framebuffer.readColor("rgba32f").length, 64 * 48 * 4);
@@ -35,7 +36,8 @@ test("render/planes", (shd, context) => {
 
 test("render/short_columns", (shd, context) => {
   const { framebuffer, draws } = scene(shd, context, {});
-  refused(() => shd.call("shd_framebuffer_read_plane", framebuffer, "depth", new Float32Array(8)), "out: 8 elements, not 3072");
+  refused(() => shd.call("shd_framebuffer_read_plane", framebuffer, "depth",
+      new Float32Array(8)), "out: 8 elements, not 3072");
   refused(() => shd.call("shd_mesh_read_indices", draws[0].mesh, new Uint32Array(8)), "out: 8 elements, not");
   const { vertexCount } = draws[0].mesh.info;
   const column = () => new Float32Array(vertexCount);
@@ -83,7 +85,8 @@ test("render/callbacks", (shd, context) => {
     slots: [{ target: "diffuse", procedure: (fragments, out) => out[0].fill(0.5) }],
     program: { vertex: (vertices, out) => out.u.set(vertices.v) },
   }) };
-  shd.render(context, { ...frame, progress: (f) => { fractions.push(f); }, present: (tile) => tiles.push([tile.x, tile.y, tile.channel[0][0]]) });
+  shd.render(context, { ...frame, progress: (f) => { fractions.push(f); }, present: (tile) => tiles.push([tile.x,
+      tile.y, tile.channel[0][0]]) });
   assert.equal(fractions.at(-1), 1);
   assert.equal(tiles.length, 1);
   refused(() => shd.render(context, { ...frame, progress: () => true }), "", "cancelled");
@@ -105,8 +108,10 @@ test("render/shadow_environment_volume", (shd, context) => {
   const light = new shd.Light(context, { kind: "directional" });
   const shadow = new shd.Shadow(context, { size: 64 });
   const frame = scene(shd, context, { model: "metallic_roughness" });
-  shadow.render(context, { light, draws: frame.draws, nearPlane: -5, farPlane: 5, boundsMin: [-2, -2, -2], boundsMax: [2, 2, 2] });
+  shadow.render(context, { light, draws: frame.draws, nearPlane: -5, farPlane: 5, boundsMin: [-2, -2, -2],
+      boundsMax: [2, 2, 2] });
   const stats = shd.render(context, { ...frame, lights: [light], shadows: [shadow], environment });
   assert(stats.fragments > 500);
-  refused(() => shd.render(context, { ...frame, lights: [light], shadows: [shadow, null] }), "desc.shadows: 2 elements, not lightCount = 1");
+  refused(() => shd.render(context, { ...frame, lights: [light], shadows: [shadow,
+      null] }), "desc.shadows: 2 elements, not lightCount = 1");
 });
