@@ -5,8 +5,8 @@
     programs.py check COMMAND...     the lines that a command prints are those of programs.txt
     programs.py speed LIST           a table of the times of every command of a list, with C first
 
-A line of the list has the name of a binding, the mark for the cost of one call [ns] and the command, separated by tabs;
-the CMake build writes it. Each command prints its hashes, or its times with --speed (bindings/c/programs.c).
+A line of the list has the name of a binding, the mark for the cost of one call [ns] or "-" for none, and the command,
+separated by tabs; the CMake build writes it. Each command prints its hashes, or its times with --speed (bindings/c/programs.c).
 """
 import pathlib
 import re
@@ -49,7 +49,7 @@ def speed(path):
     for name, mark, _ in rows:
         own_call, own_batch = best[name]
         print(f"{name:12}{own_call:12.1f}{own_call - call:13.1f}{mark:>8}{own_batch:20.3f}{own_batch / batch:8.3f}"
-              f"{BATCH_MARK:7.2f}")
+              f"{'-' if mark == '-' else BATCH_MARK:>7}")
     return 0
 
 

@@ -23,10 +23,11 @@
 #error "first version of glibc: not known for this processor"
 #endif
 
-#define USE_FIRST(name)                                                                        \
-    __asm__(".text\n.globl " #name "\n.hidden " #name "\n.type " #name ", %function\n" #name ":\n" \
-            JUMP #name PLT "\n.size " #name ", . - " #name "\n"                                \
-            ".symver first_" #name ", " #name "@" FIRST)
+#define USE_FIRST(name)                                                                                         \
+  __asm__(".text\n.globl " #name "\n.hidden " #name "\n.type " #name ", %function\n" #name ":\n" JUMP #name PLT \
+          "\n.size " #name ", . - " #name                                                                       \
+          "\n"                                                                                                  \
+          ".symver first_" #name ", " #name "@" FIRST)
 
 USE_FIRST(dlclose);
 USE_FIRST(dlerror);
@@ -54,39 +55,36 @@ USE_FIRST(pthread_setspecific);
 HIDDEN char __libc_single_threaded = 0;
 
 // glibc 2.36, for std::random_device.
-HIDDEN uint32_t arc4random(void)
-{
-    uint32_t value;
-    if (getentropy(&value, sizeof value) != 0) abort();
-    return value;
+HIDDEN uint32_t arc4random(void) {
+  uint32_t value;
+  if (getentropy(&value, sizeof value) != 0) abort();
+  return value;
 }
 
 struct search {
-    uintptr_t pc;
-    struct dl_find_object *found;
+  uintptr_t pc;
+  struct dl_find_object* found;
 };
 
-static int find(struct dl_phdr_info *info, size_t size, void *data)
-{
-    (void)size;
-    const struct search *search = data;
-    const ElfW(Phdr) *eh_frame = NULL, *text = NULL;
-    for (int i = 0; i < info->dlpi_phnum; ++i) {
-        const ElfW(Phdr) *segment = &info->dlpi_phdr[i];
-        if (segment->p_type == PT_GNU_EH_FRAME) eh_frame = segment;
-        if (segment->p_type == PT_LOAD && search->pc - (info->dlpi_addr + segment->p_vaddr) < segment->p_memsz)
-            text = segment;
-    }
-    if (!text || !eh_frame) return 0;
-    search->found->dlfo_map_start = (void *)(info->dlpi_addr + text->p_vaddr);
-    search->found->dlfo_map_end = (void *)(info->dlpi_addr + text->p_vaddr + text->p_memsz);
-    search->found->dlfo_eh_frame = (void *)(info->dlpi_addr + eh_frame->p_vaddr);
-    return 1;
+static int find(struct dl_phdr_info* info, size_t size, void* data) {
+  (void)size;
+  const struct search* search = data;
+  const ElfW(Phdr)* eh_frame = NULL, *text = NULL;
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const ElfW(Phdr)* segment = &info->dlpi_phdr[i];
+    if (segment->p_type == PT_GNU_EH_FRAME) eh_frame = segment;
+    if (segment->p_type == PT_LOAD && search->pc - (info->dlpi_addr + segment->p_vaddr) < segment->p_memsz)
+      text = segment;
+  }
+  if (!text || !eh_frame) return 0;
+  search->found->dlfo_map_start = (void*)(info->dlpi_addr + text->p_vaddr);
+  search->found->dlfo_map_end = (void*)(info->dlpi_addr + text->p_vaddr + text->p_memsz);
+  search->found->dlfo_eh_frame = (void*)(info->dlpi_addr + eh_frame->p_vaddr);
+  return 1;
 }
 
 // glibc 2.35, for the unwinder of libgcc: the unwind table of the object that has an instruction.
-HIDDEN int _dl_find_object(void *pc, struct dl_find_object *found)
-{
-    struct search search = {(uintptr_t)pc, found};
-    return dl_iterate_phdr(find, &search) ? 0 : -1;
+HIDDEN int _dl_find_object(void* pc, struct dl_find_object* found) {
+  struct search search = {(uintptr_t)pc, found};
+  return dl_iterate_phdr(find, &search) ? 0 : -1;
 }
