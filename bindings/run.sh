@@ -17,12 +17,15 @@ packages=(ca-certificates clang cmake g++ gcc git ninja-build pkg-config python3
           libassimp-dev libbenchmark-dev libboost-dev libcmocka-dev libeigen3-dev libembree-dev libhwy-dev
           libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev assimp-testmodels
           python3-numpy python3-pip python3-pytest python3-setuptools python3-venv python3-wheel
-          chromium emscripten npm
+          chromium emscripten
           luajit love godot3-server
           cargo rustc
           mono-mcs mono-runtime
           imagemagick libimgui-dev libsdl2-dev xauth xdotool xvfb
           debootstrap dpkg-dev fakeroot file lintian)
+
+# Node from another source has its own npm.
+command -v npm >/dev/null || packages+=(npm)
 
 say() { printf '\n== %s\n' "$*"; }
 
