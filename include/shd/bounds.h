@@ -8,16 +8,15 @@
  * value of each lookup. A result outside is a bug, and a result inside cannot be told from a legal one.
  *
  * The model. Let x = u n on an axis of n texels of a level.
- *  - Coordinates. An implementation may use any coordinate within 2^-subtexel_bits + coordinate_error n max(1, |u|) of x.
- *    This contains truncation and every rounding to subtexel_bits. NEAREST may cross a texel's border upwards by that
- *    distance, and downwards by the second term, because rounding to a grid that contains the border never crosses it
- *    downwards.
+ *  - Coordinates. An implementation may compute any x' within coordinate_error n max(1, |u|) of x. It may then use any
+ *    coordinate between the multiples of 2^-subtexel_bits around x'. This contains truncation, every other rounding, and
+ *    more bits. NEAREST cannot cross a texel's border downwards by rounding, because the border is on the grid.
  *  - Weights of four texels are the products of the coordinates' fractions. Their rounding may move the average by
  *    2^-weight_bits times the difference of the largest and the smallest of the four texels.
  *  - Levels of detail lie between the smallest and the largest one of the rules `level_rules`, with derivatives within
  *    derivative_error (relative). Then level_error is added on both sides, the sampler's bias and clamps are applied,
- *    and the level may be rounded in either direction to level_bits. The nearest level is ceil(lod + 1/2) - 1 or
- *    floor(lod + 1/2).
+ *    and the level may be rounded in either direction to level_bits, or to more bits. The nearest level is
+ *    ceil(lod + 1/2) - 1 or floor(lod + 1/2).
  *  - Magnification is legal where a legal level of detail is 0 or below, and minification where one is above 0.
  *  - ANISOTROPIC. Let p and q be the longer and the shorter axis of a rule, and a = max_anisotropy. The value is an
  *    average of pairs of trilinear lookups, at c + t d and c - t d, of any number and any weights that sum to 1. c is

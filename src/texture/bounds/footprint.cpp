@@ -84,8 +84,9 @@ void add_profile(const Sampler& sampler, const Ellipse& e, bool mip_levels, doub
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR) return sizes->add(e.longer, e.longer, e.shorter, cap);
   const double rms = std::sqrt(0.5 * (e.longer * e.longer + e.shorter * e.shorter)) * kLeastErrorFiner;
   sizes->size.add(mip_levels ? rms : e.longer);
-  sizes->probe.add({std::max(e.shorter, e.longer / cap) * kLeastErrorFiner, e.longer});
-  sizes->ratio = std::max(sizes->ratio, e.shorter > 0.0 ? e.longer / e.shorter : cap);
+  const double ratio = e.shorter > 0.0 ? e.longer / e.shorter : cap, width = e.longer / std::min(ratio, cap);
+  sizes->probe.add({std::sqrt(0.5 * (width * width + e.shorter * e.shorter)) * kLeastErrorFiner, e.longer});
+  sizes->ratio = std::max(sizes->ratio, ratio);
 }
 
 bool has_mip_levels(const Sampler& sampler) {
@@ -199,9 +200,7 @@ Range final_levels(const Texture& texture, const Sampler& sampler, const BoundsM
   const double high = std::min(static_cast<double>(sampler.lod_max), last);
   const auto clamp = [&](double x) { return std::min(std::max(x, low), high); };
   const double bias = static_cast<double>(sampler.lod_bias);
-  // Rounding to a grid moves a level at most to the grid's next point beyond a clamp.
-  const double lowest = std::floor(low / step) * step, highest = std::ceil(high / step) * step;
-  return {std::max(clamp(lambda.low + bias) - step, lowest), std::min(clamp(lambda.high + bias) + step, highest)};
+  return {std::floor(clamp(lambda.low + bias) / step) * step, std::ceil(clamp(lambda.high + bias) / step) * step};
 }
 
 Magnified magnified(const Sampler& sampler, const BoundsModel& model, const Range& lambda) {

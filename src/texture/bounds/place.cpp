@@ -19,9 +19,21 @@ bool is_cube(const Plane& plane) {
   return plane.texture->projection == SHD_PROJECTION_CUBE;
 }
 
-/// Points u + reach on an axis of n texels. `down` and `up` are the errors of the lookup in both directions.
-Range texels_at(double u, const Range& reach, double n, double down, double up) {
-  return {(u + reach.low) * n - down, (u + reach.high) * n + up};
+/// Points u + reach on an axis of n texels, before they are rounded to a grid.
+Range texels_at(double u, const Range& reach, double n, double error) {
+  return {(u + reach.low) * n - error, (u + reach.high) * n + error};
+}
+
+double down_to_grid(double x, double step) {
+  return std::floor(x / step) * step;
+}
+double up_to_grid(double x, double step) {
+  return std::ceil(x / step) * step;
+}
+
+/// Points from which lookups may filter: rounding in either direction ends at most at the next points of the grid.
+Range on_grid(const Range& range, double step) {
+  return {down_to_grid(range.low, step), up_to_grid(range.high, step)};
 }
 
 Range within_face(const Range& range, double n) {
@@ -32,8 +44,8 @@ Range within_face(const Range& range, double n) {
 void add_on_face(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
   const auto width = static_cast<double>(plane.width), height = static_cast<double>(plane.height);
   const double step = plane.model->subtexel;
-  const double error_u = place.error_u * width + step, error_v = place.error_v * height + step;
-  Rect rect = {texels_at(place.u, reach.u, width, error_u, error_u), texels_at(place.v, reach.v, height, error_v, error_v)};
+  Rect rect = {on_grid(texels_at(place.u, reach.u, width, place.error_u * width), step),
+               on_grid(texels_at(place.v, reach.v, height, place.error_v * height), step)};
   if (is_cube(plane)) rect = {within_face(rect.x, width), within_face(rect.y, height)};
   add_bilinear(plane, rect, out);
 }
@@ -113,10 +125,13 @@ void add_bilinear_at(const Plane& plane, const Place& place, const Reach& reach,
 
 void add_nearest_at(const Plane& plane, const Place& place, Color* out) {
   const auto width = static_cast<double>(plane.width), height = static_cast<double>(plane.height);
-  const double step = plane.model->subtexel, error_u = place.error_u * width, error_v = place.error_v * height;
+  const double step = plane.model->subtexel;
   const Range here = {0.0, 0.0};
-  add_nearest(plane, {texels_at(place.u, here, width, error_u, error_u + step),
-                      texels_at(place.v, here, height, error_v, error_v + step)}, out);
+  Rect rect = {texels_at(place.u, here, width, place.error_u * width),
+               texels_at(place.v, here, height, place.error_v * height)};
+  rect.x.high = up_to_grid(rect.x.high, step);
+  rect.y.high = up_to_grid(rect.y.high, step);
+  add_nearest(plane, rect, out);
 }
 
 CubePlaces cube_places(const BoundsModel& model, const double (&direction)[3], const double (&dx)[3],
