@@ -116,11 +116,14 @@ struct Own {
     shd_level_rules level_rules;
 };
 
-void check_own(shd_context *context, const Scene &scene, const Own &own, shd_precision precision)
+void check_own(shd_context *context, const Scene &scene, const Own &own, shd_precision precision,
+               shd_magnification magnification)
 {
+    if (scene.image.sampler.filter == SHD_FILTER_ANISOTROPIC && magnification == SHD_MAGNIFICATION_NEAREST) return;
     Scene copy = {scene.kind, scene.pixels, scene.image, scene.lookups};
     copy.image.sampler.profile = own.profile;
     copy.image.sampler.precision = precision;
+    copy.image.sampler.magnification = magnification;
     shd_bounds_desc desc = preset(own.rules);
     if (own.level_rules) desc.level_rules = own.level_rules;
     const SceneBounds bounds(g_context, copy, desc);
@@ -159,8 +162,10 @@ void test_own(void **)
             const Scenes scenes(context, 96, 5);
             for (const Scene &scene : scenes.list) {
                 for (const Own &own : kOwn) {
-                    check_own(context, scene, own, SHD_PRECISION_FULL);
-                    check_own(context, scene, own, SHD_PRECISION_FAST);
+                    check_own(context, scene, own, SHD_PRECISION_FULL, SHD_MAGNIFICATION_DEFAULT);
+                    check_own(context, scene, own, SHD_PRECISION_FAST, SHD_MAGNIFICATION_DEFAULT);
+                    check_own(context, scene, own, SHD_PRECISION_FULL, SHD_MAGNIFICATION_NEAREST);
+                    check_own(context, scene, own, SHD_PRECISION_FULL, SHD_MAGNIFICATION_BILINEAR);
                 }
             }
         }

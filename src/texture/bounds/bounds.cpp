@@ -64,6 +64,11 @@ BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const
   return bounds_footprint(call.texture, call.sampler, call.model, steps, lookup.has_lod ? &lookup.lod : nullptr);
 }
 
+bool exceeds_face(const Steps& steps) {
+  return std::max(std::max(std::fabs(steps.x.u), std::fabs(steps.x.v)),
+                  std::max(std::fabs(steps.y.u), std::fabs(steps.y.v))) > 1.0;
+}
+
 /// shd takes derivatives of a face as at most one face long. Other implementations need not, so that both are legal.
 Steps within_face(const Steps& steps) {
   const auto clamp = [](double x) { return std::min(std::max(x, -1.0), 1.0); };
@@ -73,11 +78,9 @@ Steps within_face(const Steps& steps) {
 void add_direction(const BoundsCall& call, const Lookup& lookup, Color* out) {
   const CubePlaces places = cube_places(call.model, lookup.point, lookup.dx, lookup.dy);
   for (int k = 0; k < places.count; ++k) {
-    BoundsFootprint footprint = footprint_of(call, lookup, places.steps[k]);
-    const BoundsFootprint shorter = footprint_of(call, lookup, within_face(places.steps[k]));
-    footprint.lambda.add(shorter.lambda);
-    footprint.probe_lambda.add(shorter.probe_lambda);
-    add_filtered(call, places.place[k], footprint, out);
+    const Steps& steps = places.steps[k];
+    add_filtered(call, places.place[k], footprint_of(call, lookup, steps), out);
+    if (exceeds_face(steps)) add_filtered(call, places.place[k], footprint_of(call, lookup, within_face(steps)), out);
   }
 }
 

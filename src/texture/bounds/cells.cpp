@@ -116,8 +116,12 @@ void add_everywhere(const Plane& plane, Color* out) {
   if (plane.width > kMaxCells || plane.height > kMaxCells) {
     return out->add(format_range(*plane.texture, *plane.sampler));
   }
-  for (int64_t j = 0; j < plane.height; ++j) {
-    for (int64_t i = 0; i < plane.width; ++i) out->add(texel_range(plane, i, j));
+  const bool cube = plane.texture->projection == SHD_PROJECTION_CUBE;
+  Plane face = plane;
+  for (face.layer = cube ? 0 : plane.layer; face.layer < (cube ? 6 : plane.layer + 1); ++face.layer) {
+    for (int64_t j = 0; j < plane.height; ++j) {
+      for (int64_t i = 0; i < plane.width; ++i) out->add(texel_range(face, i, j));
+    }
   }
   if (has_border(*plane.texture, *plane.sampler)) out->add(texel_range(plane, -1, -1));
 }

@@ -103,11 +103,13 @@ bool touches_face(const Place& place, const Reach& reach) {
          place.v + reach.v.low <= 1.0;
 }
 
-/// Coordinate on a face, and its derivatives: with s = p / r, ds = (dp - s dr) / r.
-Vector2 step_on_face(const CubeFace& face, double u, double v, double r, const double (&d)[3]) {
-  const double dr = component(d, face.axis) / r;
-  const double s = 2.0 * u - 1.0, t = 2.0 * v - 1.0;
-  return {0.5 * (component(d, face.right) / r - s * dr), 0.5 * (component(d, face.down) / r - t * dr)};
+/// Derivatives of a coordinate on a face: with s = p / r, ds = (dp - s dr) / r. Changes of the direction are within
+/// +-2^60 of its length, as for shd_texture_sample(), so that they are finite.
+Vector2 step_on_face(const CubeFace& face, const double (&n)[3], const double (&d)[3]) {
+  const double r = component(n, face.axis);
+  const auto change = [&](int axis) { return std::min(std::max(component(d, axis) / r, -0x1p60), 0x1p60); };
+  const double dr = change(face.axis), s = component(n, face.right) / r, t = component(n, face.down) / r;
+  return {0.5 * (change(face.right) - s * dr), 0.5 * (change(face.down) - t * dr)};
 }
 
 }  // namespace
@@ -147,7 +149,7 @@ CubePlaces cube_places(const BoundsModel& model, const double (&direction)[3], c
     Place& place = out.place[out.count];
     const auto unit = [&](int axis) { return std::min(std::max(0.5 * (component(direction, axis) / r + 1.0), 0.0), 1.0); };
     place = {unit(face.right), unit(face.down), model.coordinate_error, model.coordinate_error, f};
-    out.steps[out.count++] = {step_on_face(face, place.u, place.v, r, dx), step_on_face(face, place.u, place.v, r, dy)};
+    out.steps[out.count++] = {step_on_face(face, direction, dx), step_on_face(face, direction, dy)};
   }
   return out;
 }
