@@ -3,13 +3,13 @@
  * @file
  * @brief The values that a conforming implementation may return for a lookup.
  *
- * Graphics APIs leave room in texture filtering: the bits of a texel coordinate and of a level of detail, approximations
- * of the footprint, the places of anisotropic probes. shd_texture_bounds() computes the smallest and the largest legal
- * value of each lookup. A result outside is a bug, and a result inside cannot be told from a legal one.
+ * Graphics APIs leave room in texture filtering: the bits of a texel coordinate and of a level of detail,
+ * approximations of the footprint, the places of anisotropic probes. shd_texture_bounds() computes the smallest and the
+ * largest legal value of each lookup. A result outside is a bug. A result inside may be legal.
  *
  * The model. Let x = u n on an axis of n texels of a level.
- *  - Coordinates. An implementation may compute any x' within coordinate_error n max(1, |u|) of x. It may then use any
- *    coordinate between the multiples of 2^-subtexel_bits around x'. This contains truncation, every other rounding, and
+ *  - Coordinates. An implementation may compute any x' within coordinate_error n max(1, |u|) of x. It may then use
+ *    any coordinate between the multiples of 2^-subtexel_bits around x'. This contains truncation, other roundings and
  *    more bits. NEAREST cannot cross a texel's border downwards by rounding, because the border is on the grid.
  *  - Weights of four texels are the products of the coordinates' fractions. Their rounding may move the average by
  *    2^-weight_bits times the difference of the largest and the smallest of the four texels.
@@ -19,7 +19,7 @@
  *    ceil(lod + 1/2) - 1 or floor(lod + 1/2).
  *  - Magnification is legal where a legal level of detail is 0 or below, and minification where one is above 0.
  *  - ANISOTROPIC. Let p and q be the longer and the shorter axis of a rule, and a = max_anisotropy. The value is an
- *    average of pairs of trilinear lookups, at c + t d and c - t d, of any number and any weights that sum to 1. c is
+ *    average of pairs of trilinear lookups, at c + t d and c - t d, of any number, with weights >= 0 of sum 1. c is
  *    the point of the lookup, d is the vector of p, and 0 <= t <= (1 - 1/N) / 2 with N = ceil(min(|p| / |q|, a)). All
  *    lookups have one level of detail, between log2(max(|q|, |p| / a)) and log2|p|. This contains the rules of Vulkan
  *    and Direct3D 11, and one probe on the isotropic level. For SHD_LEVEL_RULE_OPENGL the lower end is log2(|p| / N).
@@ -35,8 +35,9 @@
  *
  * Defined for all inputs, as shd_texture_sample(): NaN and infinite coordinates count as 0, and so on. A channel of
  * which a legal texel is not finite has the bounds -infinity and infinity, and NaN is legal for it. Where an error
- * covers more than 64 texels on an axis of more than 64, or a line of probes more than 256 texels, bounds are the range
- * of the format: [0, 1] with the border, or -infinity to infinity. Bounds are computed in double and rounded outwards.
+ * covers more than 64 texels on an axis of more than 64, or a line of probes more than 256 texels, the bounds are the
+ * range of the format: [0, 1] with the border, or -infinity to infinity. Bounds are computed in double and rounded
+ * outwards.
  *
  * Sources: Vulkan 1.3 specification, "Image Operations" and "Limits"; Direct3D 11.3 functional specification, 7.18;
  * OpenGL 4.6 core profile, 8.14; EXT_texture_filter_anisotropic.

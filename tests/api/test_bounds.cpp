@@ -19,10 +19,12 @@ void assert_inside(const Scene &scene, const SceneBounds &bounds, size_t i, cons
     const int c = bounds.illegal(i, value);
     if (c < 0) return;
     const ref::UnitLookup at = scene.lookups.at(i);
-    fail_msg("%s, rules %d, format %d, filter %d, lookup %zu (%.9g %.9g %.9g, %g %g %g, %g %g %g, lod %g): channel %d is "
-             "%.9g, not in %.9g..%.9g", who, rules, scene.kind.format, scene.image.sampler.filter, i, at.p[0], at.p[1],
-             at.p[2], at.dx[0], at.dx[1], at.dx[2], at.dy[0], at.dy[1], at.dy[2], at.lod, c, value[c],
-             double{bounds.lower.channel[c][i]}, double{bounds.upper.channel[c][i]});
+    fail_msg(
+        "%s, rules %d, format %d, filter %d, lookup %zu (%.9g %.9g %.9g, %g %g %g, %g %g %g, lod %g): channel %d is "
+        "%.9g, not in %.9g..%.9g",
+        who, rules, scene.kind.format, scene.image.sampler.filter, i, at.p[0], at.p[1], at.p[2], at.dx[0], at.dx[1],
+        at.dx[2], at.dy[0], at.dy[1], at.dy[2], at.lod, c, value[c], double{bounds.lower.channel[c][i]},
+        double{bounds.upper.channel[c][i]});
 }
 
 void sample_unit(const Scene &scene, const ref::Unit &unit, size_t i, double (&value)[4])
@@ -143,10 +145,14 @@ void check_own(shd_context *context, const Scene &scene, const Own &own, shd_pre
 void test_own(void **)
 {
     constexpr Own kOwn[] = {
-        {SHD_PROFILE_VULKAN, SHD_RULES_VULKAN, 0},      {SHD_PROFILE_VULKAN, SHD_RULES_WEBGPU, 0},
-        {SHD_PROFILE_D3D11, SHD_RULES_VULKAN, 0},       {SHD_PROFILE_D3D11, SHD_RULES_D3D11, 0},
-        {SHD_PROFILE_D3D11, SHD_RULES_WEBGPU, 0},       {SHD_PROFILE_EXACT, SHD_RULES_VULKAN, 0},
-        {SHD_PROFILE_EXACT, SHD_RULES_D3D11, 0},        {SHD_PROFILE_VULKAN, SHD_RULES_OPENGL, 0},
+        {SHD_PROFILE_VULKAN, SHD_RULES_VULKAN, 0},
+        {SHD_PROFILE_VULKAN, SHD_RULES_WEBGPU, 0},
+        {SHD_PROFILE_D3D11, SHD_RULES_VULKAN, 0},
+        {SHD_PROFILE_D3D11, SHD_RULES_D3D11, 0},
+        {SHD_PROFILE_D3D11, SHD_RULES_WEBGPU, 0},
+        {SHD_PROFILE_EXACT, SHD_RULES_VULKAN, 0},
+        {SHD_PROFILE_EXACT, SHD_RULES_D3D11, 0},
+        {SHD_PROFILE_VULKAN, SHD_RULES_OPENGL, 0},
         {SHD_PROFILE_LEAST_ERROR, SHD_RULES_D3D11, SHD_LEVEL_RULE_PROFILE},
         {SHD_PROFILE_EXACT, SHD_RULES_D3D11, SHD_LEVEL_RULE_PROFILE},
         {SHD_PROFILE_VULKAN, SHD_RULES_D3D11, SHD_LEVEL_RULE_PROFILE},
@@ -173,10 +179,7 @@ void test_own(void **)
     }
 }
 
-int set_up(void **)
-{
-    return shd_context_create(nullptr, &g_context) != SHD_OK;
-}
+int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
 int tear_down(void **)
 {
     shd_context_release(g_context);

@@ -132,8 +132,10 @@ struct Refused {
 const Refused kRefused[] = {
     {"ewa", [](auto *, auto *s) { s->filter = SHD_FILTER_EWA; }, "sampler.filter: EWA has no bounds"},
     {"exact", [](auto *, auto *s) { s->filter = SHD_FILTER_EXACT; }, "sampler.filter: EXACT has no bounds"},
-    {"bicubic", [](auto *, auto *s) { s->magnification = SHD_MAGNIFICATION_BICUBIC; }, "sampler.magnification: BICUBIC"},
-    {"nearest", [](auto *, auto *s) { s->filter = SHD_FILTER_ANISOTROPIC, s->magnification = SHD_MAGNIFICATION_NEAREST; },
+    {"bicubic", [](auto *, auto *s) { s->magnification = SHD_MAGNIFICATION_BICUBIC; },
+     "sampler.magnification: BICUBIC"},
+    {"nearest",
+     [](auto *, auto *s) { s->filter = SHD_FILTER_ANISOTROPIC, s->magnification = SHD_MAGNIFICATION_NEAREST; },
      "sampler.magnification: NEAREST of ANISOTROPIC"},
     {"blur", [](auto *, auto *s) { s->blur_v = 0.1f; }, "sampler.blur_u, blur_v"},
     {"level_blend", [](auto *, auto *s) { s->level_blend = 0.5f; }, "sampler.level_blend"},
@@ -168,8 +170,8 @@ void test_refused(void **)
 }
 
 constexpr float kInf = INFINITY;
-const float kStrange[] = {0.0f, -0.0f, 0.5f,    1.0f,  -1.0f, 1e-42f, FLT_MIN,  0.3f,  17.25f, -3e4f,
-                          1e7f, -1e10f, 1e19f, -1e30f, FLT_MAX, -FLT_MAX, kInf, -kInf, NAN};
+const float kStrange[] = {0.0f, -0.0f,  0.5f,  1.0f,   -1.0f,   1e-42f,   FLT_MIN, 0.3f,  17.25f, -3e4f,
+                          1e7f, -1e10f, 1e19f, -1e30f, FLT_MAX, -FLT_MAX, kInf,    -kInf, NAN};
 
 SceneLookups strange_lookups(const SceneTexture &kind, size_t count, Random *random)
 {
@@ -271,10 +273,7 @@ void test_batches(void **)
     shd_sampler_release(sampler);
 }
 
-int set_up(void **)
-{
-    return shd_context_create(nullptr, &g_context) != SHD_OK;
-}
+int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
 int tear_down(void **)
 {
     shd_context_release(g_context);
@@ -287,8 +286,8 @@ int tear_down(void **)
 int main()
 {
     using namespace shd::tests;
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bad_desc), cmocka_unit_test(test_bad_call),         cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_strange),  cmocka_unit_test(test_nonfinite_texels), cmocka_unit_test(test_batches)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bad_desc),         cmocka_unit_test(test_bad_call),
+                                       cmocka_unit_test(test_refused),          cmocka_unit_test(test_strange),
+                                       cmocka_unit_test(test_nonfinite_texels), cmocka_unit_test(test_batches)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -160,10 +160,12 @@ inline Value unit_direction(const UnitImage& image, const Unit& unit, const Unit
   const auto step = [&](const double* d, int axis) {
     return 0.5 * (r * part(d, axis) - part(lookup.p, axis) * part(d, row[0])) / (r * r);
   };
-  UnitSteps steps = {step(lookup.dx, row[1]), step(lookup.dx, row[2]), step(lookup.dy, row[1]), step(lookup.dy, row[2])};
+  UnitSteps steps = {step(lookup.dx, row[1]), step(lookup.dx, row[2]), step(lookup.dy, row[1]),
+                     step(lookup.dy, row[2])};
   double u = static_cast<double>(place.u), v = static_cast<double>(place.v);
   int face = static_cast<int>(place.face);
-  if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1) (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
+  if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1)
+    (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
   if (unit.bug == Bug::kMirroredAxis) (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
   if (unit.bug == Bug::kSwappedAxes) std::swap(u, v);
   if (unit.bug == Bug::kLayer) face = (face + 1) % 6;
@@ -195,8 +197,10 @@ inline Value unit_sample(const UnitImage& image, const Unit& unit, const UnitLoo
     const int layer = unit.bug == Bug::kLayer ? (lookup.layer + 1) % image.layers : lookup.layer;
     value = unit_filter(image, unit, lookup, u, v, layer, d);
   }
-  for (int c = 0; c < 4; ++c) value[static_cast<size_t>(c)] = unit_result(image, unit, value[static_cast<size_t>(c)], c);
-  if (unit.bug == Bug::kSwappedChannels) std::swap(value[unit.option & 3], value[static_cast<size_t>(unit.option >> 2)]);
+  for (int c = 0; c < 4; ++c)
+    value[static_cast<size_t>(c)] = unit_result(image, unit, value[static_cast<size_t>(c)], c);
+  if (unit.bug == Bug::kSwappedChannels)
+    std::swap(value[unit.option & 3], value[static_cast<size_t>(unit.option >> 2)]);
   return value;
 }
 

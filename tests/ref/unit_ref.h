@@ -20,49 +20,51 @@ enum class Rounding { kDown, kNearest, kUp };
 
 inline double rounded(double x, int bits, Rounding rounding) {
   const double scaled = ldexp(x, bits);
-  return ldexp(rounding == Rounding::kDown ? floor(scaled) : rounding == Rounding::kUp ? ceil(scaled) : floor(scaled + 0.5),
+  return ldexp(rounding == Rounding::kDown ? floor(scaled)
+               : rounding == Rounding::kUp ? ceil(scaled)
+                                           : floor(scaled + 0.5),
                -bits);
 }
 
 /// Errors of a texture unit.
 enum class Bug {
   kNone,
-  kShift,          // the coordinates are (a, b) texels off
-  kWrap,           // axis `option` & 1 has wrap `option` >> 1
-  kSwappedAxes,    // (v, u)
-  kMirroredAxis,   // 1 - u or 1 - v, by `option`
-  kLevelShift,     // the level of detail is `a` off
-  kLevelScale,     // the level of detail times `a`
-  kOneStep,        // derivatives of x, or of y, have no effect, by `option`
-  kShorterAxis,    // the shorter axis gives the level
-  kOneSize,        // the width, or the height, scales both axes, by `option`
-  kNoBias,         // no bias
-  kNoClamps,       // no clamps of the level
-  kFewBits,        // coordinates have `option` bits
-  kFewLevelBits,   // levels have `option` bits
-  kSwappedWeights, // s and t are swapped
-  kFlippedWeight,  // 1 - s or 1 - t, by `option`
-  kOneColumn,      // the second column, or row, is the first one
-  kFilterFirst,    // sRGB texels are decoded after filtering
-  kNoDecode,       // sRGB texels are not decoded
-  kAlphaDecoded,   // alpha is decoded
-  kAddressBit,     // bit `option` >> 1 of the column or the row is flipped
-  kWeightBit,      // bit of s of value a, or of t, is flipped
-  kResultBit,      // bit `option` & 7 of an 8-bit result is flipped, in channel `option` >> 3
-  kLevelBit,       // bit 0 of the level is flipped
-  kSwappedChannels, // channels `option` & 3 and `option` >> 2
-  kLayer,          // the next layer or face
-  kNoFilter,       // nearest in place of bilinear
-  kNoBlend,        // the finer level, or the coarser one, in place of both
-  kBlendFlipped,   // the shares of two levels are swapped
-  kLongLine,       // the line of probes is `a` times as long
-  kWrongLine,      // probes lie along the shorter axis
-  kProbeSum,       // the sum of probes is divided by one more, or one less
-  kLineShift,      // probes are (a) of the line off
-  kFlippedFace,    // s, or t, of face `option` >> 1 is flipped
-  kNoSeam,         // texels beyond an edge of the cube are those of the edge
-  kLargerLevels,   // level sizes are rounded up
-  kBorder,         // border texels are 0
+  kShift,            // the coordinates are (a, b) texels off
+  kWrap,             // axis `option` & 1 has wrap `option` >> 1
+  kSwappedAxes,      // (v, u)
+  kMirroredAxis,     // 1 - u or 1 - v, by `option`
+  kLevelShift,       // the level of detail is `a` off
+  kLevelScale,       // the level of detail times `a`
+  kOneStep,          // derivatives of x, or of y, have no effect, by `option`
+  kShorterAxis,      // the shorter axis gives the level
+  kOneSize,          // the width, or the height, scales both axes, by `option`
+  kNoBias,           // no bias
+  kNoClamps,         // no clamps of the level
+  kFewBits,          // coordinates have `option` bits
+  kFewLevelBits,     // levels have `option` bits
+  kSwappedWeights,   // s and t are swapped
+  kFlippedWeight,    // 1 - s or 1 - t, by `option`
+  kOneColumn,        // the second column, or row, is the first one
+  kFilterFirst,      // sRGB texels are decoded after filtering
+  kNoDecode,         // sRGB texels are not decoded
+  kAlphaDecoded,     // alpha is decoded
+  kAddressBit,       // bit `option` >> 1 of the column or the row is flipped
+  kWeightBit,        // bit of s of value a, or of t, is flipped
+  kResultBit,        // bit `option` & 7 of an 8-bit result is flipped, in channel `option` >> 3
+  kLevelBit,         // bit 0 of the level is flipped
+  kSwappedChannels,  // channels `option` & 3 and `option` >> 2
+  kLayer,            // the next layer or face
+  kNoFilter,         // nearest in place of bilinear
+  kNoBlend,          // the finer level, or the coarser one, in place of both
+  kBlendFlipped,     // the shares of two levels are swapped
+  kLongLine,         // the line of probes is `a` times as long
+  kWrongLine,        // probes lie along the shorter axis
+  kProbeSum,         // the sum of probes is divided by one more, or one less
+  kLineShift,        // probes are (a) of the line off
+  kFlippedFace,      // s, or t, of face `option` >> 1 is flipped
+  kNoSeam,           // texels beyond an edge of the cube are those of the edge
+  kLargerLevels,     // level sizes are rounded up
+  kBorder,           // border texels are 0
   kCount
 };
 
@@ -71,10 +73,10 @@ struct Unit {
   int subtexel_bits = 8, level_bits = 8, weight_bits = 0, result_bits = 0;
   Rounding rounding[2] = {Rounding::kNearest, Rounding::kNearest}, level_rounding = Rounding::kNearest;
   uint32_t rule = SHD_LEVEL_RULE_LENGTHS;
-  double stretch = 0;         // 0..1 within the approximations of the rule
-  bool lower_tie = true;      // nearest level: ceil(lod + 1/2) - 1
-  bool floats = false;        // coordinates are computed in binary32
-  double srgb_error = 0;      // [codes]
+  double stretch = 0;     // 0..1 within the approximations of the rule
+  bool lower_tie = true;  // nearest level: ceil(lod + 1/2) - 1
+  bool floats = false;    // coordinates are computed in binary32
+  double srgb_error = 0;  // [codes]
   double coordinate_error[2] = {0, 0}, level_error = 0;
   double isotropy = 0;        // 0 = the probes of the rule, 1 = one probe
   bool vulkan_places = true;  // i / (N + 1) - 1/2, else (k + 1/2) / N - 1/2
@@ -104,7 +106,8 @@ struct UnitLookup {
 inline double code_decode(shd_format format, const uint8_t* texel, int c, const Unit& unit) {
   const Layout l = layout(format);
   if (l.component != Layout::kSrgb8 || c >= l.channels) return decode(format, texel, c);
-  const bool linear = c == 3 ? unit.bug != Bug::kAlphaDecoded : unit.bug == Bug::kFilterFirst || unit.bug == Bug::kNoDecode;
+  const bool linear =
+      c == 3 ? unit.bug != Bug::kAlphaDecoded : unit.bug == Bug::kFilterFirst || unit.bug == Bug::kNoDecode;
   if (linear) return texel[c] / 255.0;
   return srgb_to_linear(fmin(fmax(texel[c] + unit.srgb_error, 0), 255) / 255);
 }
@@ -199,7 +202,7 @@ struct Texels {
     if (unit.weight_bits) {
       // The largest weight takes the rest, so that no weight is negative.
       double &largest = *std::max_element(w, w + 4), rest = 1;
-      for (double &weight : w) {
+      for (double& weight : w) {
         if (&weight == &largest) continue;
         weight = rounded(weight, unit.weight_bits, Rounding::kNearest);
         rest -= weight;

@@ -25,9 +25,12 @@ struct SceneTexture {
 };
 
 constexpr SceneTexture kSceneTextures[] = {
-    {SHD_FORMAT_RGBA8, 64, 32, 1, false, Picture::kNoise},   {SHD_FORMAT_RGBA8_SRGB, 37, 21, 1, false, Picture::kNoise},
-    {SHD_FORMAT_RGBA32F, 64, 64, 1, false, Picture::kRamp},  {SHD_FORMAT_RGBA8_SRGB, 64, 64, 1, false, Picture::kLevels},
-    {SHD_FORMAT_RGBA16, 17, 33, 3, false, Picture::kNoise},  {SHD_FORMAT_RGBA8, 16, 16, 6, true, Picture::kNoise},
+    {SHD_FORMAT_RGBA8, 64, 32, 1, false, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 37, 21, 1, false, Picture::kNoise},
+    {SHD_FORMAT_RGBA32F, 64, 64, 1, false, Picture::kRamp},
+    {SHD_FORMAT_RGBA8_SRGB, 64, 64, 1, false, Picture::kLevels},
+    {SHD_FORMAT_RGBA16, 17, 33, 3, false, Picture::kNoise},
+    {SHD_FORMAT_RGBA8, 16, 16, 6, true, Picture::kNoise},
     {SHD_FORMAT_RGBA8_SRGB, 32, 32, 6, true, Picture::kLevels},
 };
 
@@ -37,7 +40,7 @@ constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BI
 /// One texture with its levels, in the library and for the oracle.
 class ScenePixels
 {
-public:
+   public:
     ScenePixels(shd_context *context, const SceneTexture &kind, Random *random)
     {
         image = {kind.format, 1, static_cast<int>(kind.layers), kind.cube, {}, {}};
@@ -56,15 +59,15 @@ public:
     ref::UnitImage image;
     shd_texture *texture = nullptr;
 
-private:
+   private:
     static double value(const SceneTexture &kind, uint32_t layer, uint32_t level, double x, double y, uint32_t c,
                         Random *random)
     {
         const double base = 0.12 + 0.76 * ((level * 5 + layer * 3 + c * 2) % 11) / 10.0;
         switch (kind.picture) {
-        case Picture::kRamp: return 2.0 * (c & 1 ? y : x) + (c & 2 ? 0.5 * x * y : 0.1 * level);
-        case Picture::kLevels: return base;
-        default: return 0.3 * base + 0.7 * random->unit();
+            case Picture::kRamp: return 2.0 * (c & 1 ? y : x) + (c & 2 ? 0.5 * x * y : 0.1 * level);
+            case Picture::kLevels: return base;
+            default: return 0.3 * base + 0.7 * random->unit();
         }
     }
 
@@ -149,8 +152,7 @@ struct SceneLookups {
     {
         shd_lookups in = shd_lookups_default();
         in.count = count();
-        shd_f32_in *const to[9] = {&in.u,    &in.v,    &in.w,    &in.dudx, &in.dvdx,
-                                   &in.dwdx, &in.dudy, &in.dvdy, &in.dwdy};
+        shd_f32_in *const to[9] = {&in.u, &in.v, &in.w, &in.dudx, &in.dvdx, &in.dwdx, &in.dudy, &in.dvdy, &in.dwdy};
         for (int i = 0; i < 9; ++i) *to[i] = shd_f32_column(column[i].data(), 0);
         if (!lod.empty()) in.lod = shd_f32_column(lod.data(), 0);
         in.layer = shd_u32_column(layer.data(), 0);
@@ -219,7 +221,7 @@ inline shd_sampler_desc scene_sampler(shd_filter filter, int variant, Random *ra
 /// Every texture with every filter and three samplers each.
 class Scenes
 {
-public:
+   public:
     Scenes(shd_context *context, size_t lookups, uint64_t seed)
     {
         Random random{seed};
@@ -233,7 +235,7 @@ public:
 
     std::vector<Scene> list;
 
-private:
+   private:
     void add(const SceneTexture &kind, shd_filter filter, int variant, size_t lookups, Random *random)
     {
         Scene scene = {kind, pixels.back().get(), pixels.back()->image, {}};

@@ -35,8 +35,9 @@ void check_direction(Lookup* lookup) {
 }
 
 Lookup load(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
-  Lookup lookup = {{value_at(in.u, i), value_at(in.v, i), value_at(in.w, i)}, {}, {}, value_at(in.lod, i),
-                   in.lod != nullptr, true, in.layer ? std::min(in.layer[i], texture.layers - 1) : 0};
+  Lookup lookup = {
+      {value_at(in.u, i), value_at(in.v, i), value_at(in.w, i)}, {}, {}, value_at(in.lod, i), in.lod != nullptr, true,
+      in.layer ? std::min(in.layer[i], texture.layers - 1) : 0};
   lookup.finite = std::isfinite(lookup.lod);
   if (std::isnan(lookup.lod)) lookup.lod = 0.0;
   if (texture.projection == SHD_PROJECTION_NONE) {
@@ -104,8 +105,8 @@ float round_down(double x) {
 
 /// The error of results. Rounding to `result_step` moves values of unorm formats only.
 Range with_result_error(const BoundsCall& call, const Range& range) {
-  const bool floats = call.texture.component == image::Component::kFloat16 ||
-                      call.texture.component == image::Component::kFloat32;
+  const bool floats =
+      call.texture.component == image::Component::kFloat16 || call.texture.component == image::Component::kFloat32;
   const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
   if (!std::isfinite(largest)) return range;
   const double error = call.model.relative_error * largest + (floats ? 0.0 : call.model.result_step);

@@ -26,8 +26,12 @@ bool searchable(const Plane& plane, double shift, Rect* rect) {
   rect->y = within_image(cube ? SHD_WRAP_CLAMP : sampler.wrap_v, rect->y, static_cast<double>(plane.height));
   rect->x = {rect->x.low - shift, rect->x.high - shift};
   rect->y = {rect->y.low - shift, rect->y.high - shift};
-  const auto fits = [](double length, int64_t size) { return length <= static_cast<double>(2 * std::max(size, kMaxCells) + 8); };
-  const auto wide = [](double length, int64_t size) { return size > kMaxCells && length > static_cast<double>(kMaxCells); };
+  const auto fits = [](double length, int64_t size) {
+    return length <= static_cast<double>(2 * std::max(size, kMaxCells) + 8);
+  };
+  const auto wide = [](double length, int64_t size) {
+    return size > kMaxCells && length > static_cast<double>(kMaxCells);
+  };
   return fits(rect->x.length(), plane.width) && fits(rect->y.length(), plane.height) &&
          !wide(rect->x.length(), plane.width) && !wide(rect->y.length(), plane.height);
 }

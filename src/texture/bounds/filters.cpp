@@ -33,8 +33,8 @@ void add_nearest_levels(const BoundsCall& call, const Range& levels, At&& at, Co
   for (uint32_t level = first; level <= end; ++level) out->add(at(level));
 }
 
-/// Adds the blends of neighbouring levels. Between two levels a blend is linear in its level, so that its extremes lie at
-/// the ends of the range and at the levels within it.
+/// Adds the blends of neighbouring levels. Between two levels a blend is linear in its level, so that its extremes lie
+/// at the ends of the range and at the levels within it.
 template <class At>
 void add_blended_levels(const BoundsCall& call, const Range& levels, At&& at, Color* out) {
   const double last = call.texture.level_count - 1;
@@ -61,9 +61,11 @@ void add_minified(const BoundsCall& call, const Place& place, const BoundsFootpr
     case SHD_FILTER_NEAREST: return out->add(nearest_at(call, place, 0));
     case SHD_FILTER_BILINEAR: return out->add(bilinear_at(call, place, 0));
     case SHD_FILTER_NEAREST_MIP:
-      return add_nearest_levels(call, levels, [&](uint32_t level) { return nearest_at(call, place, level); }, out);
+      return add_nearest_levels(
+          call, levels, [&](uint32_t level) { return nearest_at(call, place, level); }, out);
     case SHD_FILTER_BILINEAR_MIP:
-      return add_nearest_levels(call, levels, [&](uint32_t level) { return bilinear_at(call, place, level); }, out);
+      return add_nearest_levels(
+          call, levels, [&](uint32_t level) { return bilinear_at(call, place, level); }, out);
     default:
       return add_blended_levels(
           call, levels,

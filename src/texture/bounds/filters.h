@@ -7,7 +7,7 @@
 
 namespace shd::texture {
 
-/// What all lookups of a call share.
+/// Texture, sampler and precision of a call.
 struct BoundsCall {
   const Texture& texture;
   const Sampler& sampler;

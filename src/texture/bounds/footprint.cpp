@@ -155,7 +155,7 @@ Sizes sizes_of(const Vector2& x, const Vector2& y, const Ellipse& e, uint32_t ru
 }
 
 Range lambda_of(const Range& size, const BoundsModel& model) {
-  constexpr double kRounding = 1e-6;  // of derivatives in texels, and of the logarithm
+  constexpr double kRounding = 1e-6;  // error of derivatives in texels and of the logarithm [levels]
   const double error = model.level_error + kRounding;
   return {log2_of(size.low * (1.0 - model.derivative_error)) - error,
           log2_of(size.high * (1.0 + model.derivative_error)) + error};

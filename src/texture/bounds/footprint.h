@@ -20,7 +20,7 @@ struct Steps {
 struct BoundsFootprint {
   Range lambda;        // levels of detail before bias and clamps; infinite at size 0 or infinity
   Range magnifying;    // levels that decide on the magnification of filters without mip levels
-  Range probe_lambda;  // of anisotropic lookups
+  Range probe_lambda;  // levels of detail of anisotropic lookups
   double reach;        // probes lie within +-reach of an axis
   int axis_count;      // axes along which probes may lie
   Vector2 axis[3];     // normalised

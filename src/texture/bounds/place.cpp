@@ -147,7 +147,9 @@ CubePlaces cube_places(const BoundsModel& model, const double (&direction)[3], c
     const double r = component(direction, face.axis);
     if (r < largest * kTie) continue;
     Place& place = out.place[out.count];
-    const auto unit = [&](int axis) { return std::min(std::max(0.5 * (component(direction, axis) / r + 1.0), 0.0), 1.0); };
+    const auto unit = [&](int axis) {
+      return std::min(std::max(0.5 * (component(direction, axis) / r + 1.0), 0.0), 1.0);
+    };
     place = {unit(face.right), unit(face.down), model.coordinate_error, model.coordinate_error, f};
     out.steps[out.count++] = {step_on_face(face, direction, dx), step_on_face(face, direction, dy)};
   }

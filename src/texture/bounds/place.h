@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Points of lookups on levels: of a 2D image, or of a face of a cube. A rectangle of points that leaves a face continues
-/// on the adjacent faces.
+/// Points of lookups on levels: of a 2D image, or of a face of a cube. A rectangle of points that leaves a face
+/// continues on the adjacent faces.
 #pragma once
 
 #include "texture/bounds/cells.h"
@@ -12,7 +12,7 @@ namespace shd::texture {
 /// A point of an image, normalised and reduced to two images at most, and the largest error of its coordinates.
 struct Place {
   double u, v;
-  double error_u, error_v;  // of the coordinates before they are reduced
+  double error_u, error_v;  // largest errors; they grow with the coordinate that was reduced
   uint32_t layer;           // or the face
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
   const Texture& texture = *plane.texture;
-  const uint8_t* texel = row_of(texture, layer, plane.level, static_cast<uint32_t>(y)) +
-                         static_cast<size_t>(x) * texel_size(texture);
+  const uint8_t* texel =
+      row_of(texture, layer, plane.level, static_cast<uint32_t>(y)) + static_cast<size_t>(x) * texel_size(texture);
   Color color;
   if (texture.component == image::Component::kSrgb8) {
     for (uint32_t c = 0; c < texture.channels; ++c) {
@@ -73,7 +73,8 @@ Color beyond_corner(const Plane& plane, int64_t i, int64_t j) {
 
 Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, uint32_t layer,
                uint32_t level) {
-  return {&texture, &sampler, &model, layer, level, level_size(texture.width, level), level_size(texture.height, level)};
+  return {
+      &texture, &sampler, &model, layer, level, level_size(texture.width, level), level_size(texture.height, level)};
 }
 
 Color texel_range(const Plane& plane, int64_t i, int64_t j) {

@@ -7,8 +7,8 @@
 namespace shd::texture {
 namespace {
 
-constexpr double kPiece = 0.5;      // longest piece of a line [texels]
-constexpr double kMostPieces = 256;  // of half a line, which is 128 texels long
+constexpr double kPiece = 0.5;       // longest piece of a line [texels]
+constexpr double kMostPieces = 256;  // half a line of 128 texels
 
 /// Points t d for t in a range, or -t d, with the error of the direction.
 Reach points_of(const Vector2& d, const Range& t, double sign, double slop_u, double slop_v) {
