@@ -14,8 +14,9 @@
 namespace shd::tests
 {
 
-/// Contents of a texture: noise about a colour of each level and layer; ramps; or these colours alone.
-enum class Picture { kNoise, kRamp, kLevels };
+/// Contents of a texture: noise about a colour of each level and layer; ramps; these colours alone; or few white texels,
+/// which show reads of texels that a lookup must not read.
+enum class Picture { kNoise, kRamp, kLevels, kDots };
 
 struct SceneTexture {
     shd_format format;
@@ -32,6 +33,7 @@ constexpr SceneTexture kSceneTextures[] = {
     {SHD_FORMAT_RGBA16, 17, 33, 3, false, Picture::kNoise},
     {SHD_FORMAT_RGBA8, 16, 16, 6, true, Picture::kNoise},
     {SHD_FORMAT_RGBA8_SRGB, 32, 32, 6, true, Picture::kLevels},
+    {SHD_FORMAT_RGBA8, 64, 64, 1, false, Picture::kDots},
 };
 
 constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
@@ -67,6 +69,7 @@ class ScenePixels
         switch (kind.picture) {
             case Picture::kRamp: return 2.0 * (c & 1 ? y : x) + (c & 2 ? 0.5 * x * y : 0.1 * level);
             case Picture::kLevels: return base;
+            case Picture::kDots: return random->whole(0, 31) ? 0.0 : 1.0;
             default: return 0.3 * base + 0.7 * random->unit();
         }
     }
