@@ -89,9 +89,9 @@ struct Tight {
 void test_tight(void **)
 {
     constexpr Tight kTight[] = {
-        {SHD_FILTER_NEAREST, {1.3, 1.3, 1.3, 1.3}},     {SHD_FILTER_BILINEAR, {1.3, 1.8, 1.3, 1.3}},
-        {SHD_FILTER_NEAREST_MIP, {1.2, 1.2, 1.2, 1.2}}, {SHD_FILTER_BILINEAR_MIP, {1.2, 1.2, 1.2, 1.2}},
-        {SHD_FILTER_TRILINEAR, {1.2, 1.4, 1.2, 1.2}},   {SHD_FILTER_ANISOTROPIC, {1.8, 1.8, 1.8, 2.1}},
+        {SHD_FILTER_NEAREST, {1.1, 1.2, 1.1, 1.1}},       {SHD_FILTER_BILINEAR, {1.15, 1.6, 1.15, 1.15}},
+        {SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},   {SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {SHD_FILTER_TRILINEAR, {1.15, 1.25, 1.15, 1.15}}, {SHD_FILTER_ANISOTROPIC, {1.7, 1.7, 1.7, 1.9}},
     };
     Random random{12};
     const Scenes scenes(g_context, 24, 9);

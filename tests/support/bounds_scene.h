@@ -14,8 +14,8 @@
 namespace shd::tests
 {
 
-/// Contents of a texture: noise about a colour of each level and layer; ramps; these colours alone; or few white texels,
-/// which show reads of texels that a lookup must not read.
+/// Contents of a texture: noise about a colour of each level and layer; ramps; these colours alone; or few white
+/// texels, which show reads of texels that a lookup must not read.
 enum class Picture { kNoise, kRamp, kLevels, kDots };
 
 struct SceneTexture {
