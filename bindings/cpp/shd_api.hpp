@@ -6,6 +6,7 @@
 
 #include <shd/bake.h>
 #include <shd/base.h>
+#include <shd/bounds.h>
 #if __has_include(<shd/color.h>)
 #include <shd/color.h>
 #endif
@@ -370,6 +371,24 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 /// Shade the surfaces of draws into a framebuffer at their texture coordinates. See shd_bake().
 inline void bake(shd_context* context_, const shd_render_desc* frame, const shd_bake_desc* desc) {
   check(shd_bake(context_, frame, desc));
+}
+
+/// Get the precision that the rules of a graphics API require at least. See shd_bounds_preset().
+inline shd_bounds_desc bounds_preset(shd_rules rules) {
+  shd_bounds_desc made = shd_bounds_desc_default();
+  check(shd_bounds_preset(rules, &made));
+  return made;
+}
+
+/// Compute the legal values of `lookups->count` lookups. See shd_texture_bounds().
+inline void texture_bounds(
+    const shd_texture* texture_,
+    const shd_sampler* sampler_,
+    const shd_lookups* lookups,
+    const shd_bounds_desc* desc,
+    shd_texels* lower,
+    shd_texels* upper) {
+  check(shd_texture_bounds(texture_, sampler_, lookups, desc, lower, upper));
 }
 
 #if __has_include(<shd/color.h>)

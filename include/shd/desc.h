@@ -100,6 +100,7 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_OCCLUSION_DESC = 65,      /**< shd_occlusion_desc */
     SHD_DESC_KIND_OCCLUSION_POINTS = 66,    /**< shd_occlusion_points */
     SHD_DESC_KIND_OCCLUSION_ATLAS = 67,     /**< shd_occlusion_atlas */
+    SHD_DESC_KIND_BOUNDS_DESC = 68,         /**< shd_bounds_desc */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -52,6 +52,7 @@
 
 #include <shd/bake.h>
 #include <shd/base.h>
+#include <shd/bounds.h>
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>

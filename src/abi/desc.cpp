@@ -188,6 +188,7 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_OCCLUSION_DESC: return write_defaults(shd_occlusion_desc_default(), ptr, size);
     case SHD_DESC_KIND_OCCLUSION_POINTS: return write_defaults(shd_occlusion_points_default(), ptr, size);
     case SHD_DESC_KIND_OCCLUSION_ATLAS: return write_defaults(shd_occlusion_atlas_default(), ptr, size);
+    case SHD_DESC_KIND_BOUNDS_DESC: return write_defaults(shd_bounds_desc_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

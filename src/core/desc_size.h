@@ -106,6 +106,7 @@ SHD_SIZED(shd_bake_stats, triangles, nonfinite_texels, 80);
 SHD_SIZED(shd_occlusion_desc, rays, draw_count, 56);
 SHD_SIZED(shd_occlusion_points, normal, normal, 112);
 SHD_SIZED(shd_occlusion_atlas, height, stats, 64);
+SHD_SIZED(shd_bounds_desc, srgb_error, srgb_error, 44);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE
 

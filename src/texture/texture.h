@@ -24,6 +24,7 @@
 /// | format/    | component types, one in each file: fetch and decode; consumers of values and derivatives     |
 /// | direction/ | lookups of textures of directions; conversions between projections                            |
 /// | explain/   | one lookup as its tree of blends, from a consumer that records                               |
+/// | bounds/    | intervals of the values that conforming implementations may return, in doubles              |
 ///
 /// | file                                         | contents                                                   |
 /// |----------------------------------------------|------------------------------------------------------------|
@@ -81,6 +82,11 @@
 /// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
 /// | direction/convert, layout, floats (.cpp)     | conversions of images; faces in images; images as floats   |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
+/// | bounds/bounds.h, filters.h, probes.cpp       | bounds of lookups; their filters; lines of probes          |
+/// | bounds/model.h, range.h                      | precision of implementations; intervals                    |
+/// | bounds/footprint.h                           | legal levels of detail, axes and numbers of probes         |
+/// | bounds/place.h, cube.h                       | points on levels and on faces of a cube                    |
+/// | bounds/cells.h, plane.h                      | extremes over rectangles of texels; texels of a level      |
 #pragma once
 
 #include <cstddef>

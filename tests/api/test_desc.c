@@ -48,6 +48,7 @@ DEFAULTS(shd_bake_stats)
 DEFAULTS(shd_occlusion_desc)
 DEFAULTS(shd_occlusion_points)
 DEFAULTS(shd_occlusion_atlas)
+DEFAULTS(shd_bounds_desc)
 DEFAULTS(shd_derivatives)
 DEFAULTS(shd_mesh_desc)
 DEFAULTS(shd_mesh_info)
@@ -151,6 +152,8 @@ static const struct kind_case k_kinds[] = {
      REQUIRED(shd_occlusion_points, normal), defaults_shd_occlusion_points},
     {"occlusion_atlas", SHD_DESC_KIND_OCCLUSION_ATLAS, sizeof(shd_occlusion_atlas),
      REQUIRED(shd_occlusion_atlas, height), defaults_shd_occlusion_atlas},
+    {"bounds_desc", SHD_DESC_KIND_BOUNDS_DESC, sizeof(shd_bounds_desc), REQUIRED(shd_bounds_desc, srgb_error),
+     defaults_shd_bounds_desc},
     {"material_desc", SHD_DESC_KIND_MATERIAL_DESC, sizeof(shd_material_desc), REQUIRED(shd_material_desc, model),
      defaults_shd_material_desc},
     {"slot", SHD_DESC_KIND_SLOT, sizeof(shd_slot), REQUIRED(shd_slot, user_data), defaults_shd_slot},

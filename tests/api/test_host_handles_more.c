@@ -19,6 +19,16 @@ static shd_result explain(struct fixture *f, void *texture, void *sampler)
 }
 static shd_result explain_texture(struct fixture *f, void *handle) { return explain(f, handle, f->live[k_sampler]); }
 static shd_result explain_sampler(struct fixture *f, void *handle) { return explain(f, f->live[k_texture], handle); }
+static shd_result bounds(struct fixture *f, void *texture, void *sampler)
+{
+    const shd_lookups lookups = three_lookups(f);
+    shd_texels lower = shd_texels_default(), upper = shd_texels_default();
+    lower.channel[0].data = f->column + 8;
+    return shd_texture_bounds((const shd_texture *)texture, (const shd_sampler *)sampler, &lookups, NULL, &lower,
+                              &upper);
+}
+static shd_result bounds_texture(struct fixture *f, void *handle) { return bounds(f, handle, f->live[k_sampler]); }
+static shd_result bounds_sampler(struct fixture *f, void *handle) { return bounds(f, f->live[k_texture], handle); }
 static shd_result levels(struct fixture *f, void *texture, void *sampler)
 {
     const shd_lookups lookups = three_lookups(f);
@@ -248,6 +258,8 @@ static shd_result context_object(struct fixture *f, void *handle)
 }
 
 static const struct entry k_entries[] = {
+    {"shd_texture_bounds/texture", k_texture, bounds_texture, "texture: ", 0},
+    {"shd_texture_bounds/sampler", k_sampler, bounds_sampler, "sampler: ", 0},
     {"shd_texture_explain/texture", k_texture, explain_texture, "texture: ", 0},
     {"shd_texture_explain/sampler", k_sampler, explain_sampler, "sampler: ", 0},
     {"shd_texture_query_levels/texture", k_texture, levels_texture, "texture: ", 0},

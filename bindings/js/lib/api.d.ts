@@ -17,6 +17,42 @@ export type TexelState =
   | "dilated"
   ;
 
+/**
+ * Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y
+ * are
+ * the derivatives in base-level texels.
+ * - `lengths`: axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition
+ * - `ellipse`: the axes of the ellipse that x and y span, as Direct3D 11 defines
+ * - `vulkan`: Vulkan's approximations, each of its own size: max(|x_u|, |x_v|) <= |x| <= sqrt(2) (|x_u| + |x_v|),
+ * and y
+ * likewise.
+ * - `opengl`: OpenGL's: with m_u = max(|x_u|, |y_u|) and m_v = max(|x_v|, |y_v|), max(m_u, m_v) <= p <= m_u + m_v.
+ * - `profile`: The profile of the sampler (shd_profile); not OIIO, which returns SHD_ERROR_UNSUPPORTED.
+ */
+export type LevelRule =
+  | "lengths"
+  | "ellipse"
+  | "vulkan"
+  | "opengl"
+  | "profile"
+  ;
+
+/**
+ * Rules of a graphics API, for shd_bounds_preset().
+ * - `vulkan`: The least precision that Vulkan 1.3 allows: 4 bits of coordinates and of levels; LENGTHS, ELLIPSE,
+ * VULKAN.
+ * - `d3d11`: Direct3D 11.3: 8 bits of coordinates and of levels; LENGTHS, ELLIPSE.
+ * - `webgpu`: WebGPU has no rules of its own and runs on other APIs: VULKAN's bits, and the rules of the other
+ * three.
+ * - `opengl`: OpenGL 4.6 has no least number of bits: VULKAN's bits; LENGTHS, OPENGL.
+ */
+export type Rules =
+  | "vulkan"
+  | "d3d11"
+  | "webgpu"
+  | "opengl"
+  ;
+
 /** Severity of a line of the log. */
 export type LogLevel =
   | "debug"
@@ -130,6 +166,7 @@ export type ContextFlag =
  * - `occlusion_desc`: shd_occlusion_desc
  * - `occlusion_points`: shd_occlusion_points
  * - `occlusion_atlas`: shd_occlusion_atlas
+ * - `bounds_desc`: shd_bounds_desc
  */
 export type DescKind =
   | "none"
@@ -199,6 +236,7 @@ export type DescKind =
   | "occlusion_desc"
   | "occlusion_points"
   | "occlusion_atlas"
+  | "bounds_desc"
   ;
 
 /**
@@ -1410,6 +1448,30 @@ export interface BakeDesc {
   states?: OutColumn;
   /** its struct_size is read; NULL = not wanted; all zero on failure */
   stats?: BakeStats | BakeStats[];
+}
+
+/** The precision of implementations. Defaults are the rules of SHD_RULES_VULKAN. */
+export interface BoundsDesc {
+  /** at least one; default LENGTHS | ELLIPSE | VULKAN */
+  levelRules?: LevelRule | (string & {}) | number;
+  /** fraction bits of a texel coordinate, 2..24; default 4 */
+  subtexelBits?: number;
+  /** fraction bits of a level of detail, 1..24; default 4 */
+  levelBits?: number;
+  /** bits of the weights of texels, 1..24; 0 = exact; default 9 */
+  weightBits?: number;
+  /** bits of the results of unorm formats, 1..24; 0 = not rounded; default 8 */
+  resultBits?: number;
+  /** error of a coordinate, relative to max(1, |u|), 0..1/16; default 2^-21 */
+  coordinateError?: number;
+  /** relative error of the derivatives, 0..1/2; default 0 */
+  derivativeError?: number;
+  /** error of a level of detail before bias, 0..16; default 2^-10 */
+  levelError?: number;
+  /** error of a result relative to the largest texel, 0..1; default 2^-16 */
+  relativeError?: number;
+  /** error of a decoded sRGB texel [codes], 0..1; default 1/2 */
+  srgbError?: number;
 }
 
 /**
@@ -3153,6 +3215,23 @@ export interface Raw {
    * It may differ from SHD_VERSION_*, which is the version of the headers.
    */
   shd_version(): number;
+  /**
+   * Get the precision that the rules of a graphics API require at least.
+   * @param rules one of shd_rules
+   * @param outDesc its struct_size is read; the rest is written, all zero on failure
+   */
+  shd_bounds_preset(rules: number, outDesc: number): number;
+  /**
+   * Compute the legal values of `lookups->count` lookups.
+   * @param texture concurrent reads
+   * @param sampler may come from another context
+   * @param lookups columns, borrowed for the call
+   * @param desc borrowed for the call; NULL = all defaults
+   * @param lower smallest legal values; columns of `channel` only, which must not overlap any input or each other
+   * (checked)
+   * @param upper largest legal values, as `lower`
+   */
+  shd_texture_bounds(texture: number, sampler: number, lookups: number, desc: number, lower: number, upper: number): number;
   /**
    * Make a context.
    * @param desc options, borrowed for the call; NULL = all defaults

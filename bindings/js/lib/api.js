@@ -4,6 +4,7 @@
 export const structs = {
   "bake_stats": {"size":80,"align":8,"kind":64,"fields":{"structSize":[0,"u32"],"triangles":[8,"u64"],"zeroAreaTriangles":[16,"u64"],"nonfiniteTriangles":[24,"u64"],"outsideTriangles":[32,"u64"],"centreTexels":[40,"u64"],"touchedTexels":[48,"u64"],"dilatedTexels":[56,"u64"],"overlappingTexels":[64,"u64"],"nonfiniteTexels":[72,"u64"]}},
   "bake_desc": {"size":28,"align":4,"kind":63,"fields":{"structSize":[0,"u32"],"uvSet":[4,"u32"],"dilation":[8,"u32"],"flags":[12,"u32"],"states":[16,"column:u32:out"],"stats":[24,"list:bake_stats"]}},
+  "bounds_desc": {"size":44,"align":4,"kind":68,"fields":{"structSize":[0,"u32"],"levelRules":[4,"flags:level_rule"],"subtexelBits":[8,"u32"],"levelBits":[12,"u32"],"weightBits":[16,"u32"],"resultBits":[20,"u32"],"coordinateError":[24,"f32"],"derivativeError":[28,"f32"],"levelError":[32,"f32"],"relativeError":[36,"f32"],"srgbError":[40,"f32"]}},
   "f32_in": {"size":8,"align":4,"kind":0,"fields":{"data":[0,"data:f32"],"stride":[4,"u32"]}},
   "f32_out": {"size":8,"align":4,"kind":0,"fields":{"data":[0,"data:f32"],"stride":[4,"u32"]}},
   "u32_in": {"size":8,"align":4,"kind":0,"fields":{"data":[0,"data:u32"],"stride":[4,"u32"]}},
@@ -84,10 +85,12 @@ export const structs = {
 
 export const enums = {
   "texel_state": {"empty":0,"centre":1,"touched":2,"dilated":3},
+  "level_rule": {"lengths":1,"ellipse":2,"vulkan":4,"opengl":8,"profile":16},
+  "rules": {"vulkan":0,"d3d11":1,"webgpu":2,"opengl":3},
   "log_level": {"debug":0,"info":1,"warning":2,"error":3},
   "simd": {"best":0,"baseline":1,"scalar":2,"sse2":3,"ssse3":4,"sse4":5,"avx2":6,"avx512":7,"neon":8,"wasm":9},
   "context_flag": {"default":0,"return_memory":1},
-  "desc_kind": {"none":0,"context_desc":1,"image":2,"texture_desc":3,"texture_info":4,"mip_desc":5,"sampler_desc":6,"lookups":7,"texels":8,"levels":9,"explanation":10,"ray_differentials":11,"ray_cones":12,"derivatives":13,"mesh_desc":14,"mesh_info":15,"edges_desc":16,"edges":17,"tessellation_desc":18,"material_desc":19,"slot":20,"light_desc":21,"shadow_desc":22,"shadow_render_desc":23,"shadow_lookups":24,"framebuffer_desc":25,"framebuffer_info":26,"plane_view":27,"camera":28,"draw":29,"render_desc":30,"render_stats":31,"color_desc":32,"load_desc":33,"save_desc":34,"bitmap_info":35,"shape_desc":36,"shape_columns":37,"scene_desc":38,"scene_info":39,"scene_instance":40,"solid_desc":41,"solid_points":42,"solid_values":43,"directions":44,"projected_points":45,"image_points":46,"point_directions":47,"volume_desc":48,"volume_draw":49,"environment_desc":50,"environment_info":51,"environment_lookups":52,"environment_light":53,"direction_images":54,"polygon_desc":56,"polygon_points":57,"polygon_weights":58,"raw_desc":59,"stack_desc":60,"vdb_desc":61,"vdb_info":62,"bake_desc":63,"bake_stats":64,"occlusion_desc":65,"occlusion_points":66,"occlusion_atlas":67},
+  "desc_kind": {"none":0,"context_desc":1,"image":2,"texture_desc":3,"texture_info":4,"mip_desc":5,"sampler_desc":6,"lookups":7,"texels":8,"levels":9,"explanation":10,"ray_differentials":11,"ray_cones":12,"derivatives":13,"mesh_desc":14,"mesh_info":15,"edges_desc":16,"edges":17,"tessellation_desc":18,"material_desc":19,"slot":20,"light_desc":21,"shadow_desc":22,"shadow_render_desc":23,"shadow_lookups":24,"framebuffer_desc":25,"framebuffer_info":26,"plane_view":27,"camera":28,"draw":29,"render_desc":30,"render_stats":31,"color_desc":32,"load_desc":33,"save_desc":34,"bitmap_info":35,"shape_desc":36,"shape_columns":37,"scene_desc":38,"scene_info":39,"scene_instance":40,"solid_desc":41,"solid_points":42,"solid_values":43,"directions":44,"projected_points":45,"image_points":46,"point_directions":47,"volume_desc":48,"volume_draw":49,"environment_desc":50,"environment_info":51,"environment_lookups":52,"environment_light":53,"direction_images":54,"polygon_desc":56,"polygon_points":57,"polygon_weights":58,"raw_desc":59,"stack_desc":60,"vdb_desc":61,"vdb_info":62,"bake_desc":63,"bake_stats":64,"occlusion_desc":65,"occlusion_points":66,"occlusion_atlas":67,"bounds_desc":68},
   "edge": {"none":0,"silhouette":1,"crease":2,"border":4,"nonmanifold":8,"all":15},
   "irradiance": {"harmonics":0,"convolved":1},
   "environment_table": {"none":0,"radiance":1,"ggx":2,"phong":4,"all":7},
@@ -166,6 +169,8 @@ export const callbacks = {
 export const functions = {
   "shd_bake": ["shd_result",[["context","handle:context"],["frame","in:render_desc"],["desc","in:bake_desc"]]],
   "shd_version": ["u32",[]],
+  "shd_bounds_preset": ["shd_result",[["rules","enum:rules"],["desc","read:bounds_desc"]]],
+  "shd_texture_bounds": ["shd_result",[["texture","handle:texture"],["sampler","handle:sampler"],["lookups","in:lookups"],["desc","in:bounds_desc"],["lower","inout:texels"],["upper","inout:texels"]]],
   "shd_context_create": ["shd_result",[["desc","in:context_desc"],["context","new:context"]]],
   "shd_context_retain": ["void",[["context","handle:context"]]],
   "shd_context_release": ["void",[["context","handle:context"]]],

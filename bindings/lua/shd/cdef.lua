@@ -23,6 +23,21 @@ typedef enum shd_texel_state {
   SHD_TEXEL_STATE_DILATED = 3,
   SHD_TEXEL_STATE_MAX_ENUM = 2147483647
 } shd_texel_state;
+typedef enum shd_level_rule {
+  SHD_LEVEL_RULE_LENGTHS = 1,
+  SHD_LEVEL_RULE_ELLIPSE = 2,
+  SHD_LEVEL_RULE_VULKAN = 4,
+  SHD_LEVEL_RULE_OPENGL = 8,
+  SHD_LEVEL_RULE_PROFILE = 16,
+  SHD_LEVEL_RULE_MAX_ENUM = 2147483647
+} shd_level_rule;
+typedef enum shd_rules {
+  SHD_RULES_VULKAN = 0,
+  SHD_RULES_D3D11 = 1,
+  SHD_RULES_WEBGPU = 2,
+  SHD_RULES_OPENGL = 3,
+  SHD_RULES_MAX_ENUM = 2147483647
+} shd_rules;
 typedef enum shd_display_precision {
   SHD_DISPLAY_PRECISION_BAKED = 0,
   SHD_DISPLAY_PRECISION_EXACT = 1,
@@ -121,6 +136,7 @@ typedef enum shd_desc_kind {
   SHD_DESC_KIND_OCCLUSION_DESC = 65,
   SHD_DESC_KIND_OCCLUSION_POINTS = 66,
   SHD_DESC_KIND_OCCLUSION_ATLAS = 67,
+  SHD_DESC_KIND_BOUNDS_DESC = 68,
   SHD_DESC_KIND_MAX_ENUM = 2147483647
 } shd_desc_kind;
 typedef enum shd_edge {
@@ -690,6 +706,7 @@ typedef enum shd_wrap {
   SHD_WRAP_MIRROR_ONCE = 4,
   SHD_WRAP_MAX_ENUM = 2147483647
 } shd_wrap;
+typedef uint32_t shd_level_rules;
 typedef uint32_t shd_context_flags;
 typedef uint32_t shd_edge_flags;
 typedef uint32_t shd_environment_tables;
@@ -707,6 +724,7 @@ typedef uint32_t shd_texture_flags;
 typedef uint32_t shd_vdb_flags;
 typedef struct shd_bake_stats shd_bake_stats;
 typedef struct shd_bake_desc shd_bake_desc;
+typedef struct shd_bounds_desc shd_bounds_desc;
 typedef struct shd_color_desc shd_color_desc;
 typedef struct shd_color_view shd_color_view;
 typedef struct shd_f32_in shd_f32_in;
@@ -831,6 +849,19 @@ struct shd_bake_desc {
   uint32_t flags;
   shd_u32_out states;
   shd_bake_stats *stats;
+};
+struct shd_bounds_desc {
+  uint32_t struct_size;
+  shd_level_rules level_rules;
+  uint32_t subtexel_bits;
+  uint32_t level_bits;
+  uint32_t weight_bits;
+  uint32_t result_bits;
+  float coordinate_error;
+  float derivative_error;
+  float level_error;
+  float relative_error;
+  float srgb_error;
 };
 struct shd_color_desc {
   uint32_t struct_size;
@@ -1736,6 +1767,8 @@ struct shd_vdb_info {
 };
 shd_result shd_bake(shd_context *context, const shd_render_desc *frame, const shd_bake_desc *desc);
 uint32_t shd_version(void);
+shd_result shd_bounds_preset(shd_rules rules, shd_bounds_desc *out_desc);
+shd_result shd_texture_bounds(const shd_texture *texture, const shd_sampler *sampler, const shd_lookups *lookups, const shd_bounds_desc *desc, shd_texels *lower, shd_texels *upper);
 const char *shd_color_default_config(void);
 shd_result shd_color_create(shd_context *context, const shd_color_desc *desc, shd_color **out_color);
 void shd_color_retain(shd_color *color);

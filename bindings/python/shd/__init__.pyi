@@ -34,6 +34,19 @@ class TexelState(enum.IntEnum):
     TOUCHED = 2
     DILATED = 3
 
+class LevelRule(enum.IntFlag):
+    LENGTHS = 1
+    ELLIPSE = 2
+    VULKAN = 4
+    OPENGL = 8
+    PROFILE = 16
+
+class Rules(enum.IntEnum):
+    VULKAN = 0
+    D3D11 = 1
+    WEBGPU = 2
+    OPENGL = 3
+
 class DisplayPrecision(enum.IntEnum):
     BAKED = 0
     EXACT = 1
@@ -128,6 +141,7 @@ class DescKind(enum.IntEnum):
     OCCLUSION_DESC = 65
     OCCLUSION_POINTS = 66
     OCCLUSION_ATLAS = 67
+    BOUNDS_DESC = 68
 
 class Edge(enum.IntFlag):
     NONE = 0
@@ -662,6 +676,30 @@ class BakeDesc(Desc):
                  flags: int = ...,
                  states: _Array = ...,
                  stats: Union[BakeStats, Mapping[str, Any]] = ...,
+                 ) -> None: ...
+
+class BoundsDesc(Desc):
+    level_rules: Union[int, str]
+    subtexel_bits: int
+    level_bits: int
+    weight_bits: int
+    result_bits: int
+    coordinate_error: float
+    derivative_error: float
+    level_error: float
+    relative_error: float
+    srgb_error: float
+    def __init__(self, *,
+                 level_rules: Union[int, str] = ...,
+                 subtexel_bits: int = ...,
+                 level_bits: int = ...,
+                 weight_bits: int = ...,
+                 result_bits: int = ...,
+                 coordinate_error: float = ...,
+                 derivative_error: float = ...,
+                 level_error: float = ...,
+                 relative_error: float = ...,
+                 srgb_error: float = ...,
                  ) -> None: ...
 
 class ColorDesc(Desc):

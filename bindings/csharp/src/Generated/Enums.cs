@@ -18,6 +18,41 @@ namespace Shd
         Dilated = 3,
     }
 
+    /// <summary>
+    /// Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y are
+    /// the derivatives in base-level texels.
+    /// </summary>
+    [Flags]
+    public enum LevelRules : uint
+    {
+        /// <summary>axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition</summary>
+        Lengths = 1,
+        /// <summary>the axes of the ellipse that x and y span, as Direct3D 11 defines</summary>
+        Ellipse = 2,
+        /// <summary>
+        /// Vulkan's approximations, each of its own size: max(|x_u|, |x_v|) &lt;= |x| &lt;= sqrt(2) (|x_u| + |x_v|), and y
+        /// likewise.
+        /// </summary>
+        Vulkan = 4,
+        /// <summary>OpenGL's: with m_u = max(|x_u|, |y_u|) and m_v = max(|x_v|, |y_v|), max(m_u, m_v) &lt;= p &lt;= m_u + m_v.</summary>
+        Opengl = 8,
+        /// <summary>The profile of the sampler (Profile); not OIIO, which returns Result.ErrorUnsupported.</summary>
+        Profile = 16,
+    }
+
+    /// <summary>Rules of a graphics API, for shd_bounds_preset().</summary>
+    public enum Rules
+    {
+        /// <summary>The least precision that Vulkan 1.3 allows: 4 bits of coordinates and of levels; LENGTHS, ELLIPSE, VULKAN.</summary>
+        Vulkan = 0,
+        /// <summary>Direct3D 11.3: 8 bits of coordinates and of levels; LENGTHS, ELLIPSE.</summary>
+        D3d11 = 1,
+        /// <summary>WebGPU has no rules of its own and runs on other APIs: VULKAN's bits, and the rules of the other three.</summary>
+        Webgpu = 2,
+        /// <summary>OpenGL 4.6 has no least number of bits: VULKAN's bits; LENGTHS, OPENGL.</summary>
+        Opengl = 3,
+    }
+
     /// <summary>Precision of displays for 8-bit images. Images of other formats are always exact.</summary>
     public enum DisplayPrecision
     {
@@ -216,6 +251,8 @@ namespace Shd
         OcclusionPoints = 66,
         /// <summary>OcclusionAtlas</summary>
         OcclusionAtlas = 67,
+        /// <summary>BoundsDesc</summary>
+        BoundsDesc = 68,
     }
 
     /// <summary>

@@ -37,6 +37,15 @@ namespace Shd.Native
         [DllImport("shd", EntryPoint = "shd_version", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern uint Version();
 
+        /// <summary>Get the precision that the rules of a graphics API require at least.</summary>
+        [DllImport("shd", EntryPoint = "shd_bounds_preset", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result BoundsPreset(Rules rules, BoundsDesc* outDesc);
+
+        /// <summary>Compute the legal values of `lookups-&gt;count` lookups.</summary>
+        [DllImport("shd", EntryPoint = "shd_texture_bounds", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureBounds(
+            IntPtr texture, IntPtr sampler, Lookups* lookups, BoundsDesc* desc, Texels* lower, Texels* upper);
+
         /// <summary>Make a context.</summary>
         [DllImport("shd", EntryPoint = "shd_context_create", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result ContextCreate(ContextDesc* desc, IntPtr* outContext);

@@ -43,6 +43,45 @@ namespace Shd
         }
     }
 
+    /// <summary>The precision of implementations. Defaults are the rules of Rules.Vulkan.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct BoundsDesc
+    {
+        /// <summary>set by shd_bounds_desc_default()</summary>
+        public uint StructSize;
+        /// <summary>at least one; default LENGTHS | ELLIPSE | VULKAN</summary>
+        public LevelRules LevelRules;
+        /// <summary>fraction bits of a texel coordinate, 2..24; default 4</summary>
+        public uint SubtexelBits;
+        /// <summary>fraction bits of a level of detail, 1..24; default 4</summary>
+        public uint LevelBits;
+        /// <summary>bits of the weights of texels, 1..24; 0 = exact; default 9</summary>
+        public uint WeightBits;
+        /// <summary>bits of the results of unorm formats, 1..24; 0 = not rounded; default 8</summary>
+        public uint ResultBits;
+        /// <summary>error of a coordinate, relative to max(1, |u|), 0..1/16; default 2^-21</summary>
+        public float CoordinateError;
+        /// <summary>relative error of the derivatives, 0..1/2; default 0</summary>
+        public float DerivativeError;
+        /// <summary>error of a level of detail before bias, 0..16; default 2^-10</summary>
+        public float LevelError;
+        /// <summary>error of a result relative to the largest texel, 0..1; default 2^-16</summary>
+        public float RelativeError;
+        /// <summary>error of a decoded sRGB texel [codes], 0..1; default 1/2</summary>
+        public float SrgbError;
+
+        /// <summary>The defaults of the library.</summary>
+        public static BoundsDesc Default
+        {
+            get
+            {
+                BoundsDesc made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.BoundsDesc, &made, (UIntPtr)sizeof(BoundsDesc)));
+                return made;
+            }
+        }
+    }
+
     /// <summary>Edges to find.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct EdgesDesc

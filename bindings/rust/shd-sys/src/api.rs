@@ -49,6 +49,51 @@ pub const SHD_TEXEL_STATE_TOUCHED: shd_texel_state = shd_texel_state::TOUCHED;
 pub const SHD_TEXEL_STATE_DILATED: shd_texel_state = shd_texel_state::DILATED;
 names!(shd_texel_state: EMPTY, CENTRE, TOUCHED, DILATED);
 
+/// Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y are
+/// the derivatives in base-level texels.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_level_rule(pub u32);
+impl shd_level_rule {
+    /// axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition
+    pub const LENGTHS: Self = Self(1);
+    /// the axes of the ellipse that x and y span, as Direct3D 11 defines
+    pub const ELLIPSE: Self = Self(2);
+    /// Vulkan's approximations, each of its own size: max(|x_u|, |x_v|) \<= |x| \<= sqrt(2) (|x_u| + |x_v|), and y
+    /// likewise.
+    pub const VULKAN: Self = Self(4);
+    /// OpenGL's: with m_u = max(|x_u|, |y_u|) and m_v = max(|x_v|, |y_v|), max(m_u, m_v) \<= p \<= m_u + m_v.
+    pub const OPENGL: Self = Self(8);
+    /// The profile of the sampler (shd_profile); not OIIO, which returns SHD_ERROR_UNSUPPORTED.
+    pub const PROFILE: Self = Self(16);
+}
+pub const SHD_LEVEL_RULE_LENGTHS: shd_level_rule = shd_level_rule::LENGTHS;
+pub const SHD_LEVEL_RULE_ELLIPSE: shd_level_rule = shd_level_rule::ELLIPSE;
+pub const SHD_LEVEL_RULE_VULKAN: shd_level_rule = shd_level_rule::VULKAN;
+pub const SHD_LEVEL_RULE_OPENGL: shd_level_rule = shd_level_rule::OPENGL;
+pub const SHD_LEVEL_RULE_PROFILE: shd_level_rule = shd_level_rule::PROFILE;
+flags!(shd_level_rule);
+
+/// Rules of a graphics API, for shd_bounds_preset().
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_rules(pub u32);
+impl shd_rules {
+    /// The least precision that Vulkan 1.3 allows: 4 bits of coordinates and of levels; LENGTHS, ELLIPSE, VULKAN.
+    pub const VULKAN: Self = Self(0);
+    /// Direct3D 11.3: 8 bits of coordinates and of levels; LENGTHS, ELLIPSE.
+    pub const D3D11: Self = Self(1);
+    /// WebGPU has no rules of its own and runs on other APIs: VULKAN's bits, and the rules of the other three.
+    pub const WEBGPU: Self = Self(2);
+    /// OpenGL 4.6 has no least number of bits: VULKAN's bits; LENGTHS, OPENGL.
+    pub const OPENGL: Self = Self(3);
+}
+pub const SHD_RULES_VULKAN: shd_rules = shd_rules::VULKAN;
+pub const SHD_RULES_D3D11: shd_rules = shd_rules::D3D11;
+pub const SHD_RULES_WEBGPU: shd_rules = shd_rules::WEBGPU;
+pub const SHD_RULES_OPENGL: shd_rules = shd_rules::OPENGL;
+names!(shd_rules: VULKAN, D3D11, WEBGPU, OPENGL);
+
 /// Precision of displays for 8-bit images. Images of other formats are always exact.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -272,6 +317,8 @@ impl shd_desc_kind {
     pub const OCCLUSION_POINTS: Self = Self(66);
     /// shd_occlusion_atlas
     pub const OCCLUSION_ATLAS: Self = Self(67);
+    /// shd_bounds_desc
+    pub const BOUNDS_DESC: Self = Self(68);
 }
 pub const SHD_DESC_KIND_NONE: shd_desc_kind = shd_desc_kind::NONE;
 pub const SHD_DESC_KIND_CONTEXT_DESC: shd_desc_kind = shd_desc_kind::CONTEXT_DESC;
@@ -340,7 +387,8 @@ pub const SHD_DESC_KIND_BAKE_STATS: shd_desc_kind = shd_desc_kind::BAKE_STATS;
 pub const SHD_DESC_KIND_OCCLUSION_DESC: shd_desc_kind = shd_desc_kind::OCCLUSION_DESC;
 pub const SHD_DESC_KIND_OCCLUSION_POINTS: shd_desc_kind = shd_desc_kind::OCCLUSION_POINTS;
 pub const SHD_DESC_KIND_OCCLUSION_ATLAS: shd_desc_kind = shd_desc_kind::OCCLUSION_ATLAS;
-names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS);
+pub const SHD_DESC_KIND_BOUNDS_DESC: shd_desc_kind = shd_desc_kind::BOUNDS_DESC;
+names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS, BOUNDS_DESC);
 
 /// Kinds of edges; combine with |.
 ///
@@ -2094,6 +2142,9 @@ pub const SHD_WRAP_BORDER: shd_wrap = shd_wrap::BORDER;
 pub const SHD_WRAP_MIRROR_ONCE: shd_wrap = shd_wrap::MIRROR_ONCE;
 names!(shd_wrap: REPEAT, CLAMP, MIRROR, BORDER, MIRROR_ONCE);
 
+/// Word of shd_level_rule bits.
+pub type shd_level_rules = u32;
+
 /// Word of shd_context_flag bits.
 pub type shd_context_flags = u32;
 
@@ -2357,6 +2408,39 @@ const _: () = assert!(core::mem::size_of::<shd_bake_desc>() == 40);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_bake_desc>() == 8);
 init!(shd_bake_desc, SHD_DESC_KIND_BAKE_DESC);
+
+/// The precision of implementations. Defaults are the rules of SHD_RULES_VULKAN.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_bounds_desc {
+    /// set by shd_bounds_desc_default()
+    pub struct_size: u32,
+    /// at least one; default LENGTHS | ELLIPSE | VULKAN
+    pub level_rules: shd_level_rules,
+    /// fraction bits of a texel coordinate, 2..24; default 4
+    pub subtexel_bits: u32,
+    /// fraction bits of a level of detail, 1..24; default 4
+    pub level_bits: u32,
+    /// bits of the weights of texels, 1..24; 0 = exact; default 9
+    pub weight_bits: u32,
+    /// bits of the results of unorm formats, 1..24; 0 = not rounded; default 8
+    pub result_bits: u32,
+    /// error of a coordinate, relative to max(1, |u|), 0..1/16; default 2^-21
+    pub coordinate_error: f32,
+    /// relative error of the derivatives, 0..1/2; default 0
+    pub derivative_error: f32,
+    /// error of a level of detail before bias, 0..16; default 2^-10
+    pub level_error: f32,
+    /// error of a result relative to the largest texel, 0..1; default 2^-16
+    pub relative_error: f32,
+    /// error of a decoded sRGB texel \[codes\], 0..1; default 1/2
+    pub srgb_error: f32,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_bounds_desc>() == 44);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_bounds_desc>() == 4);
+init!(shd_bounds_desc, SHD_DESC_KIND_BOUNDS_DESC);
 
 /// Source of the config. Zero is the default of each field. Strings are borrowed for the call.
 #[repr(C)]
@@ -5058,6 +5142,21 @@ extern "C" {
     ///
     /// It may differ from SHD_VERSION_*, which is the version of the headers.
     pub fn shd_version() -> u32;
+    /// Get the precision that the rules of a graphics API require at least.
+    ///
+    /// - `rules`: one of shd_rules
+    /// - `out_desc`: its struct_size is read; the rest is written, all zero on failure
+    pub fn shd_bounds_preset(rules: shd_rules, out_desc: *mut shd_bounds_desc) -> shd_result;
+    /// Compute the legal values of `lookups->count` lookups.
+    ///
+    /// - `texture`: concurrent reads
+    /// - `sampler`: may come from another context
+    /// - `lookups`: columns, borrowed for the call
+    /// - `desc`: borrowed for the call; NULL = all defaults
+    /// - `lower`: smallest legal values; columns of `channel` only, which must not overlap any input or each other
+    /// (checked)
+    /// - `upper`: largest legal values, as `lower`
+    pub fn shd_texture_bounds(texture: *const shd_texture, sampler: *const shd_sampler, lookups: *const shd_lookups, desc: *const shd_bounds_desc, lower: *mut shd_texels, upper: *mut shd_texels) -> shd_result;
     /// Make a context.
     ///
     /// - `desc`: options, borrowed for the call; NULL = all defaults

@@ -41,6 +41,21 @@ fn shd_bake_desc_offsets() {
 }
 
 #[test]
+fn shd_bounds_desc_offsets() {
+    offset!(shd_bounds_desc, struct_size, 0);
+    offset!(shd_bounds_desc, level_rules, 4);
+    offset!(shd_bounds_desc, subtexel_bits, 8);
+    offset!(shd_bounds_desc, level_bits, 12);
+    offset!(shd_bounds_desc, weight_bits, 16);
+    offset!(shd_bounds_desc, result_bits, 20);
+    offset!(shd_bounds_desc, coordinate_error, 24);
+    offset!(shd_bounds_desc, derivative_error, 28);
+    offset!(shd_bounds_desc, level_error, 32);
+    offset!(shd_bounds_desc, relative_error, 36);
+    offset!(shd_bounds_desc, srgb_error, 40);
+}
+
+#[test]
 fn shd_color_desc_offsets() {
     offset!(shd_color_desc, struct_size, 0);
     offset!(shd_color_desc, display_precision, 4);

@@ -63,6 +63,8 @@ pub use sys::shd_interpolation as Interpolation;
 #[doc(inline)]
 pub use sys::shd_irradiance as Irradiance;
 #[doc(inline)]
+pub use sys::shd_level_rule as LevelRule;
+#[doc(inline)]
 pub use sys::shd_light_kind as LightKind;
 #[doc(inline)]
 pub use sys::shd_load_flag as LoadFlag;
@@ -102,6 +104,8 @@ pub use sys::shd_raw_sample as RawSample;
 pub use sys::shd_render_flag as RenderFlag;
 #[doc(inline)]
 pub use sys::shd_result as ResultCode;
+#[doc(inline)]
+pub use sys::shd_rules as Rules;
 #[doc(inline)]
 pub use sys::shd_scene_flag as SceneFlag;
 #[doc(inline)]

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "tool/check/npy.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <regex>
+
+#include "tool/check/table.h"
+#include "tool/failure.h"
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw Failure(kExitInput, path + ": " + what);
+}
+
+/// Returns the text of the header, and where the data begin.
+std::string header_of(const std::string& path, const std::string& bytes, size_t* begin) {
+  if (bytes.size() < 12) refuse(path, "shorter than the header of .npy");
+  uint32_t length = 0;
+  const bool one = bytes[6] == 1;
+  std::memcpy(&length, bytes.data() + 8, one ? 2 : 4);
+  *begin = (one ? 10 : 12) + size_t{length};
+  if (*begin > bytes.size() || length > 65536) refuse(path, "the header of .npy ends beyond the file");
+  return bytes.substr(one ? 10 : 12, length);
+}
+
+NpyField field_of(const std::string& path, const std::string& name, const std::string& type, size_t offset) {
+  static const std::regex kType("[<|]([fu])([1248])");
+  std::smatch match;
+  if (!std::regex_match(type, match, kType)) refuse(path, "type " + type + " is not one of <f2 <f4 <f8 |u1 <u2");
+  const NpyField field = {name, match[1].str()[0], static_cast<size_t>(match[2].str()[0] - '0'), offset};
+  const bool known = field.kind == 'f' ? field.size != 1 : field.size <= 2;
+  if (!known) refuse(path, "type " + type + " is not one of <f2 <f4 <f8 |u1 <u2");
+  return field;
+}
+
+std::vector<NpyField> fields_of(const std::string& path, const std::string& header) {
+  static const std::regex kPlain("'descr': *'([^']*)'"), kPair("\\('([^']*)', *'([^']*)'\\)");
+  std::smatch match;
+  if (std::regex_search(header, match, kPlain)) return {field_of(path, "", match[1], 0)};
+  std::vector<NpyField> fields;
+  size_t offset = 0;
+  for (std::sregex_iterator i(header.begin(), header.end(), kPair), end; i != end; ++i) {
+    fields.push_back(field_of(path, (*i)[1], (*i)[2], offset));
+    offset += fields.back().size;
+  }
+  if (fields.empty()) refuse(path, "the header of .npy has no type");
+  return fields;
+}
+
+std::vector<size_t> shape_of(const std::string& path, const std::string& header) {
+  static const std::regex kShape("'shape': *\\(([0-9, ]*)\\)");
+  std::smatch match;
+  if (!std::regex_search(header, match, kShape)) refuse(path, "the header of .npy has no shape");
+  std::vector<size_t> shape;
+  for (const std::string& size : split(match[1])) {
+    if (size.size() > 12) refuse(path, "the shape is too large");
+    if (!size.empty()) shape.push_back(std::stoull(size));
+  }
+  return shape;
+}
+
+template <class T>
+T load(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
+}  // namespace
+
+double half_value(uint16_t half) {
+  const int exponent = half >> 10 & 31;
+  const double mantissa = half & 1023, sign = half & 0x8000 ? -1.0 : 1.0;
+  if (exponent == 31) return mantissa != 0.0 ? NAN : sign * HUGE_VAL;
+  return sign * (exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024.0 + mantissa, exponent - 25));
+}
+
+Npy parse_npy(const std::string& path, const std::string& bytes) {
+  size_t begin;
+  const std::string header = header_of(path, bytes, &begin);
+  if (header.find("'fortran_order': False") == std::string::npos) refuse(path, "the array is not in row-major order");
+  Npy out = {fields_of(path, header), shape_of(path, header), 0, 1, bytes.data() + begin};
+  for (const NpyField& field : out.fields) out.element_size += field.size;
+  const size_t most = (bytes.size() - begin) / out.element_size;
+  for (const size_t size : out.shape) {
+    if (size != 0 && out.count > most / size) refuse(path, "the file is shorter than its array");
+    out.count *= size;
+  }
+  if (out.count * out.element_size != bytes.size() - begin) refuse(path, "the file is longer than its array");
+  return out;
+}
+
+double npy_value(const Npy& array, const NpyField& field, size_t i) {
+  const char* const from = array.data + i * array.element_size + field.offset;
+  if (field.kind == 'u') return field.size == 1 ? load<uint8_t>(from) : load<uint16_t>(from);
+  if (field.size == 2) return half_value(load<uint16_t>(from));
+  return field.size == 4 ? static_cast<double>(load<float>(from)) : load<double>(from);
+}
+
+Table read_npy_table(const std::string& path, const std::string& bytes, const std::vector<std::string>& names) {
+  const Npy array = parse_npy(path, bytes);
+  Table table;
+  if (!array.fields.front().name.empty()) {
+    for (const NpyField& field : array.fields) {
+      if (table.find(field.name)) refuse(path, "two columns have the name " + field.name);
+      std::vector<float> column(array.count);
+      for (size_t i = 0; i < array.count; ++i) column[i] = static_cast<float>(npy_value(array, field, i));
+      table.columns.push_back({field.name, std::move(column)});
+    }
+    return table;
+  }
+  if (array.shape.size() != 2 || array.shape[1] != names.size()) {
+    refuse(path, "the shape is not [rows][" + std::to_string(names.size()) + "], one column for each of --columns");
+  }
+  for (size_t c = 0; c < names.size(); ++c) {
+    std::vector<float> column(array.shape[0]);
+    for (size_t i = 0; i < column.size(); ++i) {
+      column[i] = static_cast<float>(npy_value(array, array.fields.front(), i * names.size() + c));
+    }
+    table.columns.push_back({names[c], std::move(column)});
+  }
+  return table;
+}

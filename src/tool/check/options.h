@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include <shd/bounds.h>
+
+/// The choices of the command line.
+struct Options {
+  std::string texture, lookups, results;  // files; `results` empty = columns of `lookups`
+  std::vector<std::string> levels;        // files of the mip levels 1, 2, ...
+  std::vector<std::string> columns = {"u", "v", "dudx", "dvdx", "dudy", "dvdy", "r", "g", "b", "a"};
+  bool srgb = false, cube = false, mipmap = true;
+  shd_rules rules = SHD_RULES_VULKAN;
+  shd_bounds_desc bounds = shd_bounds_desc_default();
+  shd_sampler_desc sampler = shd_sampler_desc_default();
+  size_t list = 20;  // most illegal lookups that are described
+  bool help = false;
+};
+
+/// Throws Failure.
+Options read_options(int argc, char** argv);
+
+/// Text of --help.
+extern const char* const kHelp;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "tool/check/picture.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <shd/io.h>
+
+#include "tool/check/npy.h"
+#include "tool/check/table.h"
+#include "tool/failure.h"
+
+namespace {
+
+/// Formats of each type of channel with 1 to 4 channels.
+constexpr shd_format kFormats[5][4] = {
+    {SHD_FORMAT_R8, SHD_FORMAT_RG8, SHD_FORMAT_RGB8, SHD_FORMAT_RGBA8},
+    {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB8_SRGB, SHD_FORMAT_RGBA8_SRGB},
+    {SHD_FORMAT_R16, SHD_FORMAT_RG16, SHD_FORMAT_RGB16, SHD_FORMAT_RGBA16},
+    {SHD_FORMAT_R16F, SHD_FORMAT_RG16F, SHD_FORMAT_RGB16F, SHD_FORMAT_RGBA16F},
+    {SHD_FORMAT_R32F, SHD_FORMAT_RG32F, SHD_FORMAT_RGB32F, SHD_FORMAT_RGBA32F}};
+
+/// The format of a type with a number of channels.
+shd_format format_of(const std::string& path, const NpyField& type, size_t channels, bool srgb) {
+  if (channels < 1 || channels > 4) throw Failure(kExitInput, path + ": channels are not 1..4");
+  if (type.size == 8 || !type.name.empty()) throw Failure(kExitInput, path + ": texels are not |u1, <u2, <f2 or <f4");
+  const int row = type.kind == 'u' ? (type.size == 1 ? srgb : 2) : type.size == 2 ? 3 : 4;
+  return kFormats[row][channels - 1];
+}
+
+Picture npy_picture(const std::string& path, const std::string& bytes, bool srgb) {
+  const Npy array = parse_npy(path, bytes);
+  std::vector<size_t> shape = array.shape;
+  if (shape.size() == 2) shape.push_back(1);
+  if (shape.size() == 3) shape.insert(shape.begin(), 1);
+  constexpr size_t kMost = 65536;
+  const bool fits =
+      shape.size() == 4 && std::all_of(shape.begin(), shape.end(), [](size_t n) { return n > 0 && n <= kMost; });
+  if (!fits) throw Failure(kExitInput, path + ": the shape is not [height][width][channels] of 1..65536");
+  Picture out = {format_of(path, array.fields.front(), shape[3], srgb),
+                 static_cast<uint32_t>(shape[2]),
+                 static_cast<uint32_t>(shape[1]),
+                 static_cast<uint32_t>(shape[0]),
+                 {}};
+  const auto* const first = reinterpret_cast<const uint8_t*>(array.data);
+  out.texels.assign(first, first + array.count * array.element_size);
+  return out;
+}
+
+Picture file_picture(shd_context* context, const std::string& path, bool srgb) {
+  shd_load_desc desc = shd_load_desc_default();
+  desc.color_space = srgb ? SHD_COLOR_ENCODING_SRGB : SHD_COLOR_ENCODING_DATA;
+  shd_bitmap* bitmap = nullptr;
+  check(shd_bitmap_load(context, path.c_str(), &desc, &bitmap), path, kExitInput);
+  shd_image image = shd_image_default();
+  check(shd_bitmap_image(bitmap, &image), path, kExitInput);
+  Picture out = {image.format, image.width, image.height, 1, {}};
+  const size_t row = image.width * shd_format_size(image.format), stride = image.row_stride ? image.row_stride : row;
+  for (uint32_t y = 0; y < image.height; ++y) {
+    const auto* const from = static_cast<const uint8_t*>(image.pixels) + y * stride;
+    out.texels.insert(out.texels.end(), from, from + row);
+  }
+  shd_bitmap_release(bitmap);
+  return out;
+}
+
+shd_image image_of(Picture* picture, uint32_t layer) {
+  shd_image image = shd_image_default();
+  image.format = picture->format;
+  image.width = picture->width;
+  image.height = picture->height;
+  image.pixels = picture->texels.data() + layer * (picture->texels.size() / picture->layers);
+  return image;
+}
+
+}  // namespace
+
+Picture read_picture(shd_context* context, const std::string& path, bool srgb) {
+  const std::string bytes = read_file(path);
+  if (bytes.compare(0, 6, "\x93NUMPY") == 0) return npy_picture(path, bytes, srgb);
+  return file_picture(context, path, srgb);
+}
+
+size_t channels_of(const shd_texture* texture) {
+  shd_texture_info info = shd_texture_info_default();
+  check(shd_texture_get_info(texture, &info), "texture");
+  for (const auto& row : kFormats) {
+    for (size_t c = 0; c < 4; ++c) {
+      if (row[c] == info.format) return c + 1;
+    }
+  }
+  return 4;
+}
+
+std::vector<std::vector<float>> float_columns(const std::string& path, const Picture& picture) {
+  size_t channels = 0, size = 4;
+  switch (picture.format) {
+    case SHD_FORMAT_R32F: channels = 1; break;
+    case SHD_FORMAT_RG32F: channels = 2; break;
+    case SHD_FORMAT_RGB32F: channels = 3; break;
+    case SHD_FORMAT_RGBA32F: channels = 4; break;
+    case SHD_FORMAT_R16F: channels = 1, size = 2; break;
+    case SHD_FORMAT_RG16F: channels = 2, size = 2; break;
+    case SHD_FORMAT_RGB16F: channels = 3, size = 2; break;
+    case SHD_FORMAT_RGBA16F: channels = 4, size = 2; break;
+    default: throw Failure(kExitInput, path + ": results are not floats");
+  }
+  std::vector<std::vector<float>> columns(channels);
+  for (size_t i = 0; i < picture.texels.size() / size; ++i) {
+    float value;
+    uint16_t half;
+    std::memcpy(&value, picture.texels.data() + i * size, size == 4 ? 4 : 2);
+    std::memcpy(&half, picture.texels.data() + i * size, sizeof half);
+    columns[i % channels].push_back(size == 4 ? value : static_cast<float>(half_value(half)));
+  }
+  return columns;
+}
+
+shd_texture* make_texture(shd_context* context, const Options& options) {
+  Picture base = read_picture(context, options.texture, options.srgb);
+  std::vector<Picture> levels;
+  for (const std::string& path : options.levels) {
+    levels.push_back(read_picture(context, path, options.srgb));
+    if (levels.back().layers != base.layers) throw Failure(kExitInput, path + ": another number of layers");
+  }
+  std::vector<shd_image> images;
+  for (uint32_t layer = 0; layer < base.layers; ++layer) {
+    for (Picture& level : levels) images.push_back(image_of(&level, layer));
+  }
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = base.format;
+  desc.width = base.width;
+  desc.height = base.height;
+  desc.layers = base.layers;
+  desc.texels = base.texels.data();
+  desc.tables = options.mipmap ? SHD_TABLE_MIPMAP : SHD_TABLE_NONE;
+  desc.levels = images.empty() ? nullptr : images.data();
+  desc.level_count = static_cast<uint32_t>(levels.size());
+  if (options.cube) desc.projection = SHD_PROJECTION_CUBE;
+  shd_texture* texture = nullptr;
+  check(shd_texture_create(context, &desc, &texture), options.texture, kExitInput);
+  return texture;
+}
