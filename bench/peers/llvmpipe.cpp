@@ -200,9 +200,11 @@ uniform int edge;
 in vec2 v_uv;
 out vec4 colour;
 void main() {
-  ivec2 at = ivec2(int(gl_FragCoord.x), edge - 1 - int(gl_FragCoord.y));
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 at = ivec2(pixel.x / 2, (2 * edge - 1 - pixel.y) / 2);
   vec4 point = texelFetch(points, at, 0);
-  colour = textureGrad(image, point.xy, point.zw, texelFetch(steps, at, 0).xy);
+  vec2 down = texelFetch(steps, at, 0).xy;
+  colour = texture(image, point.xy + float(pixel.x & 1) * point.zw + float(pixel.y & 1) * down);
 }
 )";
 
@@ -220,12 +222,13 @@ GLuint make_columns(GLenum unit, uint32_t frame, const std::vector<float>& rgba)
   return texture;
 }
 
-/// One lookup a pixel, in the order of the columns.
+/// One lookup in 2 x 2 pixels: differences between these pixels are the lookup's derivatives. textureGrad is no
+/// alternative, because the anisotropic filter of Mesa 22.3 does not use its arguments.
 class LookupsPass final : public Pass {
  public:
   LookupsPass(const Lookups& lookups, uint32_t frame, uint32_t edge, const std::vector<uint8_t>& texels,
               PeerFilter filter)
-      : Pass(frame, edge, texels, filter) {
+      : Pass(2 * frame, edge, texels, filter), frame_(frame) {
     const Surface surface = quad_surface(1.0f);
     attribute(0, 4, std::vector<float>(surface.clip[0], surface.clip[0] + 16));
     attribute(1, 2, std::vector<float>(surface.uv[0], surface.uv[0] + 8));
@@ -255,8 +258,19 @@ class LookupsPass final : public Pass {
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glFinish();
   }
+  std::vector<float> image() override {
+    const std::vector<float> quads = Pass::image();
+    std::vector<float> rgba;
+    for (size_t i = 0; i < size_t{frame_} * frame_; ++i) {
+      // The pixel at the point itself is the lower left one.
+      const float* pixel = &quads[((2 * (i / frame_) + 1) * 2 * frame_ + 2 * (i % frame_)) * 4];
+      rgba.insert(rgba.end(), pixel, pixel + 4);
+    }
+    return rgba;
+  }
 
  private:
+  uint32_t frame_;
   GLuint columns_[2] = {};
 };
 

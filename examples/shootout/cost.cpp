@@ -138,17 +138,21 @@ std::vector<FrontRow> fronts(const Measurements& m, const Costs& costs) {
   for (size_t i = 0; i < m.workloads.size() * m.textures.size(); ++i) {
     const size_t w = i / m.textures.size();
     for (const double budget : kBudgets) {
-      size_t best[3] = {SIZE_MAX, SIZE_MAX, SIZE_MAX};
+      size_t best[4] = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};  // by Who, then of shd's default profile
+      const auto offer = [&](size_t s, size_t* mine) {
+        if (*mine == SIZE_MAX || psnrs[i * settings + s] > psnrs[i * settings + *mine]) *mine = s;
+      };
       for (size_t s = 0; s < settings; ++s) {
         if (!(texels[w * settings + s] <= budget + 1e-9)) continue;  // not available, or too many
-        size_t& mine = best[static_cast<size_t>(m.settings[s].who)];
-        if (mine == SIZE_MAX || psnrs[i * settings + s] > psnrs[i * settings + mine]) mine = s;
+        const bool own = m.settings[s].who == Who::kShd;
+        offer(s, &best[static_cast<size_t>(m.settings[s].who)]);
+        if (own && m.settings[s].sampler.profile == SHD_PROFILE_LEAST_ERROR) offer(s, &best[3]);
       }
       for (const Who peer : {Who::kOpenImageIO, Who::kLlvmpipe}) {
         const size_t own = best[0], other = best[static_cast<size_t>(peer)];
         if (other == SIZE_MAX) continue;
-        const double lead = psnrs[i * settings + own] - psnrs[i * settings + other];
-        all.push_back({w, i % m.textures.size(), peer, budget, own, other, lead});
+        const auto lead = [&](size_t s) { return psnrs[i * settings + s] - psnrs[i * settings + other]; };
+        all.push_back({w, i % m.textures.size(), peer, budget, own, other, lead(own), lead(best[3])});
       }
     }
   }

@@ -34,6 +34,7 @@ struct FrontRow {
   double budget;
   size_t own, other;  // the best settings; SIZE_MAX = none within the budget
   double lead;        // PSNR of shd less that of the peer [dB]
+  double default_lead;  // the same with SHD_PROFILE_LEAST_ERROR alone
 };
 constexpr double kBudgets[] = {4, 8, 12, 16, 24, 32};
 /// Differences of PSNR that are not counted [dB]: values of llvmpipe have 8 bits.

@@ -14,7 +14,7 @@ namespace {
 using shd::bench::Shape;
 
 Workload floor_of(uint32_t edge, uint32_t texture_edge, bool turned) {
-  return scene_workload({turned ? Shape::kTurnedFloor : Shape::kFloor, edge, 4.0 * 256 / texture_edge}, "floor", "");
+  return scene_workload({turned ? Shape::kTurnedFloor : Shape::kFloor, edge, 4.0 * edge / texture_edge}, "floor", "");
 }
 
 Picture with(const std::string& setting, const Workload& workload, const Texture& texture) {

@@ -105,9 +105,10 @@ void make_figures(const Options& options) {
 }
 
 void print_fronts(const Measurements& m, const Costs& costs) {
-  size_t on = 0, all = 0;
+  size_t on = 0, all = 0, on_default = 0;
   for (const FrontRow& row : fronts(m, costs)) {
     ++all;
+    on_default += row.default_lead >= -kTie;
     if (row.lead >= -kTie) {
       ++on;
       continue;
@@ -116,7 +117,8 @@ void print_fronts(const Measurements& m, const Costs& costs) {
                 m.textures[row.texture].name.c_str(), name_of(row.peer), row.budget,
                 m.settings[row.own].name.c_str(), -row.lead, m.settings[row.other].name.c_str());
   }
-  std::printf("   shd is on the front of %zu of %zu workloads x textures x peers x budgets\n", on, all);
+  std::printf("   shd is on the front of %zu of %zu workloads x textures x peers x budgets, with its default profile of %zu\n",
+              on, all, on_default);
 }
 
 void run(const Options& options) {

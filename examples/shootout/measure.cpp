@@ -16,9 +16,11 @@ namespace {
 
 constexpr uint32_t kPhases = 4;  // places a pixel and axis of spectra
 
-/// Whether the spectra of a workload and texture are measured. They take 16 times the lookups.
+/// Whether the spectra of a workload and texture are measured. They take 16 times the lookups, so their frames have half
+/// the edge, with the same footprints.
 bool has_spectrum(const Workload& workload, const Texture& texture) {
-  return workload.smooth && (texture.name == "checker" || texture.name == "zone_plate");
+  const bool minified = workload.smooth && workload.name.rfind("magnified", 0) != 0 && workload.name != "one_to_one";
+  return minified && (texture.name == "checker" || texture.name == "zone_plate");
 }
 
 /// Frames of the peers for one texture, which only the main thread can make: [workload][setting].
@@ -29,7 +31,7 @@ struct PeerFrames {
 PeerFrames peer_frames(const Measurements& m, const Texture& texture) {
   Peers peers(texture);
   PeerFrames frames;
-  const auto all = [&](const std::vector<Workload>& workloads, uint32_t phases) {
+  const auto all = [&](const std::vector<Workload>& workloads, uint32_t phases) {  // of frames, or of spectra
     std::vector<std::vector<Picture>> out(workloads.size(), std::vector<Picture>(m.settings.size()));
     for (size_t w = 0; w < workloads.size(); ++w) {
       if (phases > 1 && !has_spectrum(workloads[w], texture)) continue;
@@ -43,7 +45,7 @@ PeerFrames peer_frames(const Measurements& m, const Texture& texture) {
     return out;
   };
   frames.pictures = all(m.workloads, 1);
-  frames.dense = all(m.workloads, kPhases);
+  frames.dense = all(m.spectra, kPhases);
   frames.movies = all(m.movies, 1);
   return frames;
 }
@@ -89,9 +91,10 @@ class Cell {
     const Workload& workload = m_.workloads[w_];
     const Texture& texture = m_.textures[t_];
     const bool dense = has_spectrum(workload, texture);
-    const Lookups q = lookups_of(workload), q_dense = dense ? lookups_of(workload, kPhases) : Lookups();
+    const Workload& half = m_.spectra[w_];
+    const Lookups q = lookups_of(workload), q_dense = dense ? lookups_of(half, kPhases) : Lookups();
     const Judged truth(supersample(workload, texture, options_.samples));
-    const Picture dense_truth = dense ? supersample(workload, texture, kDenseSamples, kPhases) : Picture();
+    const Picture dense_truth = dense ? supersample(half, texture, kDenseSamples, kPhases) : Picture();
     const size_t last = last_shd();
     const Judged exact(shade(texture.shading, passes_[last].filter(q), workload.edge));
     keep(kTruthSetting, truth.picture, {});
@@ -103,7 +106,7 @@ class Cell {
       row.samples = errors_of(judged, truth, &map);
       row.exact = errors_of(judged, exact, &map_exact);
       if (dense && s != last) {
-        const Picture fine = own ? shade(texture.shading, passes_[s].filter(q_dense), workload.edge * kPhases)
+        const Picture fine = own ? shade(texture.shading, passes_[s].filter(q_dense), half.edge * kPhases)
                                  : peers.dense[w_][s];
         row.spectrum = spectrum(fine, dense_truth, kPhases);
       }
@@ -244,6 +247,7 @@ bool is_shown(const Measurements& m, size_t workload, size_t texture) {
 Measurements measure(const Options& options) {
   Measurements m;
   m.workloads = still_workloads(options.edge, options.texture_edge);
+  m.spectra = still_workloads(options.edge / 2, options.texture_edge);
   m.movies = movies(options.movie_edge, options.texture_edge);
   m.settings = all_settings();
   if (options.quick) {

@@ -59,6 +59,7 @@ struct LevelRow {
 
 struct Measurements {
   std::vector<Workload> workloads, movies;
+  std::vector<Workload> spectra;  // the workloads with frames of half the edge
   std::vector<Texture> textures;
   std::vector<Setting> settings;
   std::vector<Row> rows;

@@ -52,6 +52,14 @@ void add_shd(std::vector<Setting>* all) {
   all->push_back(row("trilinear", "Trilinear", SHD_FILTER_TRILINEAR));
   all->push_back(profile("trilinear_exact", "Trilinear, level log2 of the longer axis", SHD_FILTER_TRILINEAR,
                          SHD_PROFILE_EXACT));
+  const auto peer_rules = [&](const char* name, const char* title, shd_filter filter) {
+    all->push_back(profile(std::string(name) + "_vulkan", std::string(title) + ", rules of Vulkan", filter,
+                           SHD_PROFILE_VULKAN));
+    all->push_back(profile(std::string(name) + "_oiio", std::string(title) + ", rules of OpenImageIO", filter,
+                           SHD_PROFILE_OIIO));
+  };
+  peer_rules("bilinear_mip", "Bilinear on the nearest level", SHD_FILTER_BILINEAR_MIP);
+  peer_rules("trilinear", "Trilinear", SHD_FILTER_TRILINEAR);
   all->push_back(row("ripmap", "Ripmap", SHD_FILTER_RIPMAP, nullptr, SHD_TABLE_RIPMAP));
   all->push_back(row("summed_area", "Summed area, bounding box", SHD_FILTER_SUMMED_AREA, nullptr, SHD_TABLE_SUMMED_AREA));
   all->push_back(row("summed_area_oriented", "Summed area, oriented boxes", SHD_FILTER_SUMMED_AREA,

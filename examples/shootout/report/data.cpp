@@ -55,7 +55,9 @@ void write_costs(const Measurements& m, const Costs& costs, Json* json) {
     json->member("w", static_cast<double>(row.workload)).member("t", static_cast<double>(row.texture));
     json->member("peer", name_of(row.peer)).member("budget", row.budget);
     json->member("own", static_cast<double>(row.own)).member("other", static_cast<double>(row.other));
-    json->member("lead", row.lead, 4).member("on", row.lead >= -kTie ? 1.0 : 0.0).end_object();
+    json->member("lead", row.lead, 4).member("default_lead", row.default_lead, 4);
+    json->member("on", row.lead >= -kTie ? 1.0 : 0.0);
+    json->member("default_on", row.default_lead >= -kTie ? 1.0 : 0.0).end_object();
   }
   json->end_array();
 }
