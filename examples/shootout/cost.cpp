@@ -21,6 +21,20 @@ double oriented_boxes(const Lookups& q, size_t i, double edge, double most) {
   return std::clamp(std::ceil(std::max(x, y) / std::max(std::min(x, y), 1.0)), 1.0, most);
 }
 
+/// Texels inside the ellipse of llvmpipe's anisotropic filter, a lower bound on its reads. Mesa 22.3 averages nearest
+/// texels of one level inside Heckbert's ellipse ("Fundamentals of Texture Mapping and Image Warping", 1989, p. 59),
+/// whose half axes are those of the pixel, lengthened by 1 as variance: an area of pi sqrt(F).
+double ellipse_texels(const Lookups& q, size_t i, double edge, double most) {
+  const auto texels = [&](const std::vector<float>& column) { return edge * static_cast<double>(column[i]); };
+  double ux = texels(q.dudx), vx = texels(q.dvdx), uy = texels(q.dudy), vy = texels(q.dvdy);
+  const double x = std::hypot(ux, vx), y = std::hypot(uy, vy);
+  const double shorter = std::max({std::min(x, y), std::max(x, y) / most, 1.0});
+  const double scale = std::exp2(-std::round(std::log2(shorter)));
+  for (double* value : {&ux, &vx, &uy, &vy}) *value *= scale;
+  const double a = vx * vx + vy * vy + 1.0, b = -2.0 * (ux * vx + uy * vy), c = ux * ux + uy * uy + 1.0;
+  return 3.14159265358979323846 * std::sqrt(a * c - b * b / 4.0);
+}
+
 /// Texels of lookup i and bytes of the different ones. False if the library does not explain the filter.
 bool count_texels(const ShdPass& pass, const Setting& setting, const Lookups& q, size_t i, double edge, double* texels,
                   double* bytes) {
@@ -29,6 +43,11 @@ bool count_texels(const ShdPass& pass, const Setting& setting, const Lookups& q,
     const bool oriented = setting.sampler.box == SHD_BOX_ORIENTED;
     *texels = kSums * (oriented ? oriented_boxes(q, i, edge, static_cast<double>(setting.sampler.max_anisotropy)) : 1.0);
     *bytes = kBytesOfSum * *texels;
+    return true;
+  }
+  if (setting.estimated) {
+    *texels = ellipse_texels(q, i, edge, static_cast<double>(setting.sampler.max_anisotropy));
+    *bytes = 4.0 * *texels;
     return true;
   }
   std::vector<shd_tap> taps;

@@ -5,7 +5,7 @@
 
 namespace shootout {
 
-/// What a lookup of one workload costs with one setting. NaN = not available.
+/// The cost of a lookup of one workload with one setting. NaN = not available.
 struct CostRow {
   size_t workload, setting;
   double texels, most_texels;  // mean and largest number of texels, or of sums, that a lookup reads
@@ -13,7 +13,7 @@ struct CostRow {
   double whole_ns, cached_ns;  // time of a lookup: over the whole frame, and of 256 lookups again and again
 };
 
-/// What a texture costs with one setting.
+/// The cost of a texture with one setting.
 struct TableRow {
   size_t setting;
   double build_ms;
@@ -34,7 +34,7 @@ struct FrontRow {
   double budget;
   size_t own, other;  // the best settings; SIZE_MAX = none within the budget
   double lead;        // PSNR of shd less that of the peer [dB]
-  double default_lead;  // the same with SHD_PROFILE_LEAST_ERROR alone
+  double default_lead;  // the lead of shd's SHD_PROFILE_LEAST_ERROR alone [dB]
 };
 constexpr double kBudgets[] = {4, 8, 12, 16, 24, 32};
 /// Differences of PSNR that are not counted [dB]: values of llvmpipe have 8 bits.

@@ -14,9 +14,9 @@
 namespace shootout {
 namespace {
 
-constexpr uint32_t kPhases = 4;  // places a pixel and axis of spectra
+constexpr uint32_t kPhases = 4;  // places of spectra along each axis of a pixel
 
-/// Whether the spectra of a workload and texture are measured. They take 16 times the lookups, so their frames have half
+/// Whether the spectra of a workload and texture are measured. Spectra take 16 times the lookups, so their frames have half
 /// the edge, with the same footprints.
 bool has_spectrum(const Workload& workload, const Texture& texture) {
   const bool minified = workload.smooth && workload.name.rfind("magnified", 0) != 0 && workload.name != "one_to_one";
@@ -31,7 +31,7 @@ struct PeerFrames {
 PeerFrames peer_frames(const Measurements& m, const Texture& texture) {
   Peers peers(texture);
   PeerFrames frames;
-  const auto all = [&](const std::vector<Workload>& workloads, uint32_t phases) {  // of frames, or of spectra
+  const auto all = [&](const std::vector<Workload>& workloads, uint32_t phases) {
     std::vector<std::vector<Picture>> out(workloads.size(), std::vector<Picture>(m.settings.size()));
     for (size_t w = 0; w < workloads.size(); ++w) {
       if (phases > 1 && !has_spectrum(workloads[w], texture)) continue;
@@ -145,6 +145,7 @@ std::vector<MotionRow> movie_rows(const Options& options, const Measurements& m,
   const Picture truth = supersample(workload, texels, options.movie_samples);
   std::vector<MotionRow> rows;
   for (size_t s = 0; s < m.settings.size(); ++s) {
+    if (m.settings[s].sampler.filter == SHD_FILTER_EXACT) continue;  // minutes for movies
     const Picture picture = m.settings[s].who == Who::kShd ? shade(texels.shading, passes[s].filter(q), workload.edge)
                                                            : peers.movies[movie][s];
     rows.push_back({movie, texture, s, motion(picture, truth, options.movie_edge, kMovieColumns, kMovieFrames)});
@@ -172,10 +173,13 @@ void measure_levels(const Options& options, Measurements* m) {
   const Texture noise = make_white_noise(options.texture_edge);
   const Workload workload = level_curve(options.edge, options.texture_edge);
   const Lookups q = lookups_of(workload);
-  const std::vector<double> truth = column_contrast(supersample(workload, noise, options.samples));
+  // Samples are too few for 64 x 64 independent texels, so the truth is SHD_FILTER_EXACT.
+  const ShdPass exact(noise, setting_named(m->settings, "exact"));
+  const std::vector<double> truth = column_contrast(shade(Shading::kColour, exact.filter(q), workload.edge));
   Peers peers(noise);
   for (size_t s = 0; s < m->settings.size(); ++s) {
     const Setting& setting = m->settings[s];
+    if (setting.sampler.filter == SHD_FILTER_EXACT) continue;
     const std::vector<float> rgba =
         setting.who == Who::kShd ? ShdPass(noise, setting).filter(q) : peers.filter(setting, workload, q);
     LevelRow row = {s, column_contrast(shade(Shading::kColour, rgba, workload.edge))};

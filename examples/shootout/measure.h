@@ -30,7 +30,7 @@ struct Row {
   size_t workload, texture, setting;
   Errors samples, exact;             // against supersampling, and against SHD_FILTER_EXACT after shading
   std::optional<Spectrum> spectrum;  // for smooth workloads
-  std::string hash;                  // of the picture
+  std::string hash;                  // hash of the picture
 };
 
 /// One movie.
@@ -39,7 +39,7 @@ struct MotionRow {
   Motion motion;
 };
 
-/// What is kept of one frame for the page.
+/// A frame of the page.
 struct Frame {
   size_t workload, texture, setting;
   Picture picture;

@@ -17,10 +17,10 @@ const char* name_of(Who who);
 struct Setting {
   std::string name, title;
   Who who = Who::kShd;
-  shd_sampler_desc sampler;  // of shd; of a peer, the sampler whose texels are counted in its place
+  shd_sampler_desc sampler;  // shd's options; for a peer, the options that read the same texels
   shd_table_flags tables = SHD_TABLE_MIPMAP;
   shd::bench::PeerFilter peer = shd::bench::PeerFilter::kNone;
-  bool estimated = false;  // the texels are another implementation's
+  bool estimated = false;  // the number of texels is an estimate
 };
 
 /// Every row that this build can run: shd's, then the peers'.

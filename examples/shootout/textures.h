@@ -8,7 +8,7 @@
 
 namespace shootout {
 
-/// What a frame shows of the filtered texels.
+/// The way from filtered texels to the colours of a frame.
 enum class Shading {
   kColour,    // red, green and blue as they are
   kNormal,    // Blinn-Phong light on a tangent-space normal

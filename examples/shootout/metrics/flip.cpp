@@ -76,7 +76,7 @@ struct Lobe {
 
 /// Filters a plane with the sum of the lobes; the kernel sums to 1.
 Plane sensitivity(const Plane& plane, const std::vector<Lobe>& lobes, double pixels_per_degree) {
-  constexpr double kWidest = 0.04;  // of all lobes; it sets the radius of every kernel
+  constexpr double kWidest = 0.04;  // widest lobe; it sets the radius of every kernel
   const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidest / (2.0 * kPi * kPi)) * pixels_per_degree));
   Plane out(plane.width, plane.height);
   double total = 0.0;

@@ -141,6 +141,7 @@ function startCompare() {
   for (const id of ['compare-a', 'compare-b']) element(id).addEventListener('change', chooseFrames);
   element('compare-view').addEventListener('change', drawStage);
   element('compare-zoom').addEventListener('input', () => setZoom(+element('compare-zoom').value));
+  setZoom(Math.floor(canvas.height / data.options.edge));
   let drag = null;
   const box = element('stage');
   box.addEventListener('pointerdown', (event) => {

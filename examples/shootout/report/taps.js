@@ -57,7 +57,7 @@ function drawTaps() {
   const first = (c, half) => Math.floor((c - half * span) / edge), last = (c, half) => Math.floor((c + half * span) / edge);
   for (let i = first(cx, 300); i <= last(cx, 300) && i < first(cx, 300) + 4; ++i) {
     for (let k = first(cy, 200); k <= last(cy, 200) && k < first(cy, 200) + 4; ++k) {
-      svg('image', { href: image, x: px(i * edge), y: py(k * edge), width: edge / span, height: edge / span, opacity: 0.45,
+      svg('image', { href: image, x: px(i * edge), y: py(k * edge), width: edge / span, height: edge / span, opacity: 0.3,
         preserveAspectRatio: 'none', style: 'image-rendering:pixelated' }, view);
     }
   }

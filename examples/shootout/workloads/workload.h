@@ -16,7 +16,7 @@ using Point = shd::bench::Point;
 /// A map from a square frame to the texture, one lookup a pixel.
 struct Workload {
   std::string name, title;
-  uint32_t edge = 0;    // of the frame [pixels]
+  uint32_t edge = 0;    // width and height of the frame [pixels]
   uint32_t frames = 1;  // frames of a movie side by side, in rows of kMovieColumns
   bool smooth = true;   // neighbouring pixels meet; else each pixel or cell has a map of its own
   /// The point of the texture at (dx, dy) pixels from the centre of pixel (x, y).
