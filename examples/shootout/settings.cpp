@@ -29,13 +29,14 @@ Setting profile(const std::string &name, const std::string &title, shd_filter fi
     return row(name, title, filter, [=](shd_sampler_desc *d) { d->profile = rules; });
 }
 
-/// Probes on the nearer level only: 4 texels each.
-Setting one_level(int probes)
+/// Probes of 4 texels on the nearer level alone. Where it is the finer one, its probes are up to sqrt(2) times as narrow,
+/// and up to ceil(sqrt(2) ratio - 1/8) of them cover the footprint: the largest ratio for a number of texels.
+Setting one_level(int texels)
 {
-    const std::string text = std::to_string(probes);
-    return row("anisotropic_" + text + "_one_level", "Anisotropic " + text + ", one level", SHD_FILTER_ANISOTROPIC,
+    const std::string text = std::to_string(texels);
+    return row("one_level_" + text, "Anisotropic, one level, at most " + text + " texels", SHD_FILTER_ANISOTROPIC,
                [=](shd_sampler_desc *d) {
-                   d->max_anisotropy = static_cast<float>(probes);
+                   d->max_anisotropy = 0.7f * static_cast<float>(texels) / 4.0f;
                    d->level_blend = 0.0f;
                });
 }
@@ -73,7 +74,7 @@ void add_shd(std::vector<Setting> *all)
     all->push_back(row(
         "summed_area_oriented", "Summed area, oriented boxes", SHD_FILTER_SUMMED_AREA,
         [](shd_sampler_desc *d) { d->box = SHD_BOX_ORIENTED; }, SHD_TABLE_SUMMED_AREA));
-    for (const int probes : {2, 3, 4, 6, 8}) all->push_back(one_level(probes));
+    for (const int texels : {8, 12, 16, 24, 32}) all->push_back(one_level(texels));
     for (const int ratio : {2, 4, 8, 16}) all->push_back(anisotropic(ratio));
     all->push_back(row("anisotropic_16_fast", "Anisotropic 16, fast precision", SHD_FILTER_ANISOTROPIC,
                        [](shd_sampler_desc *d) { d->precision = SHD_PRECISION_FAST; }));

@@ -14,9 +14,9 @@ namespace
 {
 
 constexpr uint32_t kTapGrid = 9;  // pixels along each axis of a frame whose taps the page has
-constexpr const char *kTapSettings[] = {
-    "bilinear",       "bilinear_mip",       "trilinear",        "ripmap", "anisotropic_4_one_level",
-    "anisotropic_16", "anisotropic_vulkan", "anisotropic_oiio", "ewa_16"};
+constexpr const char *kTapSettings[] = {"bilinear",     "bilinear_mip",   "trilinear",          "ripmap",
+                                        "one_level_16", "anisotropic_16", "anisotropic_vulkan", "anisotropic_oiio",
+                                        "ewa_16"};
 
 std::string frame_key(const Measurements &m, const Frame &frame)
 {

@@ -20,6 +20,9 @@ assert len(page) < 15e6, len(page)
 psnr = {(line["workload"], line["texture"], line["setting"]): float(line["psnr_db"]) for line in lines}
 floor = {name: psnr["floor", "checker", name] for name in ("nearest", "trilinear", "anisotropic_16", "exact")}
 assert list(floor.values()) == sorted(floor.values()), floor
+for texels in (8, 12, 16, 24, 32):
+    most = [float(line["most_texels"]) for line in lines if line["setting"] == f"one_level_{texels}"]
+    assert max(most) <= texels, (texels, max(most))
 register = [psnr["one_to_one", "text", name] for name in ("nearest", "bilinear", "bicubic")]
 assert max(register) - min(register) < 0.01, f"texels in register are not reproduced: {register}"
 print(len(lines), "pictures; PSNR of the floor:", floor)
