@@ -163,7 +163,8 @@ std::vector<FrontRow> fronts(const Measurements &m, const Costs &costs)
     for (const CostRow &row : costs.lookups) texels[row.workload * settings + row.setting] = row.texels;
     std::vector<double> psnrs(m.workloads.size() * m.textures.size() * settings);
     for (const Row &row : m.rows) {
-        psnrs[(row.workload * m.textures.size() + row.texture) * settings + row.setting] = row.samples.psnr;
+        psnrs[(row.workload * m.textures.size() + row.texture) * settings + row.setting] =
+            std::min(row.samples.psnr, kNoError);
     }
     std::vector<FrontRow> all;
     for (size_t i = 0; i < m.workloads.size() * m.textures.size(); ++i) {

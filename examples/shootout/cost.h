@@ -40,6 +40,8 @@ struct FrontRow {
 constexpr double kBudgets[] = {4, 8, 12, 16, 24, 32};
 /// Differences of PSNR that are not counted [dB]: values of llvmpipe have 8 bits.
 constexpr double kTie = 0.05;
+/// PSNR above which pictures count as equal to the truth [dB]: an error of a fortieth of a step of 8 bits.
+constexpr double kNoError = 80;
 std::vector<FrontRow> fronts(const Measurements &m, const Costs &costs);
 
 }  // namespace shootout

@@ -145,7 +145,8 @@ class Cell
     }
     void keep(size_t setting, const Picture &picture, std::vector<float> map)
     {
-        if (is_shown(m_, w_, t_)) frames.push_back({w_, t_, setting, picture, std::move(map)});
+        const bool shown = setting == kTruthSetting || m_.settings[setting].pictured;
+        if (shown && is_shown(m_, w_, t_)) frames.push_back({w_, t_, setting, picture, std::move(map)});
     }
 
     const Measurements &m_;
@@ -265,9 +266,9 @@ void in_parallel(size_t count, uint32_t threads, const std::function<void(size_t
 bool is_shown(const Measurements &m, size_t workload, size_t texture)
 {
     const std::string &w = m.workloads[workload].name, &t = m.textures[texture].name;
-    if (t == "checker") return w == "floor" || w == "floor_45" || w == "tunnel";
+    if (t == "checker") return w == "floor" || w == "floor_45" || w == "tunnel" || w == "random";
     if (t == "zone_plate") return w == "conformal" || w == "one_to_one_turned";
-    if (t == "photograph") return w == "sphere" || w == "rosette" || w == "random";
+    if (t == "photograph") return w == "sphere";
     if (t == "text") return w == "one_to_one" || w == "magnified_2" || w == "magnified_8" || w == "magnified_64";
     return w == "floor_45";
 }

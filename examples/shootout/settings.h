@@ -22,6 +22,7 @@ struct Setting {
     shd_table_flags tables = SHD_TABLE_MIPMAP;
     shd::bench::PeerFilter peer = shd::bench::PeerFilter::kNone;
     bool estimated = false;  // the number of texels is an estimate
+    bool pictured = true;    // the page has its pictures
 };
 
 /// Every row that this build can run: shd's, then the peers'.

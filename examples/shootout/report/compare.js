@@ -116,7 +116,7 @@ function fillSides() {
 
 function compareWithTruth(w, t, setting) {
   const frame = data.workloads[w].name + '/' + data.textures[t].name;
-  if (!frameKeys.includes(frame)) return;
+  if (!pictures.frames[frame + '/' + setting]) return;
   element('compare-frame').value = frame;
   fillSides();
   element('compare-a').value = 'truth';
