@@ -8,21 +8,20 @@
 
 #include "../../bench/peers/peers.h"
 
-namespace shootout
-{
+namespace shootout {
 
 enum class Who { kShd, kOpenImageIO, kLlvmpipe };
-const char *name_of(Who who);
+const char* name_of(Who who);
 
 /// A row of the report: a filter with all its options.
 struct Setting {
-    std::string name, title;
-    Who who = Who::kShd;
-    shd_sampler_desc sampler;  // shd's options; for a peer, the options that read the same texels
-    shd_table_flags tables = SHD_TABLE_MIPMAP;
-    shd::bench::PeerFilter peer = shd::bench::PeerFilter::kNone;
-    bool estimated = false;  // the number of texels is an estimate
-    bool pictured = true;    // the page has its pictures
+  std::string name, title;
+  Who who = Who::kShd;
+  shd_sampler_desc sampler;  // shd's options; for a peer, the options that read the same texels
+  shd_table_flags tables = SHD_TABLE_MIPMAP;
+  shd::bench::PeerFilter peer = shd::bench::PeerFilter::kNone;
+  bool estimated = false;  // the number of texels is an estimate
+  bool pictured = true;    // the page has its pictures
 };
 
 /// Every row that this build can run: shd's, then the peers'.
@@ -32,6 +31,6 @@ std::vector<std::string> missing_peers();
 /// Versions of the peers.
 std::vector<std::string> peer_descriptions();
 /// A row by its name; fails for an unknown name.
-const Setting &setting_named(const std::vector<Setting> &settings, const std::string &name);
+const Setting& setting_named(const std::vector<Setting>& settings, const std::string& name);
 
 }  // namespace shootout

@@ -8,27 +8,23 @@
 
 #include "../../../bench/scenes.h"
 
-namespace shootout
-{
+namespace shootout {
 
 using shd::bench::Lookups;
 using Point = shd::bench::Point;
 
 /// A map from a square frame to the texture, one lookup a pixel.
 struct Workload {
-    std::string name, title;
-    uint32_t edge = 0;    // width and height of the frame [pixels]
-    uint32_t frames = 1;  // frames of a movie side by side, in rows of kMovieColumns
-    bool smooth = true;   // neighbouring pixels meet; else each pixel or cell has a map of its own
-    /// The point of the texture at (dx, dy) pixels from the centre of pixel (x, y).
-    std::function<Point(uint32_t x, uint32_t y, double dx, double dy)> at;
-    /// The same map as a quadrilateral, which rasterisers draw without given derivatives.
-    std::optional<shd::bench::Surface> surface;
+  std::string name, title;
+  uint32_t edge = 0;    // width and height of the frame [pixels]
+  uint32_t frames = 1;  // frames of a movie side by side, in rows of kMovieColumns
+  bool smooth = true;   // neighbouring pixels meet; else each pixel or cell has a map of its own
+  /// The point of the texture at (dx, dy) pixels from the centre of pixel (x, y).
+  std::function<Point(uint32_t x, uint32_t y, double dx, double dy)> at;
+  /// The same map as a quadrilateral, which rasterisers draw without given derivatives.
+  std::optional<shd::bench::Surface> surface;
 
-    size_t count() const
-    {
-        return size_t{edge} * edge;
-    }
+  size_t count() const { return size_t{edge} * edge; }
 };
 
 constexpr uint32_t kMovieColumns = 8, kMovieFrames = 60;
@@ -50,12 +46,12 @@ Workload level_curve(uint32_t edge, uint32_t texture_edge);
 
 /// Lookups at `phases` x `phases` places a pixel from its centre, in frame order. Derivatives are central differences
 /// in doubles.
-Lookups lookups_of(const Workload &workload, uint32_t phases = 1);
+Lookups lookups_of(const Workload& workload, uint32_t phases = 1);
 
 /// A workload of one of the scenes of shd-bench.
-Workload scene_workload(const shd::bench::Scene &scene, const std::string &name, const std::string &title);
+Workload scene_workload(const shd::bench::Scene& scene, const std::string& name, const std::string& title);
 /// The plane that fills the frame with `texels` texels a pixel, turned by `angle` [rad] and moved by (u, v).
 Workload plane_workload(uint32_t edge, uint32_t texture_edge, double texels, double angle, Point move,
-                        const std::string &name, const std::string &title);
+                        const std::string& name, const std::string& title);
 
 }  // namespace shootout
