@@ -16,8 +16,8 @@ namespace {
 
 constexpr uint32_t kPhases = 4;  // places of spectra along each axis of a pixel
 
-/// Whether the spectra of a workload and texture are measured. Spectra take 16 times the lookups, so their frames have half
-/// the edge, with the same footprints.
+/// Whether the spectra of a workload and texture are measured. Spectra take 16 times the lookups, so their frames have
+/// half the edge, with the same footprints.
 bool has_spectrum(const Workload& workload, const Texture& texture) {
   const bool minified = workload.smooth && workload.name.rfind("magnified", 0) != 0 && workload.name != "one_to_one";
   return minified && (texture.name == "checker" || texture.name == "zone_plate");
