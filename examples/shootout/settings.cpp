@@ -25,8 +25,8 @@ Setting profile(const std::string& name, const std::string& title, shd_filter fi
   return row(name, title, filter, [=](shd_sampler_desc* d) { d->profile = rules; });
 }
 
-/// Probes of 4 texels on the nearer level alone, with the largest ratio for a number of texels. Where the nearer level is
-/// the finer one, probes are up to sqrt(2) times as narrow, and up to ceil(sqrt(2) ratio - 1/8) cover the footprint.
+/// Probes of 4 texels on the nearer level alone, with the largest ratio for a number of texels. Where the nearer level
+/// is the finer one, probes are up to sqrt(2) times as narrow, and up to ceil(sqrt(2) ratio - 1/8) cover the footprint.
 Setting one_level(int texels) {
   const std::string text = std::to_string(texels);
   return row("one_level_" + text, "Anisotropic, one level, at most " + text + " texels", SHD_FILTER_ANISOTROPIC,
