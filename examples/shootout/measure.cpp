@@ -242,7 +242,7 @@ void in_parallel(size_t count, uint32_t threads, const std::function<void(size_t
 
 bool is_shown(const Measurements& m, size_t workload, size_t texture) {
   const std::string &w = m.workloads[workload].name, &t = m.textures[texture].name;
-  if (t == "checker") return w == "floor" || w == "floor_45" || w == "tunnel" || w == "random";
+  if (t == "checker") return w == "floor" || w == "floor_45" || w == "tunnel";
   if (t == "zone_plate") return w == "conformal" || w == "one_to_one_turned";
   if (t == "photograph") return w == "sphere";
   if (t == "text") return w == "one_to_one" || w == "magnified_2" || w == "magnified_8" || w == "magnified_64";
