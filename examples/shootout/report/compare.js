@@ -147,7 +147,7 @@ function startCompare() {
   box.addEventListener('pointerdown', (event) => {
     box.setPointerCapture(event.pointerId);
     const at = (event.clientX - box.getBoundingClientRect().left) / box.clientWidth;
-    const wipes = element('compare-view').value === 'wipe' && !event.shiftKey && Math.abs(at - stage.wipe) < 0.5;
+    const wipes = element('compare-view').value === 'wipe' && !event.shiftKey;
     drag = { wipes, x: event.clientX, y: event.clientY };
     if (wipes) { stage.wipe = at; drawStage(); }
   });
