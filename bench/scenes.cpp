@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-struct Point {
-  double u, v;
-};
-
 Point floor_point(double x, double y) {
   constexpr double kFar = 12.0, kScale = 0.4;
   const double z = 1.0 / (1.0 / kFar + (1.0 - 1.0 / kFar) * y);
@@ -29,29 +25,6 @@ Point sphere_point(double x, double y) {
 Point tunnel_point(double x, double y) {
   const double px = 2 * x - 1, py = 2 * y - 1, radius = std::sqrt(px * px + py * py);
   return {std::atan2(py, px) / (2 * kPi), 0.3 / (radius + 0.08)};
-}
-
-/// Returns the point of the texture at (x, y) in pixels.
-Point point_of(const Scene& scene, double x, double y) {
-  const double p = x / scene.frame, q = y / scene.frame;
-  Point at = {};
-  switch (scene.shape) {
-    case Shape::kFloor: at = floor_point(p, q); break;
-    case Shape::kTurnedFloor: {
-      const Point straight = floor_point(p, q);
-      at = {std::sqrt(0.5) * (straight.u - straight.v), std::sqrt(0.5) * (straight.u + straight.v)};
-      break;
-    }
-    case Shape::kSphere: at = sphere_point(p, q); break;
-    case Shape::kTunnel: at = tunnel_point(p, q); break;
-    case Shape::kZoom: {
-      const double a = p + 0.2, b = q + 0.2;
-      at = {0.59 * (a * a - b * b), 0.59 * 2 * a * b};
-      break;
-    }
-    case Shape::kPlane: at = {p - 0.5, q - 0.5}; break;
-  }
-  return {at.u * scene.zoom, at.v * scene.zoom + scene.move};
 }
 
 /// Shares of a sample at t = -1/2..1/2 from the centre of its pixel: of the pixel and of the nearest neighbour.
@@ -96,6 +69,28 @@ std::vector<float> rgba_of(const std::vector<double>& rgb) {
 const char* name_of(Shape shape) {
   constexpr const char* kNames[] = {"floor", "floor_45", "sphere", "tunnel", "zoom", "plane"};
   return kNames[static_cast<size_t>(shape)];
+}
+
+Point point_of(const Scene& scene, double x, double y) {
+  const double p = x / scene.frame, q = y / scene.frame;
+  Point at = {};
+  switch (scene.shape) {
+    case Shape::kFloor: at = floor_point(p, q); break;
+    case Shape::kTurnedFloor: {
+      const Point straight = floor_point(p, q);
+      at = {std::sqrt(0.5) * (straight.u - straight.v), std::sqrt(0.5) * (straight.u + straight.v)};
+      break;
+    }
+    case Shape::kSphere: at = sphere_point(p, q); break;
+    case Shape::kTunnel: at = tunnel_point(p, q); break;
+    case Shape::kZoom: {
+      const double a = p + 0.2, b = q + 0.2;
+      at = {0.59 * (a * a - b * b), 0.59 * 2 * a * b};
+      break;
+    }
+    case Shape::kPlane: at = {p - 0.5, q - 0.5}; break;
+  }
+  return {at.u * scene.zoom, at.v * scene.zoom + scene.move};
 }
 
 Lookups scene_lookups(const Scene& scene) {

@@ -27,6 +27,14 @@ struct Scene {
 
 const char* name_of(Shape shape);
 
+/// A point of a texture; one repetition is 1 x 1.
+struct Point {
+  double u, v;
+};
+
+/// The point of the texture at (x, y) in pixels from the top left corner of the frame.
+Point point_of(const Scene& scene, double x, double y);
+
 /// Columns of one lookup per pixel. Derivatives are central differences of doubles.
 Lookups scene_lookups(const Scene& scene);
 

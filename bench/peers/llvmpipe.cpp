@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -193,6 +194,86 @@ class SurfacePass final : public Pass {
   }
 };
 
+constexpr char kLookupsFragment[] = R"(#version 330 core
+uniform sampler2D image, points, steps;
+uniform int edge;
+in vec2 v_uv;
+out vec4 colour;
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 at = ivec2(pixel.x / 2, (2 * edge - 1 - pixel.y) / 2);
+  vec4 point = texelFetch(points, at, 0);
+  vec2 down = texelFetch(steps, at, 0).xy;
+  colour = texture(image, point.xy + float(pixel.x & 1) * point.zw + float(pixel.y & 1) * down);
+}
+)";
+
+/// A float texture of frame x frame texels at texture unit `unit`.
+GLuint make_columns(GLenum unit, uint32_t frame, const std::vector<float>& rgba) {
+  GLuint texture = 0;
+  const auto edge = static_cast<GLsizei>(frame);
+  glGenTextures(1, &texture);
+  glActiveTexture(unit);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, edge, edge, 0, GL_RGBA, GL_FLOAT, rgba.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glActiveTexture(GL_TEXTURE0);
+  return texture;
+}
+
+/// One lookup in 2 x 2 pixels: differences between these pixels are the lookup's derivatives. textureGrad is no
+/// alternative, because the anisotropic filter of Mesa 22.3 does not use its arguments.
+class LookupsPass final : public Pass {
+ public:
+  LookupsPass(const Lookups& lookups, uint32_t frame, uint32_t edge, const std::vector<uint8_t>& texels,
+              PeerFilter filter)
+      : Pass(2 * frame, edge, texels, filter), frame_(frame) {
+    const Surface surface = quad_surface(1.0f);
+    attribute(0, 4, std::vector<float>(surface.clip[0], surface.clip[0] + 16));
+    attribute(1, 2, std::vector<float>(surface.uv[0], surface.uv[0] + 8));
+    std::vector<float> points, steps;
+    for (size_t i = 0; i < lookups.count(); ++i) {
+      points.insert(points.end(), {lookups.u[i], lookups.v[i], lookups.dudx[i], lookups.dvdx[i]});
+      steps.insert(steps.end(), {lookups.dudy[i], lookups.dvdy[i], 0.0f, 0.0f});
+    }
+    columns_[0] = make_columns(GL_TEXTURE1, frame, points);
+    columns_[1] = make_columns(GL_TEXTURE2, frame, steps);
+    program_ = link(kSurfaceVertex, kLookupsFragment);
+    glUseProgram(program_);
+    glUniform1i(glGetUniformLocation(program_, "points"), 1);
+    glUniform1i(glGetUniformLocation(program_, "steps"), 2);
+    glUniform1i(glGetUniformLocation(program_, "edge"), static_cast<GLint>(frame));
+  }
+  ~LookupsPass() override { glDeleteTextures(2, columns_); }
+  void run() override {
+    begin();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    for (int i = 0; i < 2; ++i) {
+      glActiveTexture(GL_TEXTURE1 + static_cast<GLenum>(i));
+      glBindTexture(GL_TEXTURE_2D, columns_[i]);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glFinish();
+  }
+  std::vector<float> image() override {
+    const std::vector<float> quads = Pass::image();
+    std::vector<float> rgba;
+    for (size_t i = 0; i < size_t{frame_} * frame_; ++i) {
+      // The pixel at the point itself is the lower left one.
+      const float* pixel = &quads[((2 * (i / frame_) + 1) * 2 * frame_ + 2 * (i % frame_)) * 4];
+      rgba.insert(rgba.end(), pixel, pixel + 4);
+    }
+    return rgba;
+  }
+
+ private:
+  uint32_t frame_;
+  GLuint columns_[2] = {};
+};
+
 constexpr char kSphereVertex[] = R"(#version 330 core
 uniform mat4 object_to_world, world_to_clip;
 layout(location = 0) in vec3 position;
@@ -303,6 +384,13 @@ std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::v
 std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t frame, uint32_t edge,
                                             const std::vector<uint8_t>& texels, PeerFilter filter) {
   return std::make_unique<SurfacePass>(surface, frame, edge, texels, filter);
+}
+
+std::unique_ptr<Peer> make_llvmpipe_lookups(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                            PeerFilter filter) {
+  const auto frame = static_cast<uint32_t>(std::lround(std::sqrt(static_cast<double>(lookups.count()))));
+  if (size_t{frame} * frame != lookups.count()) die("the number of lookups is not a square");
+  return std::make_unique<LookupsPass>(lookups, frame, edge, texels, filter);
 }
 
 }  // namespace shd::bench

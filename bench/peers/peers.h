@@ -34,6 +34,11 @@ std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::v
 std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t frame, uint32_t edge,
                                             const std::vector<uint8_t>& texels, PeerFilter filter);
 
+/// Mesa llvmpipe: a square number of lookups, each drawn as 2 x 2 pixels with its point and derivatives from float
+/// textures, into RGBA8.
+std::unique_ptr<Peer> make_llvmpipe_lookups(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                            PeerFilter filter);
+
 /// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
                                        PeerFilter filter);

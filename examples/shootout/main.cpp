@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// shd-shootout: filters of shd and of other libraries beside ground truth. See README.md here.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "report/png.h"
+#include "report/report.h"
+#include "shd_pass.h"
+
+namespace shootout {
+namespace {
+
+constexpr char kUsage[] =
+    "Usage: shd-shootout [option...]\n"
+    "  -o FOLDER           folder of the report or figure; default out/shootout\n"
+    "  --quick             small frames and two textures: seconds\n"
+    "  --figure NAME       one figure of a course as NAME.png; `all` makes each\n"
+    "  --photograph FILE   photograph among the textures; default the map of the package xplanet-images\n"
+    "  --threads N         threads for pictures, 1..256; default one a core. Times are of one thread\n"
+    "  --list              names of workloads, textures, settings and figures\n";
+
+void list() {
+  Options options;
+  const auto heading = [](const char* text) { std::printf("%s\n", text); };
+  const auto line = [](const std::string& name, const std::string& title) {
+    std::printf("  %-32s %s\n", name.c_str(), title.c_str());
+  };
+  heading("workloads");
+  for (const Workload& workload : still_workloads(options.edge, options.texture_edge))
+    line(workload.name, workload.title);
+  for (const Workload& workload : movies(options.movie_edge, options.texture_edge)) line(workload.name, workload.title);
+  heading("textures");
+  for (const Texture& texture : all_textures(64, options.photograph)) line(texture.name, texture.title);
+  heading("settings");
+  for (const Setting& setting : all_settings()) line(setting.name, setting.title);
+  heading("figures");
+  for (const FigureName& figure : figure_names()) line(figure.name, figure.title);
+  for (const std::string& peer : missing_peers()) std::printf("missing peer: %s\n", peer.c_str());
+}
+
+uint32_t number(const char* option, const char* text, long low, long high) {
+  char* end = nullptr;
+  const long value = std::strtol(text, &end, 10);
+  if (*text == '\0' || *end != '\0' || value < low || value > high) {
+    throw std::invalid_argument(std::string(option) + ": " + text + " is not in " + std::to_string(low) + ".." +
+                                std::to_string(high));
+  }
+  return static_cast<uint32_t>(value);
+}
+
+void make_quick(Options* options) {
+  options->quick = true;
+  options->edge = 64;
+  options->texture_edge = 256;
+  options->samples = 8;
+  options->movie_edge = 16;
+  options->movie_samples = 4;
+}
+
+/// Returns false where there is nothing left to do.
+bool parse(int count, char** arguments, Options* options) {
+  for (int i = 1; i < count; ++i) {
+    const std::string option = arguments[i];
+    const auto value = [&] {
+      if (i + 1 == count) throw std::invalid_argument(option + " needs a value");
+      return arguments[++i];
+    };
+    if (option == "-o") {
+      options->out = value();
+    } else if (option == "--quick") {
+      make_quick(options);
+    } else if (option == "--figure") {
+      options->figure = value();
+    } else if (option == "--photograph") {
+      options->photograph = value();
+      if (!std::filesystem::is_regular_file(options->photograph)) {
+        throw std::invalid_argument("--photograph: " + options->photograph + " is not a file");
+      }
+    } else if (option == "--threads") {
+      options->threads = number("--threads", value(), 1, 256);
+    } else if (option == "--list") {
+      list();
+      return false;
+    } else if (option == "-h" || option == "--help") {
+      std::fputs(kUsage, stdout);
+      return false;
+    } else {
+      throw std::invalid_argument("unknown option " + option + "\n" + kUsage);
+    }
+  }
+  return true;
+}
+
+void make_figures(const Options& options) {
+  std::filesystem::create_directories(options.out);
+  for (const FigureName& name : figure_names()) {
+    if (options.figure != "all" && options.figure != name.name) continue;
+    const Figure figure = make_figure(name.name, 512);
+    const std::string path = options.out + "/" + figure.name + ".png";
+    write_file(path, png_of(figure.picture));
+    std::printf("%s: %s, hash %s\n", path.c_str(), figure.title.c_str(), hash_of(figure.picture).c_str());
+  }
+}
+
+void print_fronts(const Measurements& m, const Costs& costs) {
+  size_t on = 0, all = 0, on_default = 0;
+  for (const FrontRow& row : fronts(m, costs)) {
+    ++all;
+    on_default += row.default_lead >= -kTie;
+    if (row.lead >= -kTie) {
+      ++on;
+      continue;
+    }
+    std::printf("   off the front: %s, %s, %s, %g texels: %s is %.2f dB behind %s\n",
+                m.workloads[row.workload].name.c_str(), m.textures[row.texture].name.c_str(), name_of(row.peer),
+                row.budget, m.settings[row.own].name.c_str(), -row.lead, m.settings[row.other].name.c_str());
+  }
+  std::printf(
+      "   shd is on the front of %zu of %zu workloads x textures x peers x budgets, with its default profile of "
+      "%zu\n",
+      on, all, on_default);
+}
+
+void run(const Options& options) {
+  for (const std::string& peer : missing_peers()) std::printf("== Left out: %s\n", peer.c_str());
+  std::printf("== Pictures\n");
+  double start = now();
+  const Measurements m = measure(options);
+  std::printf("   %.0f s\n== Times and texels\n", now() - start);
+  start = now();
+  const Costs costs = measure_costs(options, m);
+  print_fronts(m, costs);
+  std::printf("   %.0f s\n== Report\n", now() - start);
+  start = now();
+  write_report(options, m, costs);
+  std::printf("   %.0f s\n== Done: %s/shootout.html (%ju bytes)\n", now() - start, options.out.c_str(),
+              static_cast<uintmax_t>(std::filesystem::file_size(options.out + "/shootout.html")));
+}
+
+}  // namespace
+}  // namespace shootout
+
+int main(int count, char** arguments) {
+  try {
+    shootout::Options options;
+    options.web = SHOOTOUT_WEB;
+    if (!shootout::parse(count, arguments, &options)) return 0;
+    const auto& names = shootout::figure_names();
+    if (options.figure.empty()) {
+      shootout::run(options);
+    } else {
+      if (options.figure != "all") {
+        bool known = false;
+        for (const auto& name : names) known = known || options.figure == name.name;
+        if (!known) throw std::invalid_argument("--figure: " + options.figure + " is not in the list of --list");
+      }
+      shootout::make_figures(options);
+    }
+    return 0;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "shd-shootout: %s\n", e.what());
+    return 1;
+  }
+}
