@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <regex>
 
 #include "tool/check/table.h"
 #include "tool/failure.h"
@@ -27,23 +26,45 @@ std::string header_of(const std::string& path, const std::string& bytes, size_t*
 }
 
 NpyField field_of(const std::string& path, const std::string& name, const std::string& type, size_t offset) {
-  static const std::regex kType("[<|]([fu])([1248])");
-  std::smatch match;
-  if (!std::regex_match(type, match, kType)) refuse(path, "type " + type + " is not one of <f2 <f4 <f8 |u1 <u2");
-  const NpyField field = {name, match[1].str()[0], static_cast<size_t>(match[2].str()[0] - '0'), offset};
-  const bool known = field.kind == 'f' ? field.size != 1 : field.size <= 2;
-  if (!known) refuse(path, "type " + type + " is not one of <f2 <f4 <f8 |u1 <u2");
-  return field;
+  for (const char* const known : {"<f2", "<f4", "<f8", "|u1", "<u2"}) {
+    if (type == known) return {name, type[1], static_cast<size_t>(type[2] - '0'), offset};
+  }
+  refuse(path, "type " + type + " is not one of <f2 <f4 <f8 |u1 <u2");
+}
+
+/// Returns the place behind a key of the header and the spaces after it, or npos.
+size_t behind(const std::string& header, const char* key) {
+  const size_t at = header.find(key);
+  return at == std::string::npos ? at : header.find_first_not_of(' ', at + std::strlen(key));
+}
+
+/// Reads a text in quotes at a place, and moves the place behind it. Returns whether there is one.
+bool read_quoted(const std::string& header, size_t* at, std::string* out) {
+  const size_t begin = header.find_first_not_of(' ', *at);
+  if (begin == std::string::npos || header[begin] != '\'') return false;
+  const size_t end = header.find('\'', begin + 1);
+  if (end == std::string::npos) return false;
+  *out = header.substr(begin + 1, end - begin - 1);
+  *at = end + 1;
+  return true;
+}
+
+/// Reads ('name', 'type') at the place of its bracket, and moves the place on.
+bool read_pair(const std::string& header, size_t* at, std::string* name, std::string* type) {
+  ++*at;
+  if (!read_quoted(header, at, name) || *at == header.size() || header[*at] != ',') return false;
+  ++*at;
+  return read_quoted(header, at, type);
 }
 
 std::vector<NpyField> fields_of(const std::string& path, const std::string& header) {
-  static const std::regex kPlain("'descr': *'([^']*)'"), kPair("\\('([^']*)', *'([^']*)'\\)");
-  std::smatch match;
-  if (std::regex_search(header, match, kPlain)) return {field_of(path, "", match[1], 0)};
+  size_t at = behind(header, "'descr':"), offset = 0;
+  std::string name, type;
+  if (at != std::string::npos && read_quoted(header, &at, &type)) return {field_of(path, "", type, 0)};
   std::vector<NpyField> fields;
-  size_t offset = 0;
-  for (std::sregex_iterator i(header.begin(), header.end(), kPair), end; i != end; ++i) {
-    fields.push_back(field_of(path, (*i)[1], (*i)[2], offset));
+  for (at = header.find('(', at); at != std::string::npos; at = header.find('(', at)) {
+    if (!read_pair(header, &at, &name, &type)) continue;
+    fields.push_back(field_of(path, name, type, offset));
     offset += fields.back().size;
   }
   if (fields.empty()) refuse(path, "the header of .npy has no type");
@@ -51,11 +72,13 @@ std::vector<NpyField> fields_of(const std::string& path, const std::string& head
 }
 
 std::vector<size_t> shape_of(const std::string& path, const std::string& header) {
-  static const std::regex kShape("'shape': *\\(([0-9, ]*)\\)");
-  std::smatch match;
-  if (!std::regex_search(header, match, kShape)) refuse(path, "the header of .npy has no shape");
+  const size_t begin = behind(header, "'shape':"), end = header.find(')', begin);
+  const bool closed = begin != std::string::npos && end != std::string::npos && header[begin] == '(';
+  if (!closed) refuse(path, "the header of .npy has no shape");
+  const std::string text = header.substr(begin + 1, end - begin - 1);
+  if (text.find_first_not_of("0123456789, ") != std::string::npos) refuse(path, "the header of .npy has no shape");
   std::vector<size_t> shape;
-  for (const std::string& size : split(match[1])) {
+  for (const std::string& size : split(text)) {
     if (size.size() > 12) refuse(path, "the shape is too large");
     if (!size.empty()) shape.push_back(std::stoull(size));
   }
