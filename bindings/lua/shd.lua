@@ -9,7 +9,7 @@
 --- is a method of its first argument: shd.render(context, frame), context:render(frame).
 local array = require "shd.array"
 local call = require "shd.call"
-local library = require "shd.library"
+local library = require "shd.native"
 local tables = require "shd.tables"
 require "shd.methods"
 

@@ -68,8 +68,8 @@ float fraction(float x) {
   return std::isfinite(x) ? x - std::floor(x) : 0.0f;
 }
 
-/// Reads the texels of a view: lookups at their centres, with footprints of one texel of the level. A ripmap has levels
-/// that a mipmap lacks.
+/// Reads the texels of a view: lookups at their centres, with footprints of one texel of the level. A ripmap has more
+/// levels than a mipmap.
 void read_texels(shd_context* context, const shd_texture* texture, const Explanation& e, shd_wrap wrap_u,
                  shd_wrap wrap_v, LevelView& view) {
   const bool is_mip = view.level_u == view.level_v;

@@ -4,8 +4,8 @@
 
 namespace viewer {
 
-/// Draws the pixels around the middle with their codes in the lower left corner of the viewport, and the linear values
-/// of the middle.
+/// Draws the pixels around `middle` with their codes in the lower left corner of the viewport, and the linear values of
+/// `middle`.
 void draw_magnifier(const Ui& ui, const Rect& viewport, const Picture& picture, uint32_t divider, Pixel middle);
 
 }  // namespace viewer

@@ -20,7 +20,7 @@ class Stage {
 
   /// Renders a state and explains its pick. Problems are in Picture::error; nothing is thrown.
   /// `previous` saves the rendering if its pixels are those of the state; may be null. `tiles` gets the finished tiles
-  /// of planes that are colours; null = not wanted.
+  /// of colour planes; may be null.
   Picture show(const State& state, const shd_progress& progress, const Picture* previous, Tiles* tiles = nullptr);
 
   /// Displays and views of libshd_color, as "display / view"; empty without it.

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Arrays of ffi as memory and columns. They are used in place; lists of Lua are copied.
 local ffi = require "ffi"
-local refuse = require "shd.library".refuse
+local refuse = require "shd.native".refuse
 
 local array = {}
 

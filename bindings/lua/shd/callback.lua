@@ -7,7 +7,7 @@
 -- of the library raises it.
 local ffi = require "ffi"
 local enums = require "shd.enums"
-local library = require "shd.library"
+local library = require "shd.native"
 local tables = require "shd.tables"
 local C = library.C
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Constants by name: SHD_FILTER_EWA is "ewa", SHD_AOV_UV | SHD_AOV_NORMAL is "uv|normal".
-local refuse = require "shd.library".refuse
+local refuse = require "shd.native".refuse
 local tables = require "shd.tables"
 
 local enums = {}

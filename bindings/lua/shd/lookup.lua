@@ -2,7 +2,7 @@
 -- Batches of lookups that are prepared once and run many times.
 local callback = require "shd.callback"
 local convert = require "shd.convert"
-local library = require "shd.library"
+local library = require "shd.native"
 local object = require "shd.object"
 local C, refuse = library.C, library.refuse
 

@@ -2,7 +2,7 @@
 -- Objects: one reference of C each, dropped by close() or by the garbage collector.
 local ffi = require "ffi"
 local callback = require "shd.callback"
-local library = require "shd.library"
+local library = require "shd.native"
 local tables = require "shd.tables"
 local C, refuse = library.C, library.refuse
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Sizes of the memory that arguments need, where the struct alone does not have them.
-local library = require "shd.library"
+local library = require "shd.native"
 local tables = require "shd.tables"
 local C = library.C
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Functions of the other libraries, as far as they are built.
 local ffi = require "ffi"
-local library = require "shd.library"
+local library = require "shd.native"
 local shd = require "shd"
 local support = require "support"
 local equal, refused, floats = support.equal, support.refused, support.floats

@@ -21,7 +21,7 @@ struct Workload {
   bool smooth = true;   // neighbouring pixels meet; else each pixel or cell has a map of its own
   /// The point of the texture at (dx, dy) pixels from the centre of pixel (x, y).
   std::function<Point(uint32_t x, uint32_t y, double dx, double dy)> at;
-  /// The same map as a quadrilateral, which rasterisers draw without given derivatives.
+  /// The map as a quadrilateral, for rasterisers, which compute their own derivatives.
   std::optional<shd::bench::Surface> surface;
 
   size_t count() const { return size_t{edge} * edge; }

@@ -21,8 +21,8 @@ struct Plane {
 Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, uint32_t layer,
                uint32_t level);
 
-/// Returns the values that texel (i, j) may have, for any i and j. Channels that are not finite are unbounded. Indices
-/// of a face of a cube are -1..size.
+/// Returns the values that texel (i, j) may have, for any i and j. Channels that are not finite are unbounded. On a
+/// face of a cube, i and j are -1..size.
 Color texel_range(const Plane& plane, int64_t i, int64_t j);
 
 /// Returns the range of the texture's format, with the border colour where the sampler reads it.
