@@ -93,22 +93,25 @@ Point point_of(const Scene& scene, double x, double y) {
   return {at.u * scene.zoom, at.v * scene.zoom + scene.move};
 }
 
-Lookups scene_lookups(const Scene& scene) {
+void add_lookup(const std::function<Point(double dx, double dy)>& point, Lookups* out) {
   constexpr double kStep = 1e-3;
-  Lookups q;
+  const Point at = point(0, 0), left = point(-kStep, 0), right = point(kStep, 0);
+  const Point above = point(0, -kStep), below = point(0, kStep);
   const auto add = [](std::vector<float>* column, double value) { column->push_back(static_cast<float>(value)); };
+  add(&out->u, at.u);
+  add(&out->v, at.v);
+  add(&out->dudx, (right.u - left.u) / (2 * kStep));
+  add(&out->dvdx, (right.v - left.v) / (2 * kStep));
+  add(&out->dudy, (below.u - above.u) / (2 * kStep));
+  add(&out->dvdy, (below.v - above.v) / (2 * kStep));
+}
+
+Lookups scene_lookups(const Scene& scene) {
+  Lookups q;
   for (uint32_t row = 0; row < scene.frame; ++row) {
     for (uint32_t column = 0; column < scene.frame; ++column) {
-      const double x = column + 0.5, y = row + 0.5;
-      const Point at = point_of(scene, x, y);
-      const Point left = point_of(scene, x - kStep, y), right = point_of(scene, x + kStep, y);
-      const Point above = point_of(scene, x, y - kStep), below = point_of(scene, x, y + kStep);
-      add(&q.u, at.u);
-      add(&q.v, at.v);
-      add(&q.dudx, (right.u - left.u) / (2 * kStep));
-      add(&q.dvdx, (right.v - left.v) / (2 * kStep));
-      add(&q.dudy, (below.u - above.u) / (2 * kStep));
-      add(&q.dvdy, (below.v - above.v) / (2 * kStep));
+      const auto point = [&](double dx, double dy) { return point_of(scene, column + 0.5 + dx, row + 0.5 + dy); };
+      add_lookup(point, &q);
     }
   }
   return q;

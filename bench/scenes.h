@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "supersample.h"
 #include "workload.h"
 
@@ -35,7 +37,11 @@ struct Point {
 /// The point of the texture at (x, y) in pixels from the top left corner of the frame.
 Point point_of(const Scene& scene, double x, double y);
 
-/// Columns of one lookup per pixel. Derivatives are central differences of doubles.
+/// Appends the lookup of a pixel; point(dx, dy) is the point of the texture at (dx, dy) pixels from the pixel's centre.
+/// Derivatives are central differences of doubles.
+void add_lookup(const std::function<Point(double dx, double dy)>& point, Lookups* out);
+
+/// Columns of one lookup per pixel.
 Lookups scene_lookups(const Scene& scene);
 
 /// Frames as RGBA, filtered from samples x samples points per pixel of the bilinear reconstruction, in doubles.

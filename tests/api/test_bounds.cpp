@@ -11,8 +11,6 @@ namespace
 
 constexpr shd_rules kAllRules[] = {SHD_RULES_VULKAN, SHD_RULES_D3D11, SHD_RULES_WEBGPU, SHD_RULES_OPENGL};
 
-shd_context *g_context;
-
 void assert_inside(const Scene &scene, const SceneBounds &bounds, size_t i, const double (&value)[4], const char *who,
                    int rules)
 {
@@ -177,13 +175,6 @@ void test_own(void **)
         }
         shd_context_release(context);
     }
-}
-
-int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
-int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
 }
 
 }  // namespace

@@ -10,8 +10,6 @@ namespace shd::tests
 namespace
 {
 
-shd_context *g_context;
-
 struct Fixture {
     shd_context *context = nullptr;
     shd_texture *texture = nullptr;
@@ -271,13 +269,6 @@ void test_batches(void **)
         }
     }
     shd_sampler_release(sampler);
-}
-
-int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
-int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
 }
 
 }  // namespace

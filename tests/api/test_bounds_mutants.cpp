@@ -15,7 +15,6 @@ using ref::Bug;
 constexpr int kMutants = 1000, kLookups = 96;
 constexpr double kLeastCaught = 0.999;
 int g_legal_units = 40;
-shd_context *g_context;
 
 const char *const kBugNames[] = {"none",           "shift",       "wrap",         "swapped axes",   "mirrored axis",
                                  "level shift",    "level scale", "one step",     "shorter axis",   "one size",
@@ -133,13 +132,6 @@ void test_mutants(void **)
         assert_true(caught >= kLeastCaught * kMutants);
         assert_int_equal(refused, 0);
     }
-}
-
-int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
-int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
 }
 
 }  // namespace
