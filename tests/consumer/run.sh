@@ -112,9 +112,11 @@ with_pkg_config() {
   "$WORK/hello_cpp"
 }
 
-# One generic SIMD target and no files or colour: quick to build, and the options an embedder would turn.
+# One generic SIMD target and no files or colour: quick to build, and the options an embedder would turn. A compiler
+# cache shares the objects with a build of the preset `core`, which has warnings as errors.
 with_add_subdirectory() {
   build "$SOURCE/tests/consumer/add_subdirectory" -DSHD_SOURCE_DIR="$SOURCE" -DBUILD_SHARED_LIBS="$SHARED" \
+    -DSHD_WERROR=ON \
     -DSHD_WITH_TBB="$HAS_TBB" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER"
   run "$WORK/build"
 }
