@@ -2,92 +2,18 @@
 // Random textures, samplers and lookups, valid and invalid. No call may crash, leak, write outside its columns, give a
 // non-finite value from finite texels, or give other bits on another SIMD target. The replay of an explanation gives
 // the bits of the lookup.
+#include "lookup_case.h"
 #include "mutator.h"
-#include "texture_case.h"
 
 #include <cfloat>
 
 namespace shd::fuzz {
 namespace {
 
-constexpr size_t kMaxLookups = 8;
 constexpr size_t kOutputs = 16;  // channel, du, dv, dw
-constexpr int kColumns = 10;
 constexpr uint32_t kMaxTaps = 4096;
 
-/// The arguments that one input describes, so that they can run on several contexts.
-struct Case {
-  TextureCase texture;
-  shd_sampler_desc sampler = shd_sampler_desc_default();
-  size_t count = 0;
-  std::vector<float> columns[kColumns];  // u, v, dudx, dvdx, dudy, dvdy, lod, w, dwdx, dwdy
-  size_t steps[kColumns] = {};
-  std::vector<uint32_t> integers[2];  // layer, random
-  uint32_t outputs = 0;               // bits
-  size_t out_step = 1;
-  uint64_t budget = 0;
-};
-
-void choose_column(Source& source, Case& c, int k, float scale) {
-  c.steps[k] = 1 + source.below(2);
-  const bool hostile = source.one_in(4);
-  c.columns[k].resize(c.count == 0 ? 1 : (c.count - 1) * c.steps[k] + 1);
-  for (size_t i = 0; i < c.count; ++i) {
-    c.columns[k][i * c.steps[k]] = hostile ? source.hostile() : scale * source.real();
-  }
-}
-
-void choose_lookups(Source& source, Case& c) {
-  c.count = source.below(kMaxLookups + 1);
-  for (int k = 0; k < 7; ++k) {
-    if (k >= 2 && source.one_in(k == 6 ? 2 : 8)) continue;
-    choose_column(source, c, k, k < 2 ? 2.0f : k < 6 ? 0.5f : 4.0f);
-  }
-  for (std::vector<uint32_t>& column : c.integers) {
-    if (!source.one_in(4)) continue;
-    column.resize(c.count + 1);
-    for (size_t i = 0; i < c.count; ++i) column[i] = source.one_in(2) ? source.word() : source.below(4);
-  }
-  c.outputs = source.one_in(4) ? source.below(1 << 12) : 15;
-  c.out_step = 1 + source.below(2);
-}
-
-/// Turns the layers of a texture into slices.
-void choose_slices(Source& source, Case& c) {
-  if (!source.one_in(4) || c.texture.desc.layers > 3) return;  // more layers have no texels
-  c.texture.desc.depth = c.texture.desc.layers;
-  c.texture.desc.layers = 1;
-  c.texture.desc.level_count = 0;
-  if (!source.one_in(8)) c.texture.desc.tables &= SHD_TABLE_MIPMAP;
-  c.sampler.wrap_w = static_cast<shd_wrap>(source.below(source.one_in(16) ? 8 : 5));
-  if (!source.one_in(8)) c.sampler.profile = SHD_PROFILE_LEAST_ERROR;
-  if (!source.one_in(8)) c.sampler.blur_u = c.sampler.blur_v = 0.0f;
-  for (int k = 7; k < kColumns; ++k) {
-    if (!source.one_in(8)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
-  }
-  if (source.one_in(4)) c.outputs |= source.below(16) << 12;
-}
-
-/// Makes the texture one of directions, of at most 5 x 5 texels a face.
-void choose_directions(Source& source, Case& c) {
-  shd_texture_desc& desc = c.texture.desc;
-  desc.projection = source.constant<shd_projection>(6);
-  for (int k = 7; k < 10; ++k) {
-    if (!source.one_in(16)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
-  }
-  if (!desc.texels || desc.width - 1 >= 9 || desc.height - 1 >= 9 || desc.layers > 6 || desc.flags || source.one_in(32))
-    return;
-  if (desc.projection != SHD_PROJECTION_LAT_LONG) desc.width = desc.height = desc.width < 5 ? desc.width : 5;
-  if (desc.projection == SHD_PROJECTION_CUBE) desc.layers = 6;
-  if (!source.one_in(32)) desc.tables &= SHD_TABLE_MIPMAP;
-  const size_t pixel = shd_format_size(desc.format);
-  const size_t stride = desc.row_stride ? desc.row_stride : desc.width * pixel;
-  const size_t given = c.texture.texels.size(), size = stride * desc.height * desc.layers;
-  for (size_t i = given; given > 0 && i < size; ++i) c.texture.texels.push_back(c.texture.texels[i - given]);
-  desc.texels = c.texture.texels.data();
-}
-
-void choose_case(Source& source, Case& c) {
+void choose_case(Source& source, LookupCase& c) {
   c.budget = choose_budget(source);
   choose_sampler(source, c.sampler);
   choose_texture(source, c.texture, 9);
@@ -100,19 +26,6 @@ void choose_case(Source& source, Case& c) {
   }
 }
 
-shd_lookups make_lookups(const Case& c) {
-  shd_lookups lookups = shd_lookups_default();
-  lookups.count = c.count;
-  shd_f32_in* columns[kColumns] = {&lookups.u,    &lookups.v,   &lookups.dudx, &lookups.dvdx, &lookups.dudy,
-                                   &lookups.dvdy, &lookups.lod, &lookups.w,    &lookups.dwdx, &lookups.dwdy};
-  for (int k = 0; k < kColumns; ++k) {
-    if (!c.columns[k].empty()) *columns[k] = shd_f32_column(c.columns[k].data(), 4 * c.steps[k]);
-  }
-  if (!c.integers[0].empty()) lookups.layer.data = c.integers[0].data();
-  if (!c.integers[1].empty()) lookups.random.data = c.integers[1].data();
-  return lookups;
-}
-
 /// Results of one run.
 struct Output {
   bool made = false;
@@ -120,17 +33,8 @@ struct Output {
   std::vector<float> values;
 };
 
-struct Objects {
-  shd_texture* texture = nullptr;
-  shd_sampler* sampler = nullptr;
-  ~Objects() {
-    shd_sampler_release(sampler);
-    shd_texture_release(texture);
-  }
-};
-
 /// Whether shd/lookup.h promises that every value is finite.
-bool promises_finite(const Case& c) {
+bool promises_finite(const LookupCase& c) {
   const shd_format format = c.texture.desc.format;
   if (is_half(format) || is_float(format)) return c.texture.finite;
   for (const float border : c.sampler.border) {
@@ -139,7 +43,7 @@ bool promises_finite(const Case& c) {
   return true;
 }
 
-void sample(const Host& host, const Case& c, const Objects& o, Output& output) {
+void sample(const Host& host, const LookupCase& c, const Objects& o, Output& output) {
   const shd_lookups lookups = make_lookups(c);
   shd_texels out = shd_texels_default();
   shd_f32_out* places[kOutputs];
@@ -164,7 +68,7 @@ void sample(const Host& host, const Case& c, const Objects& o, Output& output) {
   for (const float value : output.values) SHD_FUZZ_CHECK(std::isfinite(value));
 }
 
-void query_levels(const Host& host, const Case& c, const Objects& o, Output& output) {
+void query_levels(const Host& host, const LookupCase& c, const Objects& o, Output& output) {
   const shd_lookups lookups = make_lookups(c);
   Column<float> lod(c.count, c.out_step, kCanary);
   Column<uint32_t> level(c.count, c.out_step, kCanaryWord);
@@ -203,7 +107,7 @@ float replay(const shd_explanation& e, uint32_t c, std::vector<float>& nodes) {
   return e.scale_low[c] == 0 ? last : last * e.scale_high[c] + last * e.scale_low[c];
 }
 
-void check_taps(const Case& c, const shd_explanation& e) {
+void check_taps(const LookupCase& c, const shd_explanation& e) {
   SHD_FUZZ_CHECK(e.tap_count > 0 && e.tap_count <= kMaxTaps && e.blend_count < e.tap_count);
   for (uint32_t i = 0; i < e.tap_count; ++i) {
     const shd_tap& tap = e.taps[i];
@@ -216,7 +120,7 @@ void check_taps(const Case& c, const shd_explanation& e) {
   }
 }
 
-void explain(const Host& host, const Case& c, const Objects& o, const Output& output) {
+void explain(const Host& host, const LookupCase& c, const Objects& o, const Output& output) {
   static std::vector<shd_tap> taps(kMaxTaps);
   static std::vector<shd_blend_step> blends(kMaxTaps);
   static std::vector<float> nodes;
@@ -236,7 +140,7 @@ void explain(const Host& host, const Case& c, const Objects& o, const Output& ou
 }
 
 /// Runs the case on one target.
-void run(const Case& c, shd_simd simd, Output& output) {
+void run(const LookupCase& c, shd_simd simd, Output& output) {
   Host host(simd, c.budget);
   if (!host.context) return;
   Objects o;
@@ -253,7 +157,7 @@ void run(const Case& c, shd_simd simd, Output& output) {
 }  // namespace
 
 void describe(Source& source) {
-  Case c;
+  LookupCase c;
   choose_case(source, c);
 }
 
@@ -261,7 +165,7 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  compare_targets<Case, Output>(data, size, choose_case, run, [](const Output& best, const Output& baseline) {
+  compare_targets<LookupCase, Output>(data, size, choose_case, run, [](const Output& best, const Output& baseline) {
     SHD_FUZZ_CHECK(baseline.made == best.made);
     SHD_FUZZ_CHECK(best.nonfinite_count == baseline.nonfinite_count);
     SHD_FUZZ_CHECK(same_values(best.values, baseline.values));
