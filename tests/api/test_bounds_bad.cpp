@@ -226,6 +226,26 @@ void test_strange(void **)
     }
 }
 
+/// The sampler's widths apply to derivatives that are already within a face.
+void test_wide(void **)
+{
+    Random random{5};
+    Scenes scenes(g_context, 0, 22);
+    shd_bounds_desc desc = preset(SHD_RULES_VULKAN);
+    for (const float width : {0.0f, 0.4f, 8.5f, 64.0f}) {
+        for (Scene &scene : scenes.list) {
+            scene.lookups = strange_lookups(scene.kind, 200, &random);
+            scene.image.sampler.width_x = width;
+            scene.image.sampler.width_y = 8.0f;
+            for (shd_profile profile : {SHD_PROFILE_VULKAN, SHD_PROFILE_LEAST_ERROR, SHD_PROFILE_D3D11}) {
+                scene.image.sampler.profile = profile;
+                desc.level_rules = SHD_LEVEL_RULE_PROFILE;
+                check_strange(scene, desc);
+            }
+        }
+    }
+}
+
 void test_nonfinite_texels(void **)
 {
     static float texels[16];
@@ -277,8 +297,9 @@ void test_batches(void **)
 int main()
 {
     using namespace shd::tests;
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bad_desc),         cmocka_unit_test(test_bad_call),
-                                       cmocka_unit_test(test_refused),          cmocka_unit_test(test_strange),
-                                       cmocka_unit_test(test_nonfinite_texels), cmocka_unit_test(test_batches)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bad_desc), cmocka_unit_test(test_bad_call),
+                                       cmocka_unit_test(test_refused),  cmocka_unit_test(test_strange),
+                                       cmocka_unit_test(test_wide),     cmocka_unit_test(test_nonfinite_texels),
+                                       cmocka_unit_test(test_batches)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -34,7 +34,7 @@ void check_direction(Lookup* lookup) {
   lookup->point[2] = 1.0;
 }
 
-Lookup load(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
+Lookup load(const Texture& texture, const Lookups& in, size_t i) {
   Lookup lookup = {
       {value_at(in.u, i), value_at(in.v, i), value_at(in.w, i)}, {}, {}, value_at(in.lod, i), in.lod != nullptr, true,
       in.layer ? std::min(in.layer[i], texture.layers - 1) : 0};
@@ -50,19 +50,28 @@ Lookup load(const Texture& texture, const Sampler& sampler, const Lookups& in, s
   }
   if (in.lod) return lookup;
   const float* const columns[2][3] = {{in.dudx, in.dvdx, in.dwdx}, {in.dudy, in.dvdy, in.dwdy}};
-  const double width[2] = {static_cast<double>(sampler.width_x), static_cast<double>(sampler.width_y)};
   for (int axis = 0; axis < 2; ++axis) {
     for (int c = 0; c < 3; ++c) {
-      const double given = value_at(columns[axis][c], i), scaled = given * width[axis];
+      const double given = value_at(columns[axis][c], i);
       lookup.finite = lookup.finite && std::isfinite(given);
-      (axis == 0 ? lookup.dx : lookup.dy)[c] = std::isnan(scaled) ? 0.0 : scaled;
+      (axis == 0 ? lookup.dx : lookup.dy)[c] = std::isnan(given) ? 0.0 : given;
     }
   }
   return lookup;
 }
 
+/// Derivatives times the widths of the sampler. A width of 0 removes an infinite derivative.
+Steps widened_steps(const Sampler& sampler, const Steps& steps) {
+  const auto scaled = [](const Vector2& step, float width) {
+    const double u = step.u * static_cast<double>(width), v = step.v * static_cast<double>(width);
+    return Vector2{std::isnan(u) ? 0.0 : u, std::isnan(v) ? 0.0 : v};
+  };
+  return {scaled(steps.x, sampler.width_x), scaled(steps.y, sampler.width_y)};
+}
+
 BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const Steps& steps) {
-  return bounds_footprint(call.texture, call.sampler, call.model, steps, lookup.has_lod ? &lookup.lod : nullptr);
+  return bounds_footprint(call.texture, call.sampler, call.model, widened_steps(call.sampler, steps),
+                          lookup.has_lod ? &lookup.lod : nullptr);
 }
 
 bool exceeds_face(const Steps& steps) {
@@ -70,7 +79,8 @@ bool exceeds_face(const Steps& steps) {
                   std::max(std::fabs(steps.y.u), std::fabs(steps.y.v))) > 1.0;
 }
 
-/// shd takes derivatives of a face as at most one face long. Other implementations need not, so that both are legal.
+/// shd takes derivatives of a face as at most one face long, before it applies the sampler's widths. Other
+/// implementations need not, so that both are legal.
 Steps within_face(const Steps& steps) {
   const auto clamp = [](double x) { return std::min(std::max(x, -1.0), 1.0); };
   return {{clamp(steps.x.u), clamp(steps.x.v)}, {clamp(steps.y.u), clamp(steps.y.v)}};
@@ -130,7 +140,7 @@ size_t find_bounds(const Texture& texture, const Sampler& sampler, const BoundsM
   const BoundsCall call = {texture, sampler, model};
   size_t nonfinite = 0;
   for (size_t i = 0; i < lookups.count; ++i) {
-    const Lookup lookup = load(texture, sampler, lookups, i);
+    const Lookup lookup = load(texture, lookups, i);
     nonfinite += !lookup.finite;
     store(call, legal_values(call, lookup), i, lower, upper);
   }

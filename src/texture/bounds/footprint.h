@@ -11,7 +11,7 @@ struct Vector2 {
   double u, v;
 };
 
-/// Derivatives of a point, normalised, with the sampler's width; no NaN.
+/// Derivatives of a point, normalised; no NaN. Footprints are of derivatives times the sampler's widths.
 struct Steps {
   Vector2 x, y;
 };

@@ -9,10 +9,12 @@
 namespace shd::texture {
 namespace {
 
-/// A coordinate with the same texels. 2 is a period of REPEAT and MIRROR; other wraps are constant beyond [-2, 3].
+/// A coordinate with the same texels, at the place and at every probe about it. 2 is a period of REPEAT and MIRROR.
+/// Other wraps are constant beyond [-2, 3]. Lines of probes reach at most 128 texels, so at most 128 images.
 double reduced(shd_wrap wrap, double u) {
+  constexpr double kFar = 256.0;
   if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return std::fmod(u, 2.0);
-  return std::min(std::max(u, -2.0), 3.0);
+  return std::min(std::max(u, -kFar), kFar);
 }
 
 bool is_cube(const Plane& plane) {
