@@ -3,6 +3,7 @@
 
 #include "bench.h"
 #include "peers/peers.h"
+#include "usage.h"
 
 namespace shd::bench {
 
@@ -39,10 +40,24 @@ std::string cpu_name() {
   return "unknown";
 }
 
+std::string version() {
+  const uint32_t number = shd_version();
+  return std::to_string(number >> 16) + '.' + std::to_string(number >> 8 & 255) + '.' + std::to_string(number & 255);
+}
+
+/// SIMD targets, the best one first.
+std::string target_names() {
+  std::string names;
+  for (const Target& target : targets()) names = names.empty() ? target.name : target.name + ' ' + names;
+  return names;
+}
+
 void add_context() {
   benchmark::AddCustomContext("cpu", cpu_name());
+  benchmark::AddCustomContext("shd", version());
+  benchmark::AddCustomContext("simd", target_names());
   benchmark::AddCustomContext("compiler", SHD_BENCH_COMPILER);
-  benchmark::AddCustomContext("commit", SHD_BENCH_COMMIT);
+  if (*SHD_BENCH_COMMIT) benchmark::AddCustomContext("commit", SHD_BENCH_COMMIT);
 #ifdef SHD_BENCH_OSMESA
   benchmark::AddCustomContext("llvmpipe", llvmpipe_description());
 #endif
@@ -58,6 +73,7 @@ void add_context() {
 }  // namespace shd::bench
 
 int main(int argc, char** argv) {
+  shd::bench::read_usage(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   shd::bench::add_context();
@@ -87,7 +103,7 @@ int main(int argc, char** argv) {
   shd::bench::register_display();
   shd::bench::register_present();
 #endif
-  benchmark::RunSpecifiedBenchmarks();
+  const size_t matched = benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
-  return 0;
+  return shd::bench::status_of(matched);
 }
