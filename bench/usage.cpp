@@ -56,7 +56,8 @@ constexpr char kHead[] =
     "  shd-bench --benchmark_filter='^frame/quad/' --benchmark_out=quad.json\n"
     "  shd-bench --benchmark_filter='^call/ewa/' --benchmark_repetitions=9 --benchmark_report_aggregates_only=true\n"
     "\n"
-    "A row is GROUP/WHAT/.../WHO[/WHERE][/SIZE:N]. WHO is a SIMD target of shd or a peer. Rows of shd print their ratio\n"
+    "A row is GROUP/WHAT/.../WHO[/WHERE][/SIZE:N]. WHO is a SIMD target of shd or a peer. Rows of shd print their "
+    "ratio\n"
     "to a peer that ran before them in the same process, so a filter for ratios matches both.\n"
     "\n"
     "Groups (bench/README.md describes each row):\n";
@@ -111,7 +112,8 @@ void read_usage(int argc, char** argv) {
 
 int status_of(size_t matched) {
   if (matched > 0) return 0;
-  std::fprintf(stderr, "shd-bench: --benchmark_filter=%s matches no row; --list prints their names, --help the groups\n",
+  std::fprintf(stderr,
+               "shd-bench: --benchmark_filter=%s matches no row; --list prints their names, --help the groups\n",
                benchmark::GetBenchmarkFilter().c_str());
   return 1;
 }
