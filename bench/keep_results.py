@@ -48,6 +48,8 @@ def slug_of_machine():
 
 
 def run(command):
+    if not command[0].is_file():
+        fail(f"{command[0]} is missing; --build names a finished build with SHD_BUILD_BENCH and SHD_BUILD_EXAMPLES")
     print("== " + " ".join(map(str, command)), flush=True)
     if subprocess.run(command, check=False).returncode != 0:
         fail(f"{command[0]} failed")
