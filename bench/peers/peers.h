@@ -22,6 +22,12 @@ class Peer {
   virtual std::vector<float> image() = 0;
 };
 
+/// Texels of a peer are level 0 alone, from which the peer makes its own mip levels, or every level down to 1 x 1, one
+/// after another.
+inline bool has_levels(uint32_t edge, const std::vector<uint8_t>& texels) {
+  return texels.size() > size_t{edge} * edge * 4;
+}
+
 /// Version and settings, for the context of the results.
 std::string llvmpipe_description();
 std::string openimageio_description();

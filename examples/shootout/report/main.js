@@ -36,6 +36,7 @@ function start() {
   startLevels();
   drawRosettes();
   drawCurve();
+  drawVerdicts();
   drawFigures();
   return startCompare();
 }
