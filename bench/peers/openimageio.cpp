@@ -77,7 +77,7 @@ class TextureFile {
       spec.attribute("textureformat", "Plain Texture");
       if (!file->open(path_, spec, mode) || !file->write_image(spec.format, &texels[offset])) return false;
       offset += size_t{size} * size * 4;
-      mode = OIIO::ImageOutput::AppendSubimage;  // of a TIFF file with `textureformat`: the next mip level
+      mode = OIIO::ImageOutput::AppendSubimage;  // TIFF with `textureformat`: the next subimage is a mip level
     }
     return file && file->close();
   }

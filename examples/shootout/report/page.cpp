@@ -36,8 +36,8 @@ void write_file(const std::string& path, const std::string& text) {
 void write_report(const Options& options, const Measurements& m, const Costs& costs, const Verdicts& verdicts) {
   const std::string data = json_of(options, this_machine(), m, costs);
   std::string page = read_file(options.web + "/page.html"), scripts;
-  for (const char* name : {"base.js", "plots.js", "table.js", "compare.js", "taps.js", "curves.js", "verdicts.js",
-                           "main.js"}) {
+  for (const char* name :
+       {"base.js", "plots.js", "table.js", "compare.js", "taps.js", "curves.js", "verdicts.js", "main.js"}) {
     scripts += read_file(options.web + "/" + name);
   }
   inline_text("style", "<style>\n" + read_file(options.web + "/style.css") + "</style>", &page);

@@ -45,8 +45,7 @@ Departure relaxed(const std::string& name, const std::string& text, const Concer
 
 /// Values of a model, +-`error`.
 Departure modelled(const std::string& name, const std::string& text, float error, const Model& values) {
-  return {name, text, only_anisotropic,
-          [=](const JudgedTexture& texture, const Batch& batch, const shd_bounds_desc&) {
+  return {name, text, only_anisotropic, [=](const JudgedTexture& texture, const Batch& batch, const shd_bounds_desc&) {
             Limits limits;
             limits.lower = limits.upper = values(texture, batch);
             for (float& x : limits.lower) x -= error;
@@ -70,19 +69,20 @@ Change linear_logarithm(uint32_t result_bits) {
 }
 
 std::vector<Departure> of_openimageio() {
-  return {relaxed("level of the width",
-                  "The size of a footprint is the largest part of its derivatives in units of the texture. The coarser "
-                  "level is the first one on which it is at most a texel, and its share is linear in the size.",
-                  isotropic_levels,
-                  [](shd_bounds_desc*, Batch* batch, Lookups* q) {
-                    q->lod = openimageio_levels(batch->texture, *q, batch->filter != SHD_FILTER_TRILINEAR);
-                  }),
-          modelled("Gaussian probes",
-                   "Up to 31 probes of Gaussian weight lie on a line of almost twice the longer axis. Shares of levels are "
-                   "linear in the width of the shorter axis.",
-                   kCode / 4.0f, [](const JudgedTexture& texture, const Batch& batch) {
-                     return texture.sample(batch.lookups, judged_sampler(SHD_FILTER_ANISOTROPIC, SHD_PROFILE_OIIO));
-                   })};
+  return {
+      relaxed("level of the width",
+              "The size of a footprint is the largest part of its derivatives in units of the texture. The coarser "
+              "level is the first one on which it is at most a texel, and its share is linear in the size.",
+              isotropic_levels,
+              [](shd_bounds_desc*, Batch* batch, Lookups* q) {
+                q->lod = openimageio_levels(batch->texture, *q, batch->filter != SHD_FILTER_TRILINEAR);
+              }),
+      modelled("Gaussian probes",
+               "Up to 31 probes of Gaussian weight lie on a line of almost twice the longer axis. Shares of levels are "
+               "linear in the width of the shorter axis.",
+               kCode / 4.0f, [](const JudgedTexture& texture, const Batch& batch) {
+                 return texture.sample(batch.lookups, judged_sampler(SHD_FILTER_ANISOTROPIC, SHD_PROFILE_OIIO));
+               })};
 }
 
 std::vector<Departure> of_mesa() {
@@ -91,14 +91,14 @@ std::vector<Departure> of_mesa() {
       return llvmpipe_ellipses(batch.texture, batch.lookups, texel_before);
     };
   };
-  return {relaxed("8-bit steps",
-                  "Blends along u, along v and between levels are each rounded to 8 bits, so that a result is up to a "
-                  "code off, not half a code.",
-                  all_isotropic, bits(7)),
-          relaxed("linear logarithm",
+  return {relaxed("linear logarithm",
                   "The logarithm of the squared size is linear between powers of two, so that a level is up to 0.043 "
                   "off.",
                   only_trilinear, linear_logarithm(8)),
+          relaxed("8-bit steps",
+                  "Blends along u, along v and between levels are each rounded to 8 bits, so that a result is up to a "
+                  "code off, not half a code.",
+                  all_isotropic, bits(7)),
           relaxed("linear logarithm, 8-bit steps", "Both of these departures.", only_trilinear, linear_logarithm(7)),
           relaxed("linear logarithm, three 8-bit steps", "Both, and the three roundings add up to more than a code.",
                   only_trilinear, linear_logarithm(6)),
@@ -115,8 +115,7 @@ std::vector<Departure> of_mesa() {
 /// For implementations without a list of their own.
 std::vector<Departure> of_anything() {
   const auto every_rule = [](shd_bounds_desc* desc, Batch*, Lookups*) {
-    desc->level_rules =
-        SHD_LEVEL_RULE_LENGTHS | SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_VULKAN | SHD_LEVEL_RULE_OPENGL;
+    desc->level_rules = SHD_LEVEL_RULE_LENGTHS | SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_VULKAN | SHD_LEVEL_RULE_OPENGL;
   };
   const auto half_texel = [](shd_bounds_desc*, Batch* batch, Lookups* q) {
     const float half = 0.5f / static_cast<float>(batch->texture.edge);

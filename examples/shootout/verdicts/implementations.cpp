@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is judged: targets of shd and the peers of this build.
+// Judged implementations: the targets of shd, and the peers of this build.
 #include <algorithm>
 
 #include "../shd_pass.h"

@@ -31,8 +31,8 @@ std::string describe(const Batch& batch, size_t i, const float* value) {
 }
 
 /// Takes the refused lookups that a departure explains out of the list. Returns their number.
-size_t explain(const JudgedTexture& texture, const Batch& batch, const Departure& departure, const shd_bounds_desc& desc,
-               const std::vector<float>& values, std::vector<size_t>* refused) {
+size_t explain(const JudgedTexture& texture, const Batch& batch, const Departure& departure,
+               const shd_bounds_desc& desc, const std::vector<float>& values, std::vector<size_t>* refused) {
   const Lookups some = lookups_at(batch.lookups, *refused);
   const Limits limits = departure.limits(texture, {batch.texture, batch.filter, some}, desc);
   std::vector<size_t> left;

@@ -68,7 +68,7 @@ shd_sampler_desc judged_sampler(shd_filter filter, shd_profile profile);
 struct Limits {
   std::vector<float> lower, upper;
 
-  /// How far a value is outside; 0 = legal. `i` is an index of the limits, `value` has four channels.
+  /// Distance of a value from its limits; 0 = legal. `i` is an index of the limits, `value` has four channels.
   float outside(size_t i, const float* value) const;
 };
 Limits limits_of(const JudgedTexture& texture, const Batch& batch, const shd_bounds_desc& desc,
@@ -106,7 +106,7 @@ struct Verdicts {
   std::vector<Implementation> implementations;
   std::map<std::string, std::vector<Departure>> departures;  // by family
   std::vector<Tally> tallies;
-  size_t lookups = 0;  // of each implementation
+  size_t lookups = 0;  // judged lookups of each implementation
   double seconds = 0.0;
 };
 
