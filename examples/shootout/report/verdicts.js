@@ -52,10 +52,16 @@ function drawVerdicts() {
     'footprints of 1/8 to 64 texels and ratios of 1 to 16, on textures with the same levels for all: ' +
     `${verdicts.textures.join('; ')}. shd_texture_bounds() computes the legal values.${missing}`;
   for (const family of families.filter((name) => name !== 'shd')) {
-    for (const departure of verdicts.departures[family]) {
+    const rows = verdicts.rows.filter((row) => verdicts.families[row.i] === family);
+    const add = (name, number, text) => {
       const item = html('li', null, element('verdicts-departures'));
-      html('b', `${family}, ${departure.name}: `, item);
-      html('span', departure.text, item);
-    }
+      html('b', `${family}, ${name}: ${number.toLocaleString('en')}. `, item);
+      html('span', text, item);
+    };
+    verdicts.departures[family].forEach((departure, d) => {
+      add(departure.name, rows.reduce((sum, row) => sum + row.explained[d], 0), departure.text);
+    });
+    const worst = rows.reduce((a, b) => (b.farthest_unexplained > a.farthest_unexplained ? b : a));
+    add('not explained', rows.reduce((sum, row) => sum + row.unexplained, 0), worst.example);
   }
 }

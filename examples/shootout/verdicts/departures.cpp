@@ -104,7 +104,7 @@ std::vector<Departure> of_mesa() {
                   only_trilinear, linear_logarithm(6)),
           modelled("ellipse",
                    "Anisotropic lookups average the texels of one level under an elliptical Gaussian (Heckbert 1989), "
-                   "not probes on a line; the level is that of the shorter column, without a largest ratio.",
+                   "not probes on a line. The level is that of the shorter column, rounded down.",
                    0.6f * kCode, ellipse(false)),
           modelled("ellipse, texel before",
                    "The ellipse reads texel i of n at the rounded number i / n, which lies in texel i - 1 for some i "
