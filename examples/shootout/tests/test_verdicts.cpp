@@ -71,7 +71,7 @@ size_t explained_by(const Verdicts& verdicts, const Tally& tally, const std::str
 bool is_studied(const std::string& family) {
   const std::string version = family == "OpenImageIO" ? "OpenImageIO 2.4." : "Mesa 22.3.";
   for (const std::string& description : peer_descriptions()) {
-    if (description.find(version) != std::string::npos) return true;
+    if (description.find(family) == 0 && description.find(version) != std::string::npos) return true;
   }
   return false;
 }
