@@ -124,7 +124,7 @@ void print_fronts(const Measurements& m, const Costs& costs) {
       on, all, on_default);
 }
 
-void run(const Options& options) {
+void make_report(const Options& options) {
   for (const std::string& peer : missing_peers()) std::printf("== Left out: %s\n", peer.c_str());
   std::printf("== Pictures\n");
   double start = now();
@@ -138,6 +138,17 @@ void run(const Options& options) {
   write_report(options, m, costs);
   std::printf("   %.0f s\n== Done: %s/shootout.html (%ju bytes)\n", now() - start, options.out.c_str(),
               static_cast<uintmax_t>(std::filesystem::file_size(options.out + "/shootout.html")));
+}
+
+/// A peer that fails is named in the report, which has no rows of it.
+void run(const Options& options) {
+  try {
+    make_report(options);
+  } catch (const PeerFailure& failure) {
+    std::printf("== %s\n   Again without %s\n", failure.what(), name_of(failure.who));
+    drop_peer(failure.who, failure.what());
+    run(options);
+  }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ const data = JSON.parse(document.getElementById('data').textContent);
 const pictures = JSON.parse(document.getElementById('pictures').textContent);
 const taps = JSON.parse(document.getElementById('taps-data').textContent);
 const element = (id) => document.getElementById(id);
-const colours = { shd: '#0f62c4', OpenImageIO: '#d2601a', llvmpipe: '#2b8a57' };
+const colours = { shd: '#0f62c4', OpenImageIO: '#d2601a', llvmpipe: '#2b8a57', lavapipe: '#8b4fc0' };
 const svgNames = 'http://www.w3.org/2000/svg';
 
 const costs = new Map(data.costs.map((row) => [row.w + '/' + row.s, row]));
