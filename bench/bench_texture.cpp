@@ -123,14 +123,13 @@ bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
 void register_texture_peers() {
 #if defined(SHD_BENCH_OSMESA) || defined(SHD_BENCH_LAVAPIPE) || defined(SHD_BENCH_OIIO)
   const auto add_peer = [](const char* peer, const Filter& filter, const std::string& pattern, uint32_t edge) {
-    add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge),
-        [=](benchmark::State& state) {
-          try {
-            run_peer(state, peer, filter, pattern, edge);
-          } catch (const std::exception& e) {
-            state.SkipWithError(e.what());
-          }
-        });
+    add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge), [=](benchmark::State& state) {
+      try {
+        run_peer(state, peer, filter, pattern, edge);
+      } catch (const std::exception& e) {
+        state.SkipWithError(e.what());
+      }
+    });
   };
   for_each_workload([&](const Filter& filter, const std::string& pattern, uint32_t edge) {
     if (!has_own_peers(filter) || !is_measured(filter, kRgba8, edge)) return;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// What lavapipe.cpp needs of Vulkan: one device, its memory, and commands that are waited for. Everything throws
+/// The part of Vulkan that lavapipe.cpp uses: a device, its memory, and commands that are waited for. Everything throws
 /// std::runtime_error, whose text names the call and its result.
 namespace shd::bench::gpu {
 
@@ -75,6 +75,8 @@ class Device {
   VkDevice get() const { return device_; }
   /// Names and versions of the device, its driver and Vulkan.
   const std::string& description() const { return description_; }
+  /// Number of invocations that the device runs in one vector, a multiple of 4.
+  uint32_t vector_size() const { return vector_size_; }
   /// Memory for `needs`, in which the host can write. Every memory of lavapipe is such.
   Handle<VkDeviceMemory> allocate(const VkMemoryRequirements& needs) const;
   /// Commands to be recorded, until end().
@@ -93,7 +95,7 @@ class Device {
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
-  uint32_t family_ = 0;
+  uint32_t family_ = 0, vector_size_ = 4;
   Handle<VkCommandPool> pool_;
   std::string description_;
 };

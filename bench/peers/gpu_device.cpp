@@ -73,11 +73,14 @@ void Device::choose() {
   check(vkEnumeratePhysicalDevices(instance_, &count, all.data()), "vkEnumeratePhysicalDevices");
   for (VkPhysicalDevice device : all) {
     auto driver = structure<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+    auto group = structure<VkPhysicalDeviceSubgroupProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
+    driver.pNext = &group;
     auto properties = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
     properties.pNext = &driver;
     vkGetPhysicalDeviceProperties2(device, &properties);
     if (!is_lavapipe(properties.properties)) continue;
     physical_ = device;
+    vector_size_ = group.subgroupSize;
     description_ = std::string(properties.properties.deviceName) + ", Vulkan " +
                    version_text(properties.properties.apiVersion) + ", " + driver.driverInfo + ", LP_NUM_THREADS=0";
     return;
@@ -136,8 +139,7 @@ void Device::free(VkCommandBuffer commands) const {
 }
 
 Handle<VkDeviceMemory> Device::allocate(const VkMemoryRequirements& needs) const {
-  constexpr VkMemoryPropertyFlags kShared =
-      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  constexpr VkMemoryPropertyFlags kShared = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   VkPhysicalDeviceMemoryProperties memory = {};
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
   for (uint32_t i = 0; i < memory.memoryTypeCount; ++i) {

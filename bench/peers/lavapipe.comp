@@ -22,7 +22,7 @@ void main() {
   vec4 colour;
   if (kLevels) {
     const vec2 dx = pair(2, at), dy = pair(4, at);
-    if (kInvocations == 4) uv += float(lane & 1) * dx + float(lane >> 1) * dy;
+    if (kInvocations > 1) uv += float(lane & 1) * dx + float(lane >> 1 & 1) * dy;  // each four are 2 x 2 pixels
     colour = textureGrad(image, uv, dx, dy);
   } else {
     colour = textureLod(image, uv, 0.0);

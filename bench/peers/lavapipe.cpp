@@ -98,8 +98,8 @@ void Program::make_layout(VkDevice device) {
   auto set = gpu::structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
   set.bindingCount = 3;
   set.pBindings = bindings;
-  set_layout_ = gpu::make(device, set, vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout,
-                          "vkCreateDescriptorSetLayout");
+  set_layout_ =
+      gpu::make(device, set, vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, "vkCreateDescriptorSetLayout");
   const VkPushConstantRange count = {VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(uint32_t)};
   const VkDescriptorSetLayout sets[] = {set_layout_.get()};
   auto info = gpu::structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
@@ -132,9 +132,10 @@ void Program::make_pipeline(VkDevice device, uint32_t invocations, bool levels) 
 }
 
 /// The anisotropic filter of Mesa takes its axes from differences between 2 x 2 neighbouring invocations, although the
-/// shader gives it derivatives. So each of its lookups has four invocations, at its point and at its differences.
-uint32_t invocations_of(PeerFilter filter) {
-  return filter == PeerFilter::kAnisotropic16 ? 4 : 1;
+/// shader gives it derivatives, and one size of the level for all invocations of a vector. So each of its lookups has a
+/// vector of invocations, at its point and at its differences.
+uint32_t invocations_of(PeerFilter filter, const gpu::Device& device) {
+  return filter == PeerFilter::kAnisotropic16 ? device.vector_size() : 1;
 }
 
 uint32_t work_groups(size_t lookups, uint32_t invocations) {
@@ -148,9 +149,9 @@ class LavapipePass final : public Peer {
  public:
   LavapipePass(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
       : lookups_(lookups),
-        invocations_(invocations_of(filter)),
-        groups_(work_groups(lookups.count(), invocations_)),
         device_(shared_device()),
+        invocations_(invocations_of(filter, *device_)),
+        groups_(work_groups(lookups.count(), invocations_)),
         program_(device_->get(), filter, invocations_),
         texture_(*device_, make_levels(edge, texels)),
         columns_(*device_, lookups.count() * kColumns * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
@@ -182,8 +183,8 @@ class LavapipePass final : public Peer {
   void record();
 
   const Lookups& lookups_;
-  uint32_t invocations_, groups_;
   std::shared_ptr<const gpu::Device> device_;
+  uint32_t invocations_, groups_;
   Program program_;
   gpu::Texture texture_;
   gpu::Buffer columns_, results_;

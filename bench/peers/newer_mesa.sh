@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash
 # Functions for programs beside the Mesa of Debian 13 (trixie, Mesa 25.0), to be sourced at the root of the project by a
 # script that runs as root on a Debian with debootstrap. The chroot is that of tests/support/debian13_chroot.sh.
 # SHD_JOBS limits the number of jobs (default: one per core).

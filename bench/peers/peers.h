@@ -20,7 +20,7 @@ class Peer {
   virtual void run() = 0;
   /// Takes over lookups that have changed in their place; their number stays.
   virtual void refresh() {}
-  /// How often run() filters each lookup.
+  /// The number of times that run() filters each lookup.
   virtual uint32_t copies() const { return 1; }
   /// The latest pass as RGBA floats, one per lookup or pixel, row 0 on top.
   virtual std::vector<float> image() = 0;

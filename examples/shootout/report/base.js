@@ -6,6 +6,9 @@ const pictures = JSON.parse(document.getElementById('pictures').textContent);
 const taps = JSON.parse(document.getElementById('taps-data').textContent);
 const element = (id) => document.getElementById(id);
 const colours = { shd: '#0f62c4', OpenImageIO: '#d2601a', llvmpipe: '#2b8a57', lavapipe: '#8b4fc0' };
+// Later points are drawn over earlier ones. The filters of lavapipe are nearly those of llvmpipe, so smaller points and
+// dashes keep both visible.
+const radii = { shd: 3.8, OpenImageIO: 3.4, llvmpipe: 3.2, lavapipe: 1.9 };
 const svgNames = 'http://www.w3.org/2000/svg';
 
 const costs = new Map(data.costs.map((row) => [row.w + '/' + row.s, row]));

@@ -92,10 +92,10 @@ function plot(w, t, across, measure, parent) {
   for (const who of ['shd', ...peers]) {
     const line = frontOf(points.filter((p) => p.setting.who === who));
     svg('polyline', { points: line.map((p) => `${px(p.x)},${py(p.y)}`).join(' '), fill: 'none', stroke: colours[who],
-      'stroke-width': 1.6, 'stroke-opacity': 0.75 }, graph);
+      'stroke-width': 1.6, 'stroke-opacity': 0.75, 'stroke-dasharray': who === 'lavapipe' ? '4 4' : 'none' }, graph);
   }
   for (const p of points) {
-    const dot = svg('circle', { cx: px(p.x), cy: py(p.y), r: 3.4, fill: colours[p.setting.who], 'fill-opacity': 0.85,
+    const dot = svg('circle', { cx: px(p.x), cy: py(p.y), r: radii[p.setting.who], fill: colours[p.setting.who], 'fill-opacity': 0.85,
       stroke: '#fff', 'stroke-width': 0.8 }, graph);
     tipOn(dot, `${p.setting.title}\n${measure[1]} ${+p.y.toPrecision(5)}, ${+p.x.toPrecision(4)} ${across === 'texels' ? 'texels' : 'ns'}`);
   }

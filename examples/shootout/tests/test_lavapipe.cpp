@@ -117,6 +117,26 @@ void test_axes() {
   expect(isotropic < 0.1, "trilinear, stripes along the longer axis: contrast", isotropic);
 }
 
+/// A lookup does not depend on the lookups next to it, whose levels are others.
+void test_neighbours() {
+  const shootout::Texture texture = noise();
+  Lookups all = lookups(16, 2.0f, 1.0f);
+  for (size_t i = 0; i < all.count(); ++i) {
+    all.dudx[i] *= static_cast<float>(1u << i % 5);
+    all.dvdy[i] *= static_cast<float>(1u << i % 4);
+  }
+  for (const PeerFilter filter : {PeerFilter::kNearestMip, PeerFilter::kTrilinear, PeerFilter::kAnisotropic16}) {
+    const std::vector<float> together = lavapipe(texture, all, filter);
+    for (size_t i = 0; i < all.count(); ++i) {
+      Lookups one = {{all.u[i]}, {all.v[i]}, {all.dudx[i]}, {all.dvdx[i]}, {all.dudy[i]}, {all.dvdy[i]}, {}};
+      const std::vector<float> alone = lavapipe(texture, one, filter);
+      const auto near = [](float a, float b) { return std::fabs(a - b) < 1e-5f; };
+      const bool equal = std::equal(alone.begin(), alone.end(), together.begin() + static_cast<ptrdiff_t>(4 * i), near);
+      expect(equal, "neighbours change lookup", static_cast<double>(i));
+    }
+  }
+}
+
 void test_refresh() {
   const shootout::Texture texture = noise();
   Lookups q = lookups(64, 1.0f, 1.0f);
@@ -152,6 +172,7 @@ int run() {
   std::printf("%s\n", shd::bench::lavapipe_description().c_str());
   test_texels();
   test_axes();
+  test_neighbours();
   test_refresh();
   test_empty();
   if (failures == 0) std::printf("lavapipe: all checks passed\n");
