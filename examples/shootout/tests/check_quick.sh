@@ -31,6 +31,11 @@ PYTHON
 "$program" --figure overblur -o "$folder"
 [ "$(head -c 4 "$folder/overblur.png" | tail -c 3)" = PNG ]
 
+# Without a device of Vulkan, lavapipe is named as missing and has no rows.
+without=$(VK_DRIVER_FILES=/no/driver VK_ICD_FILENAMES=/no/driver "$program" --list)
+[[ $without == *"missing peer: lavapipe"* ]] || { echo "lavapipe is not named as missing"; exit 1; }
+[[ $without != *lavapipe_trilinear* ]] || { echo "lavapipe has rows without a device"; exit 1; }
+
 # refused TEXT OPTION...: the program fails, and its message has the text
 refused() {
   local text=$1 message
