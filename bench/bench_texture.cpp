@@ -97,8 +97,8 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
 }
 
 template <class Body>
-void add(const std::string& name, Body body) {
-  benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+benchmark::internal::Benchmark* add(const std::string& name, Body body) {
+  return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
 }
 
 /// Calls body(filter, pattern, edge) for every combination.
@@ -123,13 +123,15 @@ bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
 void register_texture_peers() {
 #if defined(SHD_BENCH_OSMESA) || defined(SHD_BENCH_LAVAPIPE) || defined(SHD_BENCH_OIIO)
   const auto add_peer = [](const char* peer, const Filter& filter, const std::string& pattern, uint32_t edge) {
-    add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge), [=](benchmark::State& state) {
+    const auto run = [=](benchmark::State& state) {
       try {
         run_peer(state, peer, filter, pattern, edge);
       } catch (const std::exception& e) {
         state.SkipWithError(e.what());
       }
-    });
+    };
+    auto* row = add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge), run);
+    if (peer == std::string("lavapipe")) row->MeasureProcessCPUTime();  // it works on the thread of its queue
   };
   for_each_workload([&](const Filter& filter, const std::string& pattern, uint32_t edge) {
     if (!has_own_peers(filter) || !is_measured(filter, kRgba8, edge)) return;
