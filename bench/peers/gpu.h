@@ -77,6 +77,8 @@ class Device {
   const std::string& description() const { return description_; }
   /// Number of invocations that the device runs in one vector, a multiple of 4.
   uint32_t vector_size() const { return vector_size_; }
+  /// Whether compute shaders have implicit derivatives.
+  bool has_derivatives() const { return !derivatives_.empty(); }
   /// Memory for `needs`, in which the host can write. Every memory of lavapipe is such.
   Handle<VkDeviceMemory> allocate(const VkMemoryRequirements& needs) const;
   /// Commands to be recorded, until end().
@@ -89,6 +91,7 @@ class Device {
  private:
   void make_instance();
   void choose();
+  void find_derivatives();
   void make_device();
 
   VkInstance instance_ = VK_NULL_HANDLE;
@@ -97,7 +100,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   uint32_t family_ = 0, vector_size_ = 4;
   Handle<VkCommandPool> pool_;
-  std::string description_;
+  std::string description_, derivatives_;  // the latter is the name of an extension
 };
 
 /// A buffer that the host sees.

@@ -43,6 +43,7 @@ Device::Device() {
   try {
     make_instance();
     choose();
+    find_derivatives();
     make_device();
   } catch (...) {
     if (device_) vkDestroyDevice(device_, nullptr);
@@ -88,6 +89,19 @@ void Device::choose() {
   throw std::runtime_error("lavapipe: Vulkan has no such device");
 }
 
+void Device::find_derivatives() {
+  uint32_t count = 0;
+  check(vkEnumerateDeviceExtensionProperties(physical_, nullptr, &count, nullptr),
+        "vkEnumerateDeviceExtensionProperties");
+  std::vector<VkExtensionProperties> all(count);
+  check(vkEnumerateDeviceExtensionProperties(physical_, nullptr, &count, all.data()),
+        "vkEnumerateDeviceExtensionProperties");
+  for (const VkExtensionProperties& extension : all) {
+    const std::string name = extension.extensionName;
+    if (name == "VK_KHR_compute_shader_derivatives") derivatives_ = name;
+  }
+}
+
 void Device::make_device() {
   VkPhysicalDeviceFeatures features = {};
   vkGetPhysicalDeviceFeatures(physical_, &features);
@@ -103,6 +117,16 @@ void Device::make_device() {
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   info.pEnabledFeatures = &features;
+  // The structure of VK_NV_compute_shader_derivatives is that of the extension of Khronos.
+  auto implicit = structure<VkPhysicalDeviceComputeShaderDerivativesFeaturesNV>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COMPUTE_SHADER_DERIVATIVES_FEATURES_NV);
+  implicit.computeDerivativeGroupLinear = VK_TRUE;
+  const char* extensions[] = {derivatives_.c_str()};
+  if (has_derivatives()) {
+    info.pNext = &implicit;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = extensions;
+  }
   check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
   vkGetDeviceQueue(device_, family_, 0, &queue_);
   auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);

@@ -12,14 +12,17 @@ function(add_lavapipe target)
     message(STATUS "${target}: no Vulkan or no glslangValidator (libvulkan-dev, glslang-tools), lavapipe is left out")
     return()
   endif()
-  set(header ${CMAKE_CURRENT_BINARY_DIR}/lavapipe/lavapipe_shader.h)
-  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/lavapipe)
-  add_custom_command(OUTPUT ${header}
-    COMMAND ${SHD_GLSLANG} -V --quiet --vn kLavapipeShader -o ${header} ${lavapipe_folder}/lavapipe.comp
-    DEPENDS ${lavapipe_folder}/lavapipe.comp VERBATIM)
-  target_sources(${target} PRIVATE ${header} ${lavapipe_folder}/lavapipe.cpp ${lavapipe_folder}/gpu_device.cpp
+  set(shader ${lavapipe_folder}/lavapipe.comp)
+  set(headers ${CMAKE_CURRENT_BINARY_DIR}/lavapipe)
+  file(MAKE_DIRECTORY ${headers})
+  add_custom_command(OUTPUT ${headers}/lavapipe_shader.h ${headers}/lavapipe_implicit.h
+    COMMAND ${SHD_GLSLANG} -V --quiet --vn kLavapipeShader -o ${headers}/lavapipe_shader.h ${shader}
+    COMMAND ${SHD_GLSLANG} -V --quiet -DIMPLICIT --vn kLavapipeImplicit -o ${headers}/lavapipe_implicit.h ${shader}
+    DEPENDS ${shader} VERBATIM)
+  target_sources(${target} PRIVATE ${headers}/lavapipe_shader.h ${headers}/lavapipe_implicit.h
+                                   ${lavapipe_folder}/lavapipe.cpp ${lavapipe_folder}/gpu_device.cpp
                                    ${lavapipe_folder}/gpu_memory.cpp)
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/lavapipe)
+  target_include_directories(${target} PRIVATE ${headers})
   target_compile_definitions(${target} PUBLIC SHD_BENCH_LAVAPIPE)
   target_link_libraries(${target} PRIVATE Vulkan::Vulkan)
 endfunction()

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One lookup for kInvocations neighbouring invocations; the first one stores the result.
+// One lookup for kInvocations neighbouring invocations; the first one stores the result. With IMPLICIT, differences
+// between each four invocations are the derivatives, as in fragment shaders.
+#ifdef IMPLICIT
+#extension GL_NV_compute_shader_derivatives : require
+#endif
 layout(local_size_x = 256) in;
+#ifdef IMPLICIT
+layout(derivative_group_linearNV) in;
+#endif
 layout(constant_id = 0) const uint kInvocations = 1;
 layout(constant_id = 1) const bool kLevels = true;
 
@@ -23,7 +30,11 @@ void main() {
   if (kLevels) {
     const vec2 dx = pair(2, at), dy = pair(4, at);
     if (kInvocations > 1) uv += float(lane & 1) * dx + float(lane >> 1 & 1) * dy;  // each four are 2 x 2 pixels
+#ifdef IMPLICIT
+    colour = texture(image, uv);
+#else
     colour = textureGrad(image, uv, dx, dy);
+#endif
   } else {
     colour = textureLod(image, uv, 0.0);
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gpu.h"
+#include "lavapipe_implicit.h"
 #include "lavapipe_shader.h"
 #include "peers.h"
 
@@ -66,11 +67,12 @@ VkSamplerCreateInfo sampler_info(PeerFilter filter) {
 /// The shader for one filter, with the layout of its arguments.
 class Program {
  public:
-  Program(VkDevice device, PeerFilter filter, uint32_t invocations) {
+  /// The lookups have `invocations` each, and implicit derivatives or their own.
+  Program(VkDevice device, PeerFilter filter, uint32_t invocations, bool implicit) {
     const VkSamplerCreateInfo sampler = sampler_info(filter);
     sampler_ = gpu::make(device, sampler, vkCreateSampler, vkDestroySampler, "vkCreateSampler");
     make_layout(device);
-    make_pipeline(device, invocations, filter != PeerFilter::kNearest && filter != PeerFilter::kBilinear);
+    make_pipeline(device, invocations, filter != PeerFilter::kNearest && filter != PeerFilter::kBilinear, implicit);
   }
   VkSampler sampler() const { return sampler_.get(); }
   VkDescriptorSetLayout set_layout() const { return set_layout_.get(); }
@@ -79,7 +81,7 @@ class Program {
 
  private:
   void make_layout(VkDevice device);
-  void make_pipeline(VkDevice device, uint32_t invocations, bool levels);
+  void make_pipeline(VkDevice device, uint32_t invocations, bool levels, bool implicit);
 
   gpu::Handle<VkSampler> sampler_;
   gpu::Handle<VkDescriptorSetLayout> set_layout_;
@@ -110,10 +112,10 @@ void Program::make_layout(VkDevice device) {
   layout_ = gpu::make(device, info, vkCreatePipelineLayout, vkDestroyPipelineLayout, "vkCreatePipelineLayout");
 }
 
-void Program::make_pipeline(VkDevice device, uint32_t invocations, bool levels) {
+void Program::make_pipeline(VkDevice device, uint32_t invocations, bool levels, bool implicit) {
   auto code = gpu::structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  code.codeSize = sizeof kLavapipeShader;
-  code.pCode = kLavapipeShader;
+  code.codeSize = implicit ? sizeof kLavapipeImplicit : sizeof kLavapipeShader;
+  code.pCode = implicit ? kLavapipeImplicit : kLavapipeShader;
   const auto shader = gpu::make(device, code, vkCreateShaderModule, vkDestroyShaderModule, "vkCreateShaderModule");
   const uint32_t constants[2] = {invocations, levels ? VK_TRUE : VK_FALSE};
   const VkSpecializationMapEntry entries[2] = {{0, 0, sizeof(uint32_t)}, {1, sizeof(uint32_t), sizeof(uint32_t)}};
@@ -131,9 +133,10 @@ void Program::make_pipeline(VkDevice device, uint32_t invocations, bool levels) 
   pipeline_ = gpu::Handle<VkPipeline>(device, pipeline, vkDestroyPipeline);
 }
 
-/// The anisotropic filter of Mesa takes its axes from differences between 2 x 2 neighbouring invocations, although the
-/// shader gives it derivatives, and one size of the level for all invocations of a vector. So each of its lookups has a
-/// vector of invocations, at its point and at its differences.
+/// The anisotropic filter of Mesa 22 takes its axes from differences between 2 x 2 neighbouring invocations, although
+/// the shader gives it derivatives, and one size of the level for all invocations of a vector. So each of its lookups
+/// has a vector of invocations, at its point and at its differences. Mesa 25 filters lookups with explicit derivatives
+/// trilinearly, but its compute shaders have implicit ones.
 uint32_t invocations_of(PeerFilter filter, const gpu::Device& device) {
   return filter == PeerFilter::kAnisotropic16 ? device.vector_size() : 1;
 }
@@ -152,7 +155,7 @@ class LavapipePass final : public Peer {
         device_(shared_device()),
         invocations_(invocations_of(filter, *device_)),
         groups_(work_groups(lookups.count(), invocations_)),
-        program_(device_->get(), filter, invocations_),
+        program_(device_->get(), filter, invocations_, invocations_ > 1 && device_->has_derivatives()),
         texture_(*device_, make_levels(edge, texels)),
         columns_(*device_, lookups.count() * kColumns * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
         results_(*device_, lookups.count() * 4 * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
