@@ -250,6 +250,7 @@ class LookupsPass final : public Pass {
     glUniform1i(glGetUniformLocation(program_, "edge"), static_cast<GLint>(frame));
   }
   ~LookupsPass() override { glDeleteTextures(2, columns_); }
+  uint32_t copies() const override { return 4; }
   void run() override {
     begin();
     glDisable(GL_DEPTH_TEST);

@@ -136,7 +136,7 @@ void require_legal(const Verdicts& verdicts) {
   }
 }
 
-void run(const Options& options) {
+void make_report(const Options& options) {
   for (const std::string& peer : missing_peers()) std::printf("== Left out: %s\n", peer.c_str());
   std::printf("== Pictures\n");
   double start = now();
@@ -164,6 +164,17 @@ void make_verdicts(const Options& options) {
   require_legal(verdicts);
 }
 
+/// A peer that fails is named in the report, which has no rows of it.
+void run(const Options& options, void (*make)(const Options& options)) {
+  try {
+    make(options);
+  } catch (const PeerFailure& failure) {
+    std::printf("== %s\n   Again without %s\n", failure.what(), name_of(failure.who));
+    drop_peer(failure.who, failure.what());
+    run(options, make);
+  }
+}
+
 }  // namespace
 }  // namespace shootout
 
@@ -174,9 +185,9 @@ int main(int count, char** arguments) {
     if (!shootout::parse(count, arguments, &options)) return 0;
     const auto& names = shootout::figure_names();
     if (options.only_verdicts) {
-      shootout::make_verdicts(options);
+      shootout::run(options, shootout::make_verdicts);
     } else if (options.figure.empty()) {
-      shootout::run(options);
+      shootout::run(options, shootout::make_report);
     } else {
       if (options.figure != "all") {
         bool known = false;

@@ -29,13 +29,18 @@ verdicts = json.loads((folder / "verdicts.json").read_text())
 for row in verdicts["rows"]:
     assert sum(row["explained"]) + row["unexplained"] == row["refused"] <= row["judged"], row
     assert verdicts["families"][row["i"]] != "shd" or row["refused"] == 0, row
-for peer in ("OpenImageIO", "llvmpipe"):
+for peer in ("OpenImageIO", "llvmpipe", "lavapipe"):
     assert peer in verdicts["families"] or peer in " ".join(verdicts["missing"]), f"{peer} is silently absent"
 print(len(lines), "pictures; PSNR of the floor:", floor)
 PYTHON
 
 "$program" --figure overblur -o "$folder"
 [ "$(head -c 4 "$folder/overblur.png" | tail -c 3)" = PNG ]
+
+# Without a device of Vulkan, lavapipe is named as missing and has no rows.
+without=$(VK_DRIVER_FILES=/no/driver VK_ICD_FILENAMES=/no/driver "$program" --list)
+[[ $without == *"missing peer: lavapipe"* ]] || { echo "lavapipe is not named as missing"; exit 1; }
+[[ $without != *lavapipe_trilinear* ]] || { echo "lavapipe has rows without a device"; exit 1; }
 
 # refused TEXT OPTION...: the program fails, and its message has the text
 refused() {
