@@ -12,12 +12,13 @@ struct Axes {
   double ux, vx, uy, vy;
 };
 
-Axes axes_on_level(const Lookups& q, size_t i, double edge, double most) {
+/// The level is log2 of the shorter axis, rounded as `round` does.
+Axes axes_on_level(const Lookups& q, size_t i, double edge, double most, double (*round)(double)) {
   const auto texels = [&](const std::vector<float>& column) { return edge * static_cast<double>(column[i]); };
   Axes axes = {texels(q.dudx), texels(q.dvdx), texels(q.dudy), texels(q.dvdy)};
   const double x = std::hypot(axes.ux, axes.vx), y = std::hypot(axes.uy, axes.vy);
   const double shorter = std::max({std::min(x, y), std::max(x, y) / most, 1.0});
-  const double scale = std::exp2(-std::round(std::log2(shorter)));
+  const double scale = std::exp2(-round(std::log2(shorter)));
   for (double* value : {&axes.ux, &axes.vx, &axes.uy, &axes.vy}) *value *= scale;
   return axes;
 }
@@ -31,9 +32,9 @@ double ellipse_texels(const Axes& p) {
   return 3.14159265358979323846 * std::sqrt(a * c - b * b / 4.0);
 }
 
-/// Texels of bilinear probes. Mesa 25 averages as many probes along the longer axis as its length on one level has
-/// texels, but at most 16, after the example of the Vulkan specification ("Texel Anisotropic Filtering"). The length of
-/// an axis is its larger component there.
+/// Texels of bilinear probes. Mesa 25 averages as many probes along the longer axis as its length on the finer of two
+/// levels has texels, but at most 16, after the example of the Vulkan specification ("Texel Anisotropic Filtering"). The
+/// length of an axis is its larger component there.
 double probe_texels(const Axes& p) {
   const double x = std::max(std::fabs(p.ux), std::fabs(p.vx)), y = std::max(std::fabs(p.uy), std::fabs(p.vy));
   return 4.0 * std::clamp(std::ceil(std::max(x, y)), 1.0, 16.0);
@@ -42,8 +43,8 @@ double probe_texels(const Axes& p) {
 }  // namespace
 
 double mesa_texels(const Setting& setting, const Lookups& q, size_t i, double edge, double most) {
-  const Axes axes = axes_on_level(q, i, edge, most);
-  return setting.mesa < 25.0 ? ellipse_texels(axes) : probe_texels(axes);
+  if (setting.mesa < 25.0) return ellipse_texels(axes_on_level(q, i, edge, most, std::round));
+  return probe_texels(axes_on_level(q, i, edge, most, std::floor));
 }
 
 }  // namespace shootout
