@@ -59,6 +59,9 @@ std::vector<float> image_of(const Filter& filter, const std::string& who, const 
   if (who == "llvmpipe")
     pass = make_llvmpipe_surface(floor_surface(floor), floor.frame, picture.edge, picture.rgba, filter.peer);
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  if (who == "lavapipe") pass = make_lavapipe(lookups, picture.edge, picture.rgba, filter.peer);
+#endif
 #ifdef SHD_BENCH_OIIO
   if (who == "openimageio") pass = make_openimageio(lookups, picture.edge, picture.rgba, filter.peer);
 #endif
@@ -101,6 +104,9 @@ void register_quality() {
       if (!has_own_peers(filter)) continue;
 #ifdef SHD_BENCH_OSMESA
       add(filter, "llvmpipe", kFloor, picture);
+#endif
+#ifdef SHD_BENCH_LAVAPIPE
+      if (lavapipe_problem().empty()) add(filter, "lavapipe", kFloor, picture);
 #endif
 #ifdef SHD_BENCH_OIIO
       add(filter, "openimageio", kFloor, picture);

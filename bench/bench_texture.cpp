@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // texture/<filter>/<format>/<target or peer>/<floor or random>/edge:<texels>: one lookup per pixel of a 1024 x 1024
 // frame, from one thread. The floor has analytic derivatives; random lookups have a footprint of 1.5 texels.
+#include <exception>
 #include <map>
 #include <memory>
 
@@ -57,7 +58,7 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   for (auto _ : state) sampling.run(columns, &out);
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * columns.count);
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns.count));
-  for (const char* peer : {"llvmpipe", "openimageio", "openimageio_batch"}) {
+  for (const char* peer : {"llvmpipe", "lavapipe", "openimageio", "openimageio_batch"}) {
     const double other = recorded_rate(row_name(filter.peer_row, format.name, peer, pattern, edge));
     if (other > 0.0) state.counters[std::string("ratio_") + peer] = rate / other;
   }
@@ -71,6 +72,9 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   const Surface floor = floor_surface(Floor::of_texture(edge));
   if (peer == "llvmpipe") pass = make_llvmpipe_surface(floor, kFrameEdge, edge, rgba8(edge), filter.peer);
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  if (peer == "lavapipe") pass = make_lavapipe(q, edge, rgba8(edge), filter.peer);
+#endif
 #ifdef SHD_BENCH_OIIO
   if (peer == "openimageio") pass = make_openimageio(q, edge, rgba8(edge), filter.peer);
   if (peer == "openimageio_batch") pass = make_openimageio_batch(q, edge, rgba8(edge), filter.peer);
@@ -78,8 +82,9 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   pass->run();
   const Stopwatch watch;
   for (auto _ : state) pass->run();
-  const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * kLookupCount);
-  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kLookupCount));
+  const size_t count = kLookupCount * pass->copies();
+  const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * static_cast<double>(count));
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(count));
   record_rate(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge), rate);
   const std::vector<float> ours = filtered_image(filter, q, edge, rgba8(edge)), theirs = pass->image();
   const Difference difference = compare(ours, theirs);
@@ -92,8 +97,8 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
 }
 
 template <class Body>
-void add(const std::string& name, Body body) {
-  benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+benchmark::internal::Benchmark* add(const std::string& name, Body body) {
+  return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
 }
 
 /// Calls body(filter, pattern, edge) for every combination.
@@ -116,15 +121,25 @@ bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
 }  // namespace
 
 void register_texture_peers() {
-#if defined(SHD_BENCH_OSMESA) || defined(SHD_BENCH_OIIO)
+#if defined(SHD_BENCH_OSMESA) || defined(SHD_BENCH_LAVAPIPE) || defined(SHD_BENCH_OIIO)
   const auto add_peer = [](const char* peer, const Filter& filter, const std::string& pattern, uint32_t edge) {
-    add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge),
-        [=](benchmark::State& state) { run_peer(state, peer, filter, pattern, edge); });
+    const auto run = [=](benchmark::State& state) {
+      try {
+        run_peer(state, peer, filter, pattern, edge);
+      } catch (const std::exception& e) {
+        state.SkipWithError(e.what());
+      }
+    };
+    auto* row = add(row_name(filter.peer_row, kRgba8.name, peer, pattern, edge), run);
+    if (peer == std::string("lavapipe")) row->MeasureProcessCPUTime();  // it works on the thread of its queue
   };
   for_each_workload([&](const Filter& filter, const std::string& pattern, uint32_t edge) {
     if (!has_own_peers(filter) || !is_measured(filter, kRgba8, edge)) return;
 #ifdef SHD_BENCH_OSMESA
     if (pattern == "floor") add_peer("llvmpipe", filter, pattern, edge);
+#endif
+#ifdef SHD_BENCH_LAVAPIPE
+    if (lavapipe_problem().empty()) add_peer("lavapipe", filter, pattern, edge);
 #endif
 #ifdef SHD_BENCH_OIIO
     add_peer("openimageio", filter, pattern, edge);

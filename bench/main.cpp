@@ -61,6 +61,10 @@ void add_context() {
 #ifdef SHD_BENCH_OSMESA
   benchmark::AddCustomContext("llvmpipe", llvmpipe_description());
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  const std::string problem = lavapipe_problem();
+  benchmark::AddCustomContext("lavapipe", problem.empty() ? lavapipe_description() : "left out: " + problem);
+#endif
 #ifdef SHD_BENCH_OIIO
   benchmark::AddCustomContext("openimageio", openimageio_description());
 #endif

@@ -1,11 +1,31 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Compares the filters of shd with ground truth, OpenImageIO and llvmpipe on Debian 12, and writes the report
+# Compares the filters of shd with ground truth, OpenImageIO, llvmpipe and lavapipe on Debian 12, and writes the report
 # out/shootout/shootout.html, which needs no network, with shootout.json and shootout.csv. Run it as root, or as a user
 # who may use sudo. Without either it works if the packages are there.
 # Usage: shootout.sh [--build FOLDER] [OPTION...]; FOLDER holds a finished build; options are those of shd-shootout.
+#        shootout.sh --newer-mesa [OPTION...]; the same on Debian 13 with its Mesa 25 and OpenImageIO 2.5, in a chroot
+#        of debootstrap, as root; the report is out/shootout-mesa25/shootout.html, and OPTION is not -o.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+if [ "${1:-}" = --newer-mesa ]; then
+  shift
+  # shellcheck source=bench/peers/newer_mesa.sh
+  . bench/peers/newer_mesa.sh
+  command -v debootstrap >/dev/null || die "needs debootstrap (Debian package debootstrap)"
+  build_beside_newer_mesa shd-shootout xplanet-images
+  newer_versions
+  rm -rf "${root:?}/shd-build/shootout-mesa25"
+  inside "$newer_build/examples/shootout/shd-shootout" "$@" -o /shd-build/shootout-mesa25
+  # Single figures and lists leave no report.
+  if [ -d "$root/shd-build/shootout-mesa25" ]; then
+    mkdir -p out/shootout-mesa25
+    cp "$root"/shd-build/shootout-mesa25/* out/shootout-mesa25/
+    echo "== Copied to out/shootout-mesa25"
+  fi
+  exit
+fi
 
 build=
 if [ "${1:-}" = --build ]; then
@@ -19,6 +39,7 @@ packages=(
   build-essential cmake ninja-build pkg-config  # to build
   libhwy-dev libtbb-dev zlib1g-dev              # SIMD (Highway), threads, PNG
   libopenimageio-dev libosmesa6-dev             # the peers
+  libvulkan-dev glslang-tools mesa-vulkan-drivers
   xplanet-images                                # a photograph: the map of the earth
 )
 install_packages "${packages[@]}"

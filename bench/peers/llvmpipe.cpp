@@ -82,9 +82,13 @@ GLuint make_texture(uint32_t edge, const std::vector<uint8_t>& texels, PeerFilte
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(edge), static_cast<GLsizei>(edge), 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, texels.data());
-  glGenerateMipmap(GL_TEXTURE_2D);
+  size_t offset = 0;
+  for (uint32_t level = 0, size = edge; offset < texels.size(); ++level, size = std::max(size / 2, 1u)) {
+    glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA8, static_cast<GLsizei>(size),
+                 static_cast<GLsizei>(size), 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels[offset]);
+    offset += size_t{size} * size * 4;
+  }
+  if (!has_levels(edge, texels)) glGenerateMipmap(GL_TEXTURE_2D);
   const bool nearest = filter == PeerFilter::kNearest || filter == PeerFilter::kNearestMip;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minification(filter));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
@@ -246,6 +250,7 @@ class LookupsPass final : public Pass {
     glUniform1i(glGetUniformLocation(program_, "edge"), static_cast<GLint>(frame));
   }
   ~LookupsPass() override { glDeleteTextures(2, columns_); }
+  uint32_t copies() const override { return 4; }
   void run() override {
     begin();
     glDisable(GL_DEPTH_TEST);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -34,13 +36,7 @@ class TextureFile {
  public:
   TextureFile(uint32_t edge, const std::vector<uint8_t>& texels) {
     path_ = "/tmp/shd-bench-" + std::to_string(getpid()) + "-" + std::to_string(edge) + ".tx";
-    const int size = static_cast<int>(edge);
-    const OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 4, OIIO::TypeDesc::UINT8),
-                               const_cast<uint8_t*>(texels.data()));
-    OIIO::ImageSpec config;
-    config.attribute("maketx:highlightcomp", 0);
-    config.attribute("maketx:filtername", "box");
-    if (!OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, image, path_, config)) {
+    if (!(has_levels(edge, texels) ? write_levels(edge, texels) : make_levels(edge, texels))) {
       std::fprintf(stderr, "OpenImageIO: %s\n", OIIO::geterror().c_str());
       std::exit(1);
     }
@@ -61,6 +57,31 @@ class TextureFile {
   OIIO::TextureSystem::TextureHandle* handle = nullptr;
 
  private:
+  bool make_levels(uint32_t edge, const std::vector<uint8_t>& texels) const {
+    const int size = static_cast<int>(edge);
+    const OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 4, OIIO::TypeDesc::UINT8),
+                               const_cast<uint8_t*>(texels.data()));
+    OIIO::ImageSpec config;
+    config.attribute("maketx:highlightcomp", 0);
+    config.attribute("maketx:filtername", "box");
+    return OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, image, path_, config);
+  }
+
+  bool write_levels(uint32_t edge, const std::vector<uint8_t>& texels) const {
+    const std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create("tif");
+    auto mode = OIIO::ImageOutput::Create;
+    size_t offset = 0;
+    for (uint32_t size = edge; file && offset < texels.size(); size = std::max(size / 2, 1u)) {
+      OIIO::ImageSpec spec(static_cast<int>(size), static_cast<int>(size), 4, OIIO::TypeDesc::UINT8);
+      spec.tile_width = spec.tile_height = 64;
+      spec.attribute("textureformat", "Plain Texture");
+      if (!file->open(path_, spec, mode) || !file->write_image(spec.format, &texels[offset])) return false;
+      offset += size_t{size} * size * 4;
+      mode = OIIO::ImageOutput::AppendSubimage;  // TIFF with `textureformat`: the next subimage is a mip level
+    }
+    return file && file->close();
+  }
+
   std::string path_;
 };
 

@@ -18,12 +18,23 @@ class Peer {
  public:
   virtual ~Peer() = default;
   virtual void run() = 0;
+  /// Takes over lookups that have changed in their place; their number stays.
+  virtual void refresh() {}
+  /// The number of times that run() filters each lookup.
+  virtual uint32_t copies() const { return 1; }
   /// The latest pass as RGBA floats, one per lookup or pixel, row 0 on top.
   virtual std::vector<float> image() = 0;
 };
 
+/// Texels of a peer are level 0 alone, from which the peer makes its own mip levels, or every level down to 1 x 1, one
+/// after another.
+inline bool has_levels(uint32_t edge, const std::vector<uint8_t>& texels) {
+  return texels.size() > size_t{edge} * edge * 4;
+}
+
 /// Version and settings, for the context of the results.
 std::string llvmpipe_description();
+std::string lavapipe_description();
 std::string openimageio_description();
 std::string opencolorio_description();
 
@@ -38,6 +49,12 @@ std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t fra
 /// textures, into RGBA8.
 std::unique_ptr<Peer> make_llvmpipe_lookups(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
                                             PeerFilter filter);
+
+/// Why lavapipe does not work on this machine; empty = it works.
+std::string lavapipe_problem();
+/// Mesa lavapipe: the lookups by textureGrad of a compute shader, into RGBA floats. Failures throw std::runtime_error.
+std::unique_ptr<Peer> make_lavapipe(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                    PeerFilter filter);
 
 /// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,

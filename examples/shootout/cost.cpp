@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "peer_texels.h"
 #include "shd_pass.h"
 
 namespace shootout {
@@ -21,20 +22,6 @@ double oriented_boxes(const Lookups& q, size_t i, double edge, double most) {
   return std::clamp(std::ceil(std::max(x, y) / std::max(std::min(x, y), 1.0)), 1.0, most);
 }
 
-/// Texels inside the ellipse of llvmpipe's anisotropic filter, a lower bound on its reads. Mesa 22.3 averages nearest
-/// texels of one level inside Heckbert's ellipse ("Fundamentals of Texture Mapping and Image Warping", 1989, p. 59),
-/// whose half axes are those of the pixel, lengthened by 1 as variance: an area of pi sqrt(F).
-double ellipse_texels(const Lookups& q, size_t i, double edge, double most) {
-  const auto texels = [&](const std::vector<float>& column) { return edge * static_cast<double>(column[i]); };
-  double ux = texels(q.dudx), vx = texels(q.dvdx), uy = texels(q.dudy), vy = texels(q.dvdy);
-  const double x = std::hypot(ux, vx), y = std::hypot(uy, vy);
-  const double shorter = std::max({std::min(x, y), std::max(x, y) / most, 1.0});
-  const double scale = std::exp2(-std::round(std::log2(shorter)));
-  for (double* value : {&ux, &vx, &uy, &vy}) *value *= scale;
-  const double a = vx * vx + vy * vy + 1.0, b = -2.0 * (ux * vx + uy * vy), c = ux * ux + uy * uy + 1.0;
-  return 3.14159265358979323846 * std::sqrt(a * c - b * b / 4.0);
-}
-
 /// Texels of lookup i and bytes of the different ones. False if the library does not explain the filter.
 bool count_texels(const ShdPass& pass, const Setting& setting, const Lookups& q, size_t i, double edge, double* texels,
                   double* bytes) {
@@ -47,7 +34,7 @@ bool count_texels(const ShdPass& pass, const Setting& setting, const Lookups& q,
     return true;
   }
   if (setting.estimated) {
-    *texels = ellipse_texels(q, i, edge, static_cast<double>(setting.sampler.max_anisotropy));
+    *texels = mesa_texels(setting, q, i, edge, static_cast<double>(setting.sampler.max_anisotropy));
     *bytes = 4.0 * *texels;
     return true;
   }
@@ -137,7 +124,7 @@ Costs measure_costs(const Options& options, const Measurements& m) {
       } else {
         const double lookups = static_cast<double>(m.workloads[w].count());
         row.whole_ns = 1e9 * peers.seconds(setting, m.workloads[w], whole[w], 2) / lookups;
-        if (setting.who == Who::kOpenImageIO) {
+        if (setting.who != Who::kLlvmpipe) {  // it would draw the surface
           row.cached_ns = 1e9 * peers.seconds(setting, m.workloads[w], cached[w], 1) / 8192.0;
         }
       }
@@ -160,7 +147,8 @@ std::vector<FrontRow> fronts(const Measurements& m, const Costs& costs) {
   for (size_t i = 0; i < m.workloads.size() * m.textures.size(); ++i) {
     const size_t w = i / m.textures.size();
     for (const double budget : kBudgets) {
-      size_t best[4] = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};  // by Who, then of shd's default profile
+      size_t best[kWhoCount], best_default = SIZE_MAX;
+      std::fill_n(best, kWhoCount, SIZE_MAX);
       const auto offer = [&](size_t s, size_t* mine) {
         if (*mine == SIZE_MAX || psnrs[i * settings + s] > psnrs[i * settings + *mine]) *mine = s;
       };
@@ -168,13 +156,13 @@ std::vector<FrontRow> fronts(const Measurements& m, const Costs& costs) {
         if (!(texels[w * settings + s] <= budget + 1e-9)) continue;  // not available, or too many
         const bool own = m.settings[s].who == Who::kShd;
         offer(s, &best[static_cast<size_t>(m.settings[s].who)]);
-        if (own && m.settings[s].sampler.profile == SHD_PROFILE_LEAST_ERROR) offer(s, &best[3]);
+        if (own && m.settings[s].sampler.profile == SHD_PROFILE_LEAST_ERROR) offer(s, &best_default);
       }
-      for (const Who peer : {Who::kOpenImageIO, Who::kLlvmpipe}) {
+      for (const Who peer : kPeers) {
         const size_t own = best[0], other = best[static_cast<size_t>(peer)];
         if (other == SIZE_MAX) continue;
         const auto lead = [&](size_t s) { return psnrs[i * settings + s] - psnrs[i * settings + other]; };
-        all.push_back({w, i % m.textures.size(), peer, budget, own, other, lead(own), lead(best[3])});
+        all.push_back({w, i % m.textures.size(), peer, budget, own, other, lead(own), lead(best_default)});
       }
     }
   }

@@ -18,6 +18,7 @@ constexpr char kUsage[] =
     "  -o FOLDER           folder of the report or figure; default out/shootout\n"
     "  --quick             small frames and two textures: seconds\n"
     "  --figure NAME       one figure of a course as NAME.png; `all` makes each\n"
+    "  --verdicts COUNT    judge COUNT lookups of each implementation, 1000..1000000000, and make no report\n"
     "  --photograph FILE   photograph among the textures; default the map of the package xplanet-images\n"
     "  --threads N         threads for pictures, 1..256; default one a core. Times are of one thread\n"
     "  --list              names of workloads, textures, settings and figures\n";
@@ -58,6 +59,7 @@ void make_quick(Options* options) {
   options->samples = 8;
   options->movie_edge = 16;
   options->movie_samples = 4;
+  options->verdicts = 20000;
 }
 
 /// Returns false where there is nothing left to do.
@@ -74,6 +76,9 @@ bool parse(int count, char** arguments, Options* options) {
       make_quick(options);
     } else if (option == "--figure") {
       options->figure = value();
+    } else if (option == "--verdicts") {
+      options->verdicts = number("--verdicts", value(), 1000, 1000000000);
+      options->only_verdicts = true;
     } else if (option == "--photograph") {
       options->photograph = value();
       if (!std::filesystem::is_regular_file(options->photograph)) {
@@ -124,7 +129,14 @@ void print_fronts(const Measurements& m, const Costs& costs) {
       on, all, on_default);
 }
 
-void run(const Options& options) {
+/// A refused value of shd is an error of shd, or of the bounds.
+void require_legal(const Verdicts& verdicts) {
+  if (const size_t refused = own_refusals(verdicts)) {
+    throw std::runtime_error(std::to_string(refused) + " values of shd are not legal");
+  }
+}
+
+void make_report(const Options& options) {
   for (const std::string& peer : missing_peers()) std::printf("== Left out: %s\n", peer.c_str());
   std::printf("== Pictures\n");
   double start = now();
@@ -133,11 +145,34 @@ void run(const Options& options) {
   start = now();
   const Costs costs = measure_costs(options, m);
   print_fronts(m, costs);
-  std::printf("   %.0f s\n== Report\n", now() - start);
+  std::printf("   %.0f s\n== Verdicts\n", now() - start);
+  const Verdicts verdicts = judge(judged_implementations(), options.verdicts);
+  print(verdicts);
+  std::printf("== Report\n");
   start = now();
-  write_report(options, m, costs);
+  write_report(options, m, costs, verdicts);
   std::printf("   %.0f s\n== Done: %s/shootout.html (%ju bytes)\n", now() - start, options.out.c_str(),
               static_cast<uintmax_t>(std::filesystem::file_size(options.out + "/shootout.html")));
+  require_legal(verdicts);
+}
+
+void make_verdicts(const Options& options) {
+  const Verdicts verdicts = judge(judged_implementations(), options.verdicts);
+  print(verdicts);
+  std::filesystem::create_directories(options.out);
+  write_file(options.out + "/verdicts.json", json_of(verdicts) + "\n");
+  require_legal(verdicts);
+}
+
+/// A peer that fails is named in the report, which has no rows of it.
+void run(const Options& options, void (*make)(const Options& options)) {
+  try {
+    make(options);
+  } catch (const PeerFailure& failure) {
+    std::printf("== %s\n   Again without %s\n", failure.what(), name_of(failure.who));
+    drop_peer(failure.who, failure.what());
+    run(options, make);
+  }
 }
 
 }  // namespace
@@ -149,8 +184,10 @@ int main(int count, char** arguments) {
     options.web = SHOOTOUT_WEB;
     if (!shootout::parse(count, arguments, &options)) return 0;
     const auto& names = shootout::figure_names();
-    if (options.figure.empty()) {
-      shootout::run(options);
+    if (options.only_verdicts) {
+      shootout::run(options, shootout::make_verdicts);
+    } else if (options.figure.empty()) {
+      shootout::run(options, shootout::make_report);
     } else {
       if (options.figure != "all") {
         bool known = false;

@@ -15,8 +15,9 @@ namespace shootout {
 struct Options {
   uint32_t edge = 192, texture_edge = 1024, samples = 24;
   uint32_t movie_edge = 64, movie_samples = 8;
-  uint32_t threads = 0;  // 0 = one a core
-  bool quick = false;
+  uint32_t threads = 0;       // 0 = one a core
+  size_t verdicts = 1000000;  // lookups of each implementation that are judged
+  bool quick = false, only_verdicts = false;
   std::string photograph = "/usr/share/xplanet/images/earth.jpg";
   std::string web, out = "out/shootout", figure;
 };

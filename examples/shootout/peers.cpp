@@ -7,6 +7,19 @@
 #include "shd_pass.h"
 
 namespace shootout {
+namespace {
+
+/// Calls body(), whose failures are those of a peer.
+template <class Body>
+auto guarded(Who who, Body body) {
+  try {
+    return body();
+  } catch (const std::runtime_error& e) {
+    throw PeerFailure(who, e.what());
+  }
+}
+
+}  // namespace
 
 shd::bench::Peer* Peers::pass_of(const Setting& setting, const Workload& workload, const Lookups& q, uint32_t phases) {
   Kept& kept = kept_[{setting.who, setting.peer, q.count()}];
@@ -30,28 +43,40 @@ shd::bench::Peer* Peers::pass_of(const Setting& setting, const Workload& workloa
     return kept.pass.get();
   }
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  if (setting.who == Who::kLavapipe) {
+    if (kept.pass) {
+      kept.pass->refresh();
+    } else {
+      kept.pass = shd::bench::make_lavapipe(kept.lookups, texture_.edge, texture_.rgba, setting.peer);
+    }
+    return kept.pass.get();
+  }
+#endif
   (void)workload, (void)phases;
   throw std::logic_error("setting " + setting.name + " is of no peer in this build");
 }
 
 std::vector<float> Peers::filter(const Setting& setting, const Workload& workload, const Lookups& q, uint32_t phases) {
-  shd::bench::Peer* pass = pass_of(setting, workload, q, phases);
-  pass->run();
-  return pass->image();
+  return guarded(setting.who, [&] {
+    shd::bench::Peer* pass = pass_of(setting, workload, q, phases);
+    pass->run();
+    return pass->image();
+  });
 }
 
 double Peers::seconds(const Setting& setting, const Workload& workload, const Lookups& q, int repeats) {
-  shd::bench::Peer* pass = pass_of(setting, workload, q, 1);
-  pass->run();
-  // A lookup without a surface is drawn as four pixels.
-  const double pixels = setting.who == Who::kLlvmpipe && !workload.surface ? 4.0 : 1.0;
-  double best = 1e9;
-  for (int i = 0; i < repeats; ++i) {
-    const double start = now();
+  return guarded(setting.who, [&] {
+    shd::bench::Peer* pass = pass_of(setting, workload, q, 1);
     pass->run();
-    best = std::min(best, (now() - start) / pixels);
-  }
-  return best;
+    double best = 1e9;
+    for (int i = 0; i < repeats; ++i) {
+      const double start = now();
+      pass->run();
+      best = std::min(best, (now() - start) / pass->copies());
+    }
+    return best;
+  });
 }
 
 }  // namespace shootout

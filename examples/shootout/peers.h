@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <tuple>
 
 #include "settings.h"
@@ -11,7 +12,13 @@
 
 namespace shootout {
 
-/// The peers on one texture. Their wrappers belong to the thread that makes them.
+/// The failure of a peer in the middle of a run.
+struct PeerFailure : std::runtime_error {
+  PeerFailure(Who failed, const std::string& message) : std::runtime_error(message), who(failed) {}
+  Who who;
+};
+
+/// The peers on one texture. Calls throw PeerFailure. Their wrappers belong to the thread that makes them.
 class Peers {
  public:
   explicit Peers(const Texture& texture) : texture_(texture) {}

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "settings.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <functional>
+#include <map>
 #include <stdexcept>
 
 namespace shootout {
@@ -103,13 +106,20 @@ constexpr PeerRow kPeerRows[] = {
     {"trilinear", "trilinear", PeerFilter::kTrilinear, SHD_FILTER_TRILINEAR},
     {"anisotropic_16", "anisotropic 16", PeerFilter::kAnisotropic16, SHD_FILTER_ANISOTROPIC}};
 
-[[maybe_unused]] void add_peer(std::vector<Setting>* all, Who who, shd_profile rules) {
+/// The version in a description such as "Mesa 22.3.6", without its last part.
+[[maybe_unused]] double mesa_version(const std::string& description) {
+  const size_t at = description.find("Mesa ");
+  return at == std::string::npos ? 0.0 : std::strtod(description.c_str() + at + 5, nullptr);
+}
+
+[[maybe_unused]] void add_peer(std::vector<Setting>* all, Who who, shd_profile rules, double mesa = 0.0) {
   for (const PeerRow& peer : kPeerRows) {
     Setting setting = profile(std::string(name_of(who)) + "_" + peer.name,
                               std::string(name_of(who)) + ", " + peer.title, peer.counted, rules);
     setting.who = who;
     setting.peer = peer.filter;
-    setting.estimated = who == Who::kLlvmpipe && peer.filter == PeerFilter::kAnisotropic16;
+    setting.estimated = who != Who::kOpenImageIO && peer.filter == PeerFilter::kAnisotropic16;
+    setting.mesa = mesa;
     all->push_back(setting);
   }
 }
@@ -120,10 +130,16 @@ constexpr const char* kAlike[] = {"anisotropic_16_fast", "anisotropic_2",       
                                   "trilinear_vulkan",    "trilinear_oiio",        "one_level_12",
                                   "one_level_24",        "stochastic_anisotropic"};
 
+/// Messages of the peers that were dropped.
+std::map<Who, std::string>& dropped() {
+  static std::map<Who, std::string> all;
+  return all;
+}
+
 }  // namespace
 
 const char* name_of(Who who) {
-  constexpr const char* kNames[] = {"shd", "OpenImageIO", "llvmpipe"};
+  constexpr const char* kNames[] = {"shd", "OpenImageIO", "llvmpipe", "lavapipe"};
   return kNames[static_cast<size_t>(who)];
 }
 
@@ -134,8 +150,15 @@ std::vector<Setting> all_settings() {
   add_peer(&all, Who::kOpenImageIO, SHD_PROFILE_OIIO);
 #endif
 #ifdef SHD_BENCH_OSMESA
-  add_peer(&all, Who::kLlvmpipe, SHD_PROFILE_VULKAN);
+  add_peer(&all, Who::kLlvmpipe, SHD_PROFILE_VULKAN, mesa_version(shd::bench::llvmpipe_description()));
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  if (shd::bench::lavapipe_problem().empty()) {
+    add_peer(&all, Who::kLavapipe, SHD_PROFILE_VULKAN, mesa_version(shd::bench::lavapipe_description()));
+  }
+#endif
+  const auto is_dropped = [](const Setting& setting) { return dropped().count(setting.who) > 0; };
+  all.erase(std::remove_if(all.begin(), all.end(), is_dropped), all.end());
   for (Setting& setting : all) {
     for (const char* name : kAlike) setting.pictured = setting.pictured && setting.name != name;
   }
@@ -150,7 +173,18 @@ std::vector<std::string> missing_peers() {
 #ifndef SHD_BENCH_OSMESA
   missing.push_back("llvmpipe through OSMesa (Debian package libosmesa6-dev)");
 #endif
+#ifdef SHD_BENCH_LAVAPIPE
+  const std::string problem = shd::bench::lavapipe_problem();
+  if (!problem.empty()) missing.push_back(problem + " (Debian package mesa-vulkan-drivers)");
+#else
+  missing.push_back("lavapipe (Debian packages libvulkan-dev, glslang-tools, mesa-vulkan-drivers)");
+#endif
+  for (const auto& [who, message] : dropped()) missing.push_back(message);
   return missing;
+}
+
+void drop_peer(Who who, const std::string& message) {
+  dropped()[who] = message;
 }
 
 std::vector<std::string> peer_descriptions() {
@@ -159,7 +193,10 @@ std::vector<std::string> peer_descriptions() {
   all.push_back("OpenImageIO " + shd::bench::openimageio_description());
 #endif
 #ifdef SHD_BENCH_OSMESA
-  all.push_back(shd::bench::llvmpipe_description());
+  all.push_back("llvmpipe through OSMesa: " + shd::bench::llvmpipe_description());
+#endif
+#ifdef SHD_BENCH_LAVAPIPE
+  if (shd::bench::lavapipe_problem().empty()) all.push_back("lavapipe: " + shd::bench::lavapipe_description());
 #endif
   return all;
 }

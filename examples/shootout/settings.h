@@ -10,7 +10,9 @@
 
 namespace shootout {
 
-enum class Who { kShd, kOpenImageIO, kLlvmpipe };
+enum class Who { kShd, kOpenImageIO, kLlvmpipe, kLavapipe };
+constexpr size_t kWhoCount = 4;
+constexpr Who kPeers[] = {Who::kOpenImageIO, Who::kLlvmpipe, Who::kLavapipe};
 const char* name_of(Who who);
 
 /// A row of the report: a filter with all its options.
@@ -21,13 +23,16 @@ struct Setting {
   shd_table_flags tables = SHD_TABLE_MIPMAP;
   shd::bench::PeerFilter peer = shd::bench::PeerFilter::kNone;
   bool estimated = false;  // the number of texels is an estimate
+  double mesa = 0.0;       // version of Mesa, for its filters
   bool pictured = true;    // the page has its pictures
 };
 
 /// Every row that this build can run: shd's, then the peers'.
 std::vector<Setting> all_settings();
-/// A message for each peer that this build does not have; empty = all are there.
+/// A message for each peer that this build or this machine does not have; empty = all are there.
 std::vector<std::string> missing_peers();
+/// Leaves out the rows of a peer from now on; the message is one of missing_peers().
+void drop_peer(Who who, const std::string& message);
 /// Versions of the peers.
 std::vector<std::string> peer_descriptions();
 /// A row by its name; fails for an unknown name.

@@ -5,7 +5,15 @@ const data = JSON.parse(document.getElementById('data').textContent);
 const pictures = JSON.parse(document.getElementById('pictures').textContent);
 const taps = JSON.parse(document.getElementById('taps-data').textContent);
 const element = (id) => document.getElementById(id);
-const colours = { shd: '#0f62c4', OpenImageIO: '#d2601a', llvmpipe: '#2b8a57' };
+const colours = { shd: '#0f62c4', OpenImageIO: '#d2601a', llvmpipe: '#2b8a57', lavapipe: '#b13bd6' };
+// The filters of lavapipe are nearly those of llvmpipe. So its points are smaller and lie in the others, and its lines
+// are dashed.
+const marks = {
+  shd: { radius: 3.4, edge: 0.8, line: 1.6, dashes: 'none', opacity: 0.8 },
+  OpenImageIO: { radius: 3.4, edge: 0.8, line: 1.6, dashes: 'none', opacity: 0.8 },
+  llvmpipe: { radius: 4.4, edge: 0.8, line: 2.6, dashes: 'none', opacity: 0.8 },
+  lavapipe: { radius: 2.5, edge: 0, line: 1.6, dashes: '6 5', opacity: 1 },
+};
 const svgNames = 'http://www.w3.org/2000/svg';
 
 const costs = new Map(data.costs.map((row) => [row.w + '/' + row.s, row]));

@@ -60,7 +60,8 @@ function rosetteFigure(row, largest, parent) {
 
 function drawRosettes() {
   const names = ['nearest', 'bilinear_mip', 'trilinear', 'ripmap', 'summed_area', 'summed_area_oriented', 'one_level_16', 'anisotropic_16',
-    'ewa_16', 'anisotropic_vulkan', 'OpenImageIO_trilinear', 'OpenImageIO_anisotropic_16', 'llvmpipe_trilinear', 'llvmpipe_anisotropic_16'];
+    'ewa_16', 'anisotropic_vulkan', 'OpenImageIO_trilinear', 'OpenImageIO_anisotropic_16', 'llvmpipe_trilinear', 'llvmpipe_anisotropic_16',
+    'lavapipe_trilinear', 'lavapipe_anisotropic_16'];
   const rows = data.rosette.filter((row) => names.includes(data.settings[row.s].name))
     .sort((a, b) => names.indexOf(data.settings[a.s].name) - names.indexOf(data.settings[b.s].name));
   if (!rows.length) {

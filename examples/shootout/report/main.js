@@ -7,7 +7,7 @@ function describe() {
   element('footer').textContent = `shd ${m.commit}, ${m.date}. Results: #${hashOf(JSON.stringify(data.rows))}.`;
   if (data.missing.length) {
     element('missing').hidden = false;
-    element('missing').textContent = 'Not installed, so without rows: ' + data.missing.join('; ') + '.';
+    element('missing').textContent = 'Without rows: ' + data.missing.join('; ') + '.';
   }
   const o = data.options;
   element('method-text').textContent = `Frames of ${o.edge} x ${o.edge} pixels and textures of ${o.texture_edge} x ${o.texture_edge} ` +
@@ -36,6 +36,7 @@ function start() {
   startLevels();
   drawRosettes();
   drawCurve();
+  drawVerdicts();
   drawFigures();
   return startCompare();
 }

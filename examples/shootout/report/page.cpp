@@ -33,10 +33,11 @@ void write_file(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error(path + " cannot be written");
 }
 
-void write_report(const Options& options, const Measurements& m, const Costs& costs) {
+void write_report(const Options& options, const Measurements& m, const Costs& costs, const Verdicts& verdicts) {
   const std::string data = json_of(options, this_machine(), m, costs);
   std::string page = read_file(options.web + "/page.html"), scripts;
-  for (const char* name : {"base.js", "plots.js", "table.js", "compare.js", "taps.js", "curves.js", "main.js"}) {
+  for (const char* name :
+       {"base.js", "plots.js", "table.js", "compare.js", "taps.js", "curves.js", "verdicts.js", "main.js"}) {
     scripts += read_file(options.web + "/" + name);
   }
   inline_text("style", "<style>\n" + read_file(options.web + "/style.css") + "</style>", &page);
@@ -46,11 +47,13 @@ void write_report(const Options& options, const Measurements& m, const Costs& co
   inline_text("data", element("data", data), &page);
   inline_text("pictures", element("pictures", pictures_json(options, m)), &page);
   inline_text("taps", element("taps-data", taps_json(options, m)), &page);
+  inline_text("verdicts", element("verdicts-data", json_of(verdicts)), &page);
   inline_text("scripts", "<script>\n" + scripts + "</script>", &page);
   std::filesystem::create_directories(options.out);
   write_file(options.out + "/shootout.html", page);
   write_file(options.out + "/shootout.json", data + "\n");
   write_file(options.out + "/shootout.csv", csv_of(m, costs));
+  write_file(options.out + "/verdicts.json", json_of(verdicts) + "\n");
 }
 
 }  // namespace shootout

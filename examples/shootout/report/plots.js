@@ -92,11 +92,12 @@ function plot(w, t, across, measure, parent) {
   for (const who of ['shd', ...peers]) {
     const line = frontOf(points.filter((p) => p.setting.who === who));
     svg('polyline', { points: line.map((p) => `${px(p.x)},${py(p.y)}`).join(' '), fill: 'none', stroke: colours[who],
-      'stroke-width': 1.6, 'stroke-opacity': 0.75 }, graph);
+      'stroke-width': marks[who].line, 'stroke-opacity': marks[who].opacity, 'stroke-dasharray': marks[who].dashes }, graph);
   }
   for (const p of points) {
-    const dot = svg('circle', { cx: px(p.x), cy: py(p.y), r: 3.4, fill: colours[p.setting.who], 'fill-opacity': 0.85,
-      stroke: '#fff', 'stroke-width': 0.8 }, graph);
+    const mark = marks[p.setting.who];
+    const dot = svg('circle', { cx: px(p.x), cy: py(p.y), r: mark.radius, fill: colours[p.setting.who], 'fill-opacity': mark.opacity,
+      stroke: '#fff', 'stroke-width': mark.edge }, graph);
     tipOn(dot, `${p.setting.title}\n${measure[1]} ${+p.y.toPrecision(5)}, ${+p.x.toPrecision(4)} ${across === 'texels' ? 'texels' : 'ns'}`);
   }
   caption(figure, title, hashOf(points.map((p) => p.x + ',' + p.y).join(';')));

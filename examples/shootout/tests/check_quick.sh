@@ -25,11 +25,22 @@ for texels in (8, 12, 16, 24, 32):
     assert max(most) <= texels, (texels, max(most))
 register = [psnr["one_to_one", "text", name] for name in ("nearest", "bilinear", "bicubic")]
 assert max(register) - min(register) < 0.01, f"texels in register are not reproduced: {register}"
+verdicts = json.loads((folder / "verdicts.json").read_text())
+for row in verdicts["rows"]:
+    assert sum(row["explained"]) + row["unexplained"] == row["refused"] <= row["judged"], row
+    assert verdicts["families"][row["i"]] != "shd" or row["refused"] == 0, row
+for peer in ("OpenImageIO", "llvmpipe", "lavapipe"):
+    assert peer in verdicts["families"] or peer in " ".join(verdicts["missing"]), f"{peer} is silently absent"
 print(len(lines), "pictures; PSNR of the floor:", floor)
 PYTHON
 
 "$program" --figure overblur -o "$folder"
 [ "$(head -c 4 "$folder/overblur.png" | tail -c 3)" = PNG ]
+
+# Without a device of Vulkan, lavapipe is named as missing and has no rows.
+without=$(VK_DRIVER_FILES=/no/driver VK_ICD_FILENAMES=/no/driver "$program" --list)
+[[ $without == *"missing peer: lavapipe"* ]] || { echo "lavapipe is not named as missing"; exit 1; }
+[[ $without != *lavapipe_trilinear* ]] || { echo "lavapipe has rows without a device"; exit 1; }
 
 # refused TEXT OPTION...: the program fails, and its message has the text
 refused() {
@@ -40,6 +51,8 @@ refused() {
 }
 refused "unknown option --no-such" --no-such
 refused "--figure: best is not in the list" --figure best
+refused "--verdicts: 10 is not in 1000..1000000000" --verdicts 10
+refused "--verdicts needs a value" --verdicts
 refused "--threads: 0 is not in 1..256" --threads 0
 refused "--threads: 2x is not in 1..256" --threads 2x
 refused "--photograph: /no/file is not a file" --photograph /no/file
