@@ -33,7 +33,7 @@ export const SETTINGS = {
   elevation: { min: 2, max: 88, step: 0.1, value: 14 },
   distance: { min: 1.5, max: 20, step: 0.01, value: 5 },
   ...prefixed("a", side("bilinear")),
-  ...prefixed("b", side("ewa")),
+  ...prefixed("b", side("anisotropic")),
 };
 
 function prefixed(prefix, settings) {

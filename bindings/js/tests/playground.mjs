@@ -103,7 +103,7 @@ async function checkFootprint() {
   await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.4 * box.height);
   await page.waitForFunction(() => /texels read/.test(document.querySelector("#footprint output").value));
   const text = await page.locator("#footprint output").innerText();
-  assert.match(text, /B: ewa · \d+ texels read/);
+  assert.match(text, /B: anisotropic · \d+ texels read/);
   await shoot(page, "footprint");
 }
 
