@@ -159,7 +159,11 @@ std::vector<Setting> all_settings() {
 #endif
   const auto is_dropped = [](const Setting& setting) { return dropped().count(setting.who) > 0; };
   all.erase(std::remove_if(all.begin(), all.end(), is_dropped), all.end());
+  const auto of_llvmpipe = [](const Setting& setting) { return setting.who == Who::kLlvmpipe; };
+  const bool has_llvmpipe = std::any_of(all.begin(), all.end(), of_llvmpipe);
   for (Setting& setting : all) {
+    const bool alike = setting.who == Who::kLavapipe && setting.peer != PeerFilter::kAnisotropic16;
+    if (alike && has_llvmpipe) setting.pictured = false;
     for (const char* name : kAlike) setting.pictured = setting.pictured && setting.name != name;
   }
   return all;
