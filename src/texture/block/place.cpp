@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "texture/block/cache.h"
+#include "texture/block/levels.h"
+#include "texture/store/storage.h"
+#include "texture/stream.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/block/place.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/block/place-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+class Placer {
+ public:
+  Placer(const Texture& texture, BlockCache* cache)
+      : texture_(texture), cache_(*cache), size_(static_cast<uint32_t>(texel_size(texture))) {
+    level_[0] = level_[1] = block_level_of(texture, 0);
+  }
+
+  void place(size_t end, Stream* stream) {
+    const size_t lanes = hn::Lanes(BatchTag());
+    begin();
+    for (size_t e = 0; e < end; ++e) {
+      const uint32_t op = stream->op[e];
+      const size_t at = e * lanes;
+      if (op & kNeighbours) {
+        if (op & kQuad ? place_quad(at, stream) : place_row(at, stream)) continue;
+        stream->op[e] = static_cast<uint16_t>(op & ~kNeighbours);
+      } else if (!(op & kMerge)) {
+        const size_t count = op & (kQuad | kRow) ? 4 : 1;
+        for (size_t k = 0; k < count; ++k) place_texels(stream->index[k] + at, k * Stream::kCapacity + at);
+      }
+    }
+  }
+
+ private:
+  using DI = hn::RebindToSigned<BatchTag>;
+  using DU = hn::RebindToUnsigned<BatchTag>;
+
+  /// Texels of a row of a level that lie in the cache side by side: texel i is texel i + offset of the cache.
+  struct Run {
+    bool found;
+    int32_t offset;
+  };
+
+  void begin() {
+    if (++cache_.now != 0) return;
+    std::memset(cache_.turn, 0, cache_.places * sizeof *cache_.turn);
+    cache_.now = 1;
+  }
+
+  /// Returns the level of a texel. The two latest levels are kept, because elements often alternate between two.
+  HWY_INLINE const BlockLevel& level_at(uint32_t texel) {
+    if (HWY_LIKELY(texel - level_[0].first < level_[0].end - level_[0].first)) return level_[0];
+    const BlockLevel other = level_[1];
+    level_[1] = level_[0];
+    level_[0] = texel - other.first < other.end - other.first ? other : block_level_of(texture_, texel);
+    return level_[0];
+  }
+
+  /// Decodes a block to its place, unless the stream reads another block there. Returns whether it lies there.
+  HWY_INLINE bool load(uint32_t block, uint32_t place) {
+    if (HWY_LIKELY(cache_.block[place] == block)) return true;
+    if (HWY_UNLIKELY(cache_.turn[place] == cache_.now)) return false;
+    texture_.blocks.decode(block_at(texture_, block), cache_.texels + size_t{4} * place * size_,
+                           size_t{cache_.pitch} * size_);
+    cache_.block[place] = block;
+    return true;
+  }
+
+  /// Decodes the blocks of a vector of indices if they lie in one row of texels, with `more` texels after the last one.
+  HWY_INLINE Run find_run(const int32_t* index, int32_t more) {
+    const DI di;
+    const DU du;
+    const size_t lanes = hn::Lanes(di);
+    const int32_t begin = index[0], last = index[lanes - 1];
+    const int32_t low = begin < last ? begin : last, span = (begin < last ? last : begin) - low;
+    const auto from_low = hn::BitCast(du, hn::Load(di, index) - hn::Set(di, low));
+    const auto most = hn::Set(du, static_cast<uint32_t>(span));
+    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {false, 0};
+    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
+    const BlockLevel& level = level_at(first);
+    const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
+    if (HWY_UNLIKELY(x + length >= level.width)) return {false, 0};
+    const uint32_t column = x / 4, count = (x + length) / 4 - column + 1;
+    const uint32_t place = cache_.place_of(column, y / 4, level.number);
+    if (HWY_UNLIKELY(place + count > cache_.places)) return {false, 0};
+    const uint32_t block = level.block + y / 4 * level.across + column;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (HWY_UNLIKELY(!load(block + k, place + k))) return {false, 0};
+    }
+    for (uint32_t k = 0; k < count; ++k) cache_.turn[place + k] = cache_.now;
+    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+  }
+
+  static HWY_INLINE void move(int32_t* index, Run run) {
+    const DI di;
+    hn::Store(hn::Load(di, index) + hn::Set(di, run.offset), di, index);
+  }
+
+  static HWY_INLINE void set_after(const int32_t* index, int32_t step, int32_t* to) {
+    const DI di;
+    hn::Store(hn::Load(di, index) + hn::Set(di, step), di, to);
+  }
+
+  /// Places a quad of neighbours. Returns whether they still are neighbours.
+  HWY_INLINE bool place_quad(size_t at, Stream* stream) {
+    int32_t *const upper = stream->index[0] + at, *const lower = stream->index[2] + at;
+    const Run top = find_run(upper, 1), bottom = top.found ? find_run(lower, 1) : top;
+    if (HWY_LIKELY(bottom.found)) {
+      move(upper, top);
+      move(lower, bottom);
+      return true;
+    }
+    set_after(upper, 1, stream->index[1] + at);
+    set_after(lower, 1, stream->index[3] + at);
+    for (size_t k = 0; k < 4; ++k) place_apart(stream->index[k] + at, k * Stream::kCapacity + at);
+    return false;
+  }
+
+  /// Places a row of neighbours. Columns are in the order 1, 2, 0, 3.
+  HWY_INLINE bool place_row(size_t at, Stream* stream) {
+    int32_t* const first = stream->index[2] + at;
+    const Run run = find_run(first, 3);
+    if (HWY_LIKELY(run.found)) {
+      move(first, run);
+      return true;
+    }
+    set_after(first, 1, stream->index[0] + at);
+    set_after(first, 2, stream->index[1] + at);
+    set_after(first, 3, stream->index[3] + at);
+    for (size_t k = 0; k < 4; ++k) place_apart(stream->index[k] + at, k * Stream::kCapacity + at);
+    return false;
+  }
+
+  /// Places a vector of texels. `spare`: number of its first texel among those of the stream.
+  HWY_INLINE void place_texels(int32_t* index, size_t spare) {
+    const Run run = find_run(index, 0);
+    if (run.found) return move(index, run);
+    place_apart(index, spare);
+  }
+
+  /// Places texels one by one.
+  HWY_NOINLINE void place_apart(int32_t* index, size_t spare) {
+    for (size_t lane = 0; lane < hn::Lanes(DI()); ++lane) {
+      index[lane] = index[lane] < 0 ? ~0 : place_texel(static_cast<uint32_t>(index[lane]), spare + lane);
+    }
+  }
+
+  HWY_INLINE int32_t place_texel(uint32_t texel, size_t spare) {
+    const BlockLevel& level = level_at(texel);
+    const uint32_t n = texel - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
+    const uint32_t place = cache_.place_of(x / 4, y / 4, level.number);
+    const uint32_t block = level.block + y / 4 * level.across + x / 4;
+    if (HWY_LIKELY(load(block, place))) {
+      cache_.turn[place] = cache_.now;
+      return static_cast<int32_t>(y % 4 * cache_.pitch + 4 * place + x % 4);
+    }
+    const auto copy = static_cast<uint32_t>(cache_.spare + spare);
+    std::memcpy(cache_.texels + size_t{copy} * size_, decoded_texel(texture_, texel, &decoded_), size_);
+    return static_cast<int32_t>(copy);
+  }
+
+  static constexpr int32_t kLongest = 128;  // [texels]; runs with wider gaps are placed one by one
+
+  const Texture& texture_;
+  BlockCache& cache_;
+  const uint32_t size_;
+  BlockLevel level_[2];
+  DecodedBlock decoded_;
+};
+
+}  // namespace
+
+void PlaceStream(const Texture& texture, BlockCache* cache, size_t end, Stream* stream) {
+  Placer(texture, cache).place(end, stream);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
