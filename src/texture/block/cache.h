@@ -17,6 +17,7 @@ struct BlockCache {
   static constexpr uint32_t kMaxPlaces = 1024;
   static constexpr uint32_t kSpare = 4 * 256;   // texels of a stream
   static constexpr uint32_t kMargin = 16;       // texels; rows a power of two apart would alias in the first-level cache
+  static constexpr uint32_t kRowStep = 633;     // places between rows of blocks: 1024 times the golden section
   static constexpr uint32_t kUnused = 0xffffffff;
 
   uint8_t* texels;
@@ -29,7 +30,7 @@ struct BlockCache {
 
   /// Returns the place of a block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
-    return (x + y * 633 + level * 307) & (places - 1);
+    return (x + y * kRowStep + level * 307) & (places - 1);
   }
 };
 

@@ -149,8 +149,69 @@ class Placer {
     place_apart(index, spare);
   }
 
-  /// Places texels one by one.
+  /// Places a vector of texels anywhere: together if they lie in one level and at places of their own.
   HWY_NOINLINE void place_apart(int32_t* index, size_t spare) {
+    if (index[0] >= 0 && place_in_level(index)) return;
+    place_each(index, spare);
+  }
+
+  /// Places texels of one level. Returns false, and leaves the indices as they are, if they are not in one level or if
+  /// the stream reads two blocks of the same place.
+  HWY_INLINE bool place_in_level(int32_t* index) {
+    const DI di;
+    const DU du;
+    const BatchTag d;
+    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0]));
+    const auto n = hn::Load(di, index) - hn::Set(di, static_cast<int32_t>(level.first));
+    const auto un = hn::BitCast(du, n);
+    if (!hn::AllTrue(du, hn::Eq(hn::Min(un, hn::Set(du, level.end - level.first - 1)), un))) return false;
+    // The product is off by less than 3 * 2^-24 of a quotient below 2^16, so its floor is off by one at most.
+    const auto width = hn::Set(di, static_cast<int32_t>(level.width)), one = hn::Set(di, 1);
+    auto y = hn::ConvertTo(di, hn::ConvertTo(d, n) * hn::Set(d, 1.0f / static_cast<float>(level.width)));
+    auto x = n - y * width;
+    const auto before = hn::Lt(x, hn::Zero(di)), behind = hn::Not(hn::Lt(x, width));
+    y = y - hn::IfThenElseZero(before, one) + hn::IfThenElseZero(behind, one);
+    x = x + hn::IfThenElseZero(before, width) - hn::IfThenElseZero(behind, width);
+    const auto column = hn::ShiftRight<2>(x), row = hn::ShiftRight<2>(y);
+    const auto zeroth = hn::Set(di, static_cast<int32_t>(cache_.place_of(0, 0, level.number)));
+    const auto mask = hn::Set(di, static_cast<int32_t>(cache_.places - 1));
+    const auto place = hn::And(column + row * hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep)) + zeroth, mask);
+    const auto block = hn::Set(di, static_cast<int32_t>(level.block)) +
+                       row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
+    const auto there = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(cache_.block), place);
+    if (!load_missing(place, block, hn::Eq(there, block))) return false;
+    const auto low = hn::Set(di, 3), pitch = hn::Set(di, static_cast<int32_t>(cache_.pitch));
+    hn::Store(hn::And(y, low) * pitch + hn::ShiftLeft<2>(place) + hn::And(x, low), di, index);
+    return true;
+  }
+
+  /// Marks the places of a vector as read, and loads the blocks that are not there.
+  template <class V, class M>
+  HWY_INLINE bool load_missing(V place, V block, M there) {
+    const DI di;
+    alignas(64) uint32_t at[kMaxLanes], wanted[kMaxLanes];
+    hn::Store(hn::BitCast(DU(), place), DU(), at);
+    if (HWY_LIKELY(hn::AllTrue(di, there))) {
+      for (size_t lane = 0; lane < hn::Lanes(di); ++lane) cache_.turn[at[lane]] = cache_.now;
+      return true;
+    }
+    hn::Store(hn::BitCast(DU(), block), DU(), wanted);
+    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) {
+      if (cache_.block[at[lane]] == wanted[lane]) {
+        cache_.turn[at[lane]] = cache_.now;
+      } else {
+        __builtin_prefetch(block_at(texture_, wanted[lane]));
+      }
+    }
+    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) {
+      if (!load(wanted[lane], at[lane])) return false;
+      cache_.turn[at[lane]] = cache_.now;
+    }
+    return true;
+  }
+
+  /// Places texels one by one.
+  HWY_NOINLINE void place_each(int32_t* index, size_t spare) {
     for (size_t lane = 0; lane < hn::Lanes(DI()); ++lane) {
       index[lane] = index[lane] < 0 ? ~0 : place_texel(static_cast<uint32_t>(index[lane]), spare + lane);
     }
