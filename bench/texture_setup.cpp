@@ -20,7 +20,8 @@ class BlockLevels {
     for (uint32_t side = edge; side > 0; side /= 2) {
       const size_t across = (side + 3) / 4;
       blocks_.emplace_back(across * across * shd_format_block_size(format));
-      for (uint8_t& byte : blocks_.back()) byte = static_cast<uint8_t>((state_ = state_ * 1664525u + 1013904223u) >> 24);
+      for (uint8_t& byte : blocks_.back())
+        byte = static_cast<uint8_t>((state_ = state_ * 1664525u + 1013904223u) >> 24);
       shd_image image = shd_image_default();
       image.format = format;
       image.width = image.height = side;

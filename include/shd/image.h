@@ -84,8 +84,8 @@ typedef struct shd_image {
     shd_format format;    /**< storage of `pixels` */
     uint32_t width;       /**< pixels, 1..65536 */
     uint32_t height;      /**< pixels, 1..65536 */
-    void *pixels;         /**< [height][width], row 0 on top; borrowed for the call. Of a format of blocks
-                               [ceil(height / 4)][ceil(width / 4)] blocks */
+    void *pixels;         /**< [height][width], row 0 on top; borrowed for the call; blocks are
+                               [ceil(height / 4)][ceil(width / 4)] */
     size_t row_stride;    /**< bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed */
     /* ---- end of 0.1; append below ---- */
 } shd_image;

@@ -157,7 +157,7 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
                       desc.height);
 }
 
-/// What a texture of compressed blocks cannot have.
+/// Kind, tables and levels of a texture of compressed blocks.
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
   if (desc.depth != 0) {

@@ -28,8 +28,11 @@ class CachePool {
 
   /// @param host   outlives the pool
   /// @param keeps  false: take() gives no memory
-  /// @param size   of a piece [bytes]
+  /// @param size   bytes of a piece
   CachePool(const Allocator& host, bool keeps, size_t size) : host_(host), keeps_(keeps), size_(size) {}
+
+  /// Returns a number that no other owner has; it is not 0.
+  uint64_t new_owner() noexcept { return last_owner_.fetch_add(1, std::memory_order_relaxed) + 1; }
 
   /// `owner` is not 0. Prefers the memory that a call for the same owner left.
   Lease take(uint64_t owner) noexcept;
@@ -40,7 +43,7 @@ class CachePool {
 
  private:
   struct Slot {
-    std::atomic<uint64_t> owner{0};  // of the content; changes while the slot is in use only
+    std::atomic<uint64_t> owner{0};  // owner of the content; changes while the slot is in use only
     std::atomic<bool> used{false};
     std::atomic<void*> memory{nullptr};  // changes while the slot is in use only
   };
@@ -52,6 +55,7 @@ class CachePool {
   const Allocator host_;
   const bool keeps_;
   const size_t size_;
+  std::atomic<uint64_t> last_owner_{0};
   std::atomic<uint32_t> turn_{0};
   Slot slots_[kMost];
 };

@@ -65,7 +65,7 @@ struct BlockInfo {
   size_t block_size;     // bytes
   size_t channels;       // channels of a block, 1..4
   size_t stored;         // channels of a decoded texel: 1, 2 or 4
-  Component component;   // of decoded texels
+  Component component;   // component of decoded texels
 };
 
 constexpr BlockInfo block_info(shd_format format) {
@@ -99,7 +99,7 @@ constexpr bool is_block_format(uint32_t bits) {
 struct RowLayout {
   size_t row_size;   // bytes of a packed row
   uint32_t rows;
-  size_t alignment;  // of rows [bytes]
+  size_t alignment;  // alignment of rows [bytes]
 };
 
 /// Layout of an image of a known format.

@@ -117,8 +117,8 @@ struct BlockLayout {
   uint32_t offset[kMaxLevels];  // first block of level l, whose rows have ceil(width / 4) blocks
   uint32_t layer_blocks;        // blocks of all levels of one layer
   uint32_t borrowed;            // blocks of the borrowed base; 0 if not borrowed
-  uint64_t owner;               // number of the texture, as owner of caches; no two textures have the same
-  core::CachePool* caches;      // of the context; may be null
+  uint64_t owner;               // number of the texture among the owners of `caches`
+  core::CachePool* caches;      // caches of the context; may be null
 };
 
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
@@ -146,7 +146,7 @@ struct Texture {
   const uint8_t* borrowed;      // the caller's base level, or null
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
   uint32_t borrowed_texels;     // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
-  BlockLayout blocks;           // of a texture whose `texels` are compressed blocks
+  BlockLayout blocks;           // layout, if `texels` are compressed blocks
   core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
   uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
   core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double

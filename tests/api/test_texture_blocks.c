@@ -208,7 +208,7 @@ static void test_update(void **state)
     shd_texture_release(texture);
 }
 
-/* Functions of pixels refuse blocks, with a message that says so. */
+/* Functions of pixels refuse blocks, with a message of their own. */
 static void test_pixels_only(void **state)
 {
     const shd_image blocks = make_image(SHD_FORMAT_BC7, 8, 8, g_blocks);

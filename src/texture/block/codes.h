@@ -20,8 +20,8 @@ struct CodeBlock {
   }
 };
 
-/// Sets the palette of endpoints a and b: `sevenths` intermediate values if the order of the endpoints says so, else
-/// fifths, `low` and `high`. of(weighted sum, divisor) makes an entry.
+/// Sets the palette of endpoints a and b: six values between them if `sevenths`, else four values between them,
+/// `low` and `high`. of(weighted sum, divisor) makes an entry.
 template <class Number, class Entry, class Of>
 void fill_palette(bool sevenths, Number a, Number b, Entry low, Entry high, const Of& of, Entry (&palette)[8]) {
   if (sevenths) {

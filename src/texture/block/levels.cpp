@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "texture/block/levels.h"
 
-#include <atomic>
 #include <cstring>
 
+#include "core/cache_pool.h"
 #include "core/executor.h"
 #include "texture/store/image_list.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
-namespace {
-
-/// Returns a number that no other texture of the process has.
-uint64_t next_owner() {
-  static std::atomic<uint64_t> last{0};
-  return last.fetch_add(1, std::memory_order_relaxed) + 1;
-}
-
-}  // namespace
-
 BlockLevel block_level_of(const Texture& texture, uint32_t texel) {
   const uint32_t layer = texel / texture.layer_texels, first = layer * texture.layer_texels;
   uint32_t level = 0;
@@ -51,7 +41,6 @@ size_t lay_out(shd_format format, Texture* texture) {
   BlockLayout& blocks = texture->blocks;
   blocks.decode = decoder_of(format);
   blocks.size = static_cast<uint32_t>(image::block_info(format).block_size);
-  blocks.owner = next_owner();
   size_t count = 0;
   for (uint32_t level = 0; level < kMaxLevels; ++level) {
     blocks.offset[level] = static_cast<uint32_t>(count);
@@ -76,6 +65,7 @@ void copy_level(const uint8_t* from, size_t stride, uint32_t layer, uint32_t lev
 void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   const size_t count = lay_out(desc.format, texture), block_size = texture->blocks.size;
   texture->blocks.caches = context.caches;
+  texture->blocks.owner = context.caches ? context.caches->new_owner() : 0;
   const image::RowLayout rows = image::row_layout(desc.format, desc.width, desc.height);
   if (desc.flags & SHD_TEXTURE_BORROW) {  // one layer
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
@@ -84,8 +74,7 @@ void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Tex
   const size_t borrowed = texture->blocks.borrowed * block_size, size = core::checked_mul(count, block_size) - borrowed;
   texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
   std::memset(texture->texels.data() + size, 0, kPadding);
-  texture->origin =
-      reinterpret_cast<const uint8_t*>(reinterpret_cast<uintptr_t>(texture->texels.data()) - borrowed);
+  texture->origin = reinterpret_cast<const uint8_t*>(reinterpret_cast<uintptr_t>(texture->texels.data()) - borrowed);
   const size_t stride = desc.row_stride ? desc.row_stride : rows.row_size;
   const size_t layer_stride = desc.layer_stride ? desc.layer_stride : stride * rows.rows;
   const auto* base = static_cast<const uint8_t*>(desc.texels);

@@ -176,8 +176,8 @@ class Placer {
     const auto zeroth = hn::Set(di, static_cast<int32_t>(cache_.place_of(0, 0, level.number)));
     const auto mask = hn::Set(di, static_cast<int32_t>(cache_.places - 1));
     const auto place = hn::And(column + row * hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep)) + zeroth, mask);
-    const auto block = hn::Set(di, static_cast<int32_t>(level.block)) +
-                       row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
+    const auto block =
+        hn::Set(di, static_cast<int32_t>(level.block)) + row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
     const auto there = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(cache_.block), place);
     if (!load_missing(place, block, hn::Eq(there, block))) return false;
     const auto low = hn::Set(di, 3), pitch = hn::Set(di, static_cast<int32_t>(cache_.pitch));

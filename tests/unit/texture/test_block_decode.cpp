@@ -33,9 +33,7 @@ void oracle(shd_format format, const uint8_t* block, ref::BlockTexels* out) {
     case SHD_FORMAT_BC3: ref::color_block(block + 8, true, false, out); return ref::bc3_alpha(block, out);
     case SHD_FORMAT_BC4: return ref::code_channel(block, false, 0, out);
     case SHD_FORMAT_BC4_SNORM: return ref::code_channel(block, true, 0, out);
-    case SHD_FORMAT_BC5:
-      ref::code_channel(block, false, 0, out);
-      return ref::code_channel(block + 8, false, 1, out);
+    case SHD_FORMAT_BC5: ref::code_channel(block, false, 0, out); return ref::code_channel(block + 8, false, 1, out);
     case SHD_FORMAT_BC5_SNORM:
       ref::code_channel(block, true, 0, out);
       return ref::code_channel(block + 8, true, 1, out);
@@ -184,8 +182,8 @@ void test_partitions(void**) {
   }
 }
 
-shd_format t_formats[] = {SHD_FORMAT_BC1_RGB, SHD_FORMAT_BC1_RGBA,    SHD_FORMAT_BC2,          SHD_FORMAT_BC3,
-                          SHD_FORMAT_BC4,     SHD_FORMAT_BC4_SNORM,   SHD_FORMAT_BC5,          SHD_FORMAT_BC5_SNORM,
+shd_format t_formats[] = {SHD_FORMAT_BC1_RGB, SHD_FORMAT_BC1_RGBA,    SHD_FORMAT_BC2,        SHD_FORMAT_BC3,
+                          SHD_FORMAT_BC4,     SHD_FORMAT_BC4_SNORM,   SHD_FORMAT_BC5,        SHD_FORMAT_BC5_SNORM,
                           SHD_FORMAT_BC7,     SHD_FORMAT_BC6H_UFLOAT, SHD_FORMAT_BC6H_SFLOAT};
 
 }  // namespace

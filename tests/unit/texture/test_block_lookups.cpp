@@ -16,14 +16,15 @@ struct size_case {
   uint32_t width, height, layers, levels;
 };
 const size_case k_sizes[] = {
-    {"1x1", 1, 1, 1, 0}, {"7x1", 7, 1, 1, 2}, {"5x13", 5, 13, 3, 3}, {"64x64", 64, 64, 1, 6}, {"4099x37", 4099, 37, 1, 12},
+    {"1x1", 1, 1, 1, 0},     {"7x1", 7, 1, 1, 2},          {"5x13", 5, 13, 3, 3},
+    {"64x64", 64, 64, 1, 6}, {"4099x37", 4099, 37, 1, 12},
 };
 
 constexpr shd_format kBlockFormats[] = {
-    SHD_FORMAT_BC1_RGB,  SHD_FORMAT_BC1_RGB_SRGB, SHD_FORMAT_BC1_RGBA, SHD_FORMAT_BC1_RGBA_SRGB,
-    SHD_FORMAT_BC2,      SHD_FORMAT_BC2_SRGB,     SHD_FORMAT_BC3,      SHD_FORMAT_BC3_SRGB,
-    SHD_FORMAT_BC4,      SHD_FORMAT_BC4_SNORM,    SHD_FORMAT_BC5,      SHD_FORMAT_BC5_SNORM,
-    SHD_FORMAT_BC6H_UFLOAT, SHD_FORMAT_BC6H_SFLOAT, SHD_FORMAT_BC7,    SHD_FORMAT_BC7_SRGB};
+    SHD_FORMAT_BC1_RGB,     SHD_FORMAT_BC1_RGB_SRGB, SHD_FORMAT_BC1_RGBA, SHD_FORMAT_BC1_RGBA_SRGB,
+    SHD_FORMAT_BC2,         SHD_FORMAT_BC2_SRGB,     SHD_FORMAT_BC3,      SHD_FORMAT_BC3_SRGB,
+    SHD_FORMAT_BC4,         SHD_FORMAT_BC4_SNORM,    SHD_FORMAT_BC5,      SHD_FORMAT_BC5_SNORM,
+    SHD_FORMAT_BC6H_UFLOAT, SHD_FORMAT_BC6H_SFLOAT,  SHD_FORMAT_BC7,      SHD_FORMAT_BC7_SRGB};
 
 Batch t_batch, t_wanted;
 float t_gradient[2][2][4][kMaxPoints];
@@ -32,7 +33,7 @@ float t_gradient[2][2][4][kMaxPoints];
 struct Levels {
   std::vector<std::vector<uint8_t>> blocks, texels;  // [layers][levels + 1]
   std::vector<shd_image> block_images, texel_images;
-  std::vector<uint8_t> base_blocks, base_texels;  // of all layers
+  std::vector<uint8_t> base_blocks, base_texels;  // base levels of all layers
 };
 
 shd_format decoded_format(shd_format format) {
@@ -67,7 +68,8 @@ void make_levels(const size_case& c, shd_format format, Levels* out) {
     shd_image image = shd_image_default();
     image.width = shd::texture::level_size(c.width, level);
     image.height = shd::texture::level_size(c.height, level);
-    std::vector<uint8_t> blocks(size_t{(image.width + 3) / 4} * ((image.height + 3) / 4) * shd_format_block_size(format));
+    std::vector<uint8_t> blocks(size_t{(image.width + 3) / 4} * ((image.height + 3) / 4) *
+                                shd_format_block_size(format));
     for (uint8_t& byte : blocks) byte = static_cast<uint8_t>(random.next() >> 24);
     out->blocks.push_back(blocks);
     out->texels.emplace_back();
@@ -163,9 +165,8 @@ void check_sampler(const Texture& texels, Texture* blocks, const shd_sampler_des
 
 void check_filter(const Texture& texels, Texture* blocks, shd_sampler_desc desc, const uint32_t* layer) {
   desc.cubic = desc.filter == SHD_FILTER_STOCHASTIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
-  const shd_wrap pairs[][2] = {{SHD_WRAP_REPEAT, SHD_WRAP_REPEAT},
-                               {SHD_WRAP_CLAMP, SHD_WRAP_MIRROR},
-                               {SHD_WRAP_BORDER, SHD_WRAP_MIRROR_ONCE}};
+  const shd_wrap pairs[][2] = {
+      {SHD_WRAP_REPEAT, SHD_WRAP_REPEAT}, {SHD_WRAP_CLAMP, SHD_WRAP_MIRROR}, {SHD_WRAP_BORDER, SHD_WRAP_MIRROR_ONCE}};
   for (size_t k = 0; k < (desc.filter == SHD_FILTER_EXACT ? 1 : 3); ++k) {
     desc.wrap_u = pairs[k][0];
     desc.wrap_v = pairs[k][1];
