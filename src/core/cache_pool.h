@@ -10,7 +10,7 @@
 namespace shd::core {
 
 /// Size of a piece of a context's pool [bytes].
-constexpr size_t kCacheSize = size_t{84} << 10;
+constexpr size_t kCacheSize = size_t{310} << 10;
 
 /// Memory that a later call finds as an earlier call left it: copies of data of an object, called its owner. A call has
 /// its memory for itself. There are at most kMost pieces of one size, so that the memory stays bounded for any number

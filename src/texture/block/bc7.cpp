@@ -38,10 +38,17 @@ constexpr uint64_t expanded(uint64_t lanes, uint32_t bits) {
   return (lanes << (8 - bits) | lanes >> (2 * bits - 8)) & (kLanes * 255);
 }
 
-/// Returns (64 - w) a + w b, rounded to codes, in all lanes.
-uint64_t mixed(uint64_t a, uint64_t b, uint32_t weight) {
-  return (a * (64 - weight) + b * weight + kLanes * 32) >> 6 & (kLanes * 255);
-}
+/// A pair of endpoints: 64 a + 32 and b - a in all lanes. Lanes of the difference may be negative, and borrow from the
+/// next one; the sum in mixed() gives the loan back.
+struct Pair {
+  uint64_t base, difference;
+
+  Pair() = default;
+  Pair(uint64_t a, uint64_t b) : base(a * 64 + kLanes * 32), difference(b - a) {}
+
+  /// Returns ((64 - w) a + w b) / 64, rounded to codes, in all lanes.
+  uint64_t mixed(uint32_t weight) const { return (base + difference * weight) >> 6 & (kLanes * 255); }
+};
 
 uint32_t packed(uint64_t lanes) {
   lanes = (lanes | lanes >> 8) & 0x0000ffff0000ffff;
@@ -103,17 +110,16 @@ void decode_separate(const Block& block, uint8_t* texels, size_t pitch) {
   const uint64_t second =
       whole_indices<m.second_index, 1>(block.field(position + 16 * m.index - 1, 16 * m.second_index - 1), 0);
   constexpr uint64_t kAlpha = 0xffff000000000000;
+  const Pair pair(endpoint[0], endpoint[1]);
   for (uint32_t y = 0; y < 4; ++y) {
-    uint32_t row[4];
     for (uint32_t x = 0; x < 4; ++x) {
       const uint32_t i = 4 * y + x;
       const uint32_t a = kWeights[m.index - 2][first >> (m.index * i) & ((1u << m.index) - 1)];
       const uint32_t b = kWeights[m.second_index - 2][second >> (m.second_index * i) & ((1u << m.second_index) - 1)];
-      const uint64_t color = mixed(endpoint[0], endpoint[1], swapped ? b : a);
-      const uint64_t alpha = mixed(endpoint[0], endpoint[1], swapped ? a : b);
-      row[x] = packed(rotated((color & ~kAlpha) | (alpha & kAlpha), rotation));
+      const uint64_t color = pair.mixed(swapped ? b : a), alpha = pair.mixed(swapped ? a : b);
+      const uint32_t texel = packed(rotated((color & ~kAlpha) | (alpha & kAlpha), rotation));
+      std::memcpy(texels + y * pitch + 4 * x, &texel, sizeof texel);
     }
-    std::memcpy(texels + y * pitch, row, sizeof row);
   }
 }
 
@@ -125,13 +131,14 @@ void decode_mode(const Block& block, uint8_t* texels, size_t pitch) {
   const uint32_t position = read_endpoints<kMode>(block, kMode + 1 + m.partition, endpoint);
   uint64_t indices = whole_indices<m.index, m.subsets>(block.field(position, 16 * m.index - m.subsets), partition);
   uint32_t subsets = m.subsets == 3 ? kThreeSubsets[partition] : m.subsets == 2 ? kTwoSubsets[partition] : 0;
+  Pair pairs[m.subsets];
+  for (uint32_t s = 0; s < m.subsets; ++s) pairs[s] = Pair(endpoint[2 * s], endpoint[2 * s + 1]);
   for (uint32_t y = 0; y < 4; ++y) {
-    uint32_t row[4];
     for (uint32_t x = 0; x < 4; ++x, indices >>= m.index, subsets >>= 2) {
-      const uint64_t* ends = endpoint + (m.subsets > 1 ? 2 * (subsets & 3) : 0);
-      row[x] = packed(mixed(ends[0], ends[1], kWeights[m.index - 2][indices & ((1u << m.index) - 1)]));
+      const Pair& pair = pairs[m.subsets > 1 ? subsets & 3 : 0];
+      const uint32_t texel = packed(pair.mixed(kWeights[m.index - 2][indices & ((1u << m.index) - 1)]));
+      std::memcpy(texels + y * pitch + 4 * x, &texel, sizeof texel);
     }
-    std::memcpy(texels + y * pitch, row, sizeof row);
   }
 }
 

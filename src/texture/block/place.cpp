@@ -23,7 +23,8 @@ class Placer {
  public:
   Placer(const Texture& texture, BlockCache* cache)
       : texture_(texture), cache_(*cache), size_(static_cast<uint32_t>(texel_size(texture))) {
-    level_[0] = level_[1] = block_level_of(texture, 0);
+    know(0);
+    known_[1] = known_[0];
   }
 
   void place(size_t end, Stream* stream) {
@@ -58,14 +59,24 @@ class Placer {
     cache_.now = 1;
   }
 
-  /// Returns the level of a texel. The two latest levels are kept, because elements often alternate between two.
-  HWY_INLINE const BlockLevel& level_at(uint32_t texel) {
-    if (HWY_LIKELY(texel - level_[0].first < level_[0].end - level_[0].first)) return level_[0];
-    const BlockLevel other = level_[1];
-    level_[1] = level_[0];
-    level_[0] = texel - other.first < other.end - other.first ? other : block_level_of(texture_, texel);
-    return level_[0];
+  /// A level, and blocks of it that this stream has found side by side.
+  struct Known {
+    BlockLevel level;
+    uint32_t block, count, place;
+  };
+
+  HWY_INLINE static bool is_in(uint32_t texel, const BlockLevel& level) {
+    return texel - level.first < level.end - level.first;
   }
+
+  /// Returns the level of a texel. The two latest levels are kept, because elements often alternate between two.
+  HWY_INLINE Known& level_at(uint32_t texel) {
+    if (HWY_LIKELY(is_in(texel, known_[recent_].level))) return known_[recent_];
+    recent_ ^= 1;
+    if (HWY_UNLIKELY(!is_in(texel, known_[recent_].level))) know(texel);
+    return known_[recent_];
+  }
+  HWY_NOINLINE void know(uint32_t texel) { known_[recent_] = {block_level_of(texture_, texel), 0, 0, 0}; }
 
   /// Decodes a block to its place, unless the stream reads another block there. Returns whether it lies there.
   HWY_INLINE bool load(uint32_t block, uint32_t place) {
@@ -88,18 +99,32 @@ class Placer {
     const auto most = hn::Set(du, static_cast<uint32_t>(span));
     if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {false, 0};
     const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
-    const BlockLevel& level = level_at(first);
+    Known& known = level_at(first);
+    const BlockLevel& level = known.level;
     const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
     if (HWY_UNLIKELY(x + length >= level.width)) return {false, 0};
     const uint32_t column = x / 4, count = (x + length) / 4 - column + 1;
-    const uint32_t place = cache_.place_of(column, y / 4, level.number);
-    if (HWY_UNLIKELY(place + count > cache_.places)) return {false, 0};
     const uint32_t block = level.block + y / 4 * level.across + column;
+    const uint32_t after = block - known.block;
+    uint32_t place = known.place + after;
+    if (after >= known.count || after + count > known.count) {
+      place = cache_.place_of(column, y / 4, level.number);
+      if (HWY_UNLIKELY(!load_run(block, place, count))) return {false, 0};
+      known.block = block;
+      known.count = count;
+      known.place = place;
+    }
+    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+  }
+
+  /// Loads blocks of a row, and marks their places as read.
+  HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
+    if (HWY_UNLIKELY(place + count > cache_.places)) return false;
     for (uint32_t k = 0; k < count; ++k) {
-      if (HWY_UNLIKELY(!load(block + k, place + k))) return {false, 0};
+      if (HWY_UNLIKELY(!load(block + k, place + k))) return false;
     }
     for (uint32_t k = 0; k < count; ++k) cache_.turn[place + k] = cache_.now;
-    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+    return true;
   }
 
   static HWY_INLINE void move(int32_t* index, Run run) {
@@ -161,7 +186,7 @@ class Placer {
     const DI di;
     const DU du;
     const BatchTag d;
-    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0]));
+    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0])).level;
     const auto n = hn::Load(di, index) - hn::Set(di, static_cast<int32_t>(level.first));
     const auto un = hn::BitCast(du, n);
     if (!hn::AllTrue(du, hn::Eq(hn::Min(un, hn::Set(du, level.end - level.first - 1)), un))) return false;
@@ -218,7 +243,7 @@ class Placer {
   }
 
   HWY_INLINE int32_t place_texel(uint32_t texel, size_t spare) {
-    const BlockLevel& level = level_at(texel);
+    const BlockLevel& level = level_at(texel).level;
     const uint32_t n = texel - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
     const uint32_t place = cache_.place_of(x / 4, y / 4, level.number);
     const uint32_t block = level.block + y / 4 * level.across + x / 4;
@@ -236,7 +261,8 @@ class Placer {
   const Texture& texture_;
   BlockCache& cache_;
   const uint32_t size_;
-  BlockLevel level_[2];
+  Known known_[2];
+  uint32_t recent_ = 0;
   DecodedBlock decoded_;
 };
 
