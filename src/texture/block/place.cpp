@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/block/kernels-inl.h"
 #include "texture/block/place-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
@@ -22,7 +23,10 @@ namespace {
 class Placer {
  public:
   Placer(const Texture& texture, BlockCache* cache)
-      : texture_(texture), cache_(*cache), size_(static_cast<uint32_t>(texel_size(texture))) {
+      : texture_(texture),
+        cache_(*cache),
+        decode_(KernelOf(texture.blocks.decode)),
+        size_(static_cast<uint32_t>(texel_size(texture))) {
     know(0);
     known_[1] = known_[0];
   }
@@ -82,8 +86,7 @@ class Placer {
   HWY_INLINE bool load(uint32_t block, uint32_t place) {
     if (HWY_LIKELY(cache_.block[place] == block)) return true;
     if (HWY_UNLIKELY(cache_.turn[place] == cache_.now)) return false;
-    texture_.blocks.decode(block_at(texture_, block), cache_.texels + size_t{4} * place * size_,
-                           size_t{cache_.pitch} * size_);
+    decode_(block_at(texture_, block), cache_.texels + size_t{4} * place * size_, size_t{cache_.pitch} * size_);
     cache_.block[place] = block;
     return true;
   }
@@ -260,6 +263,7 @@ class Placer {
 
   const Texture& texture_;
   BlockCache& cache_;
+  const DecodeBlock decode_;
   const uint32_t size_;
   Known known_[2];
   uint32_t recent_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The decoders of compressed blocks against the oracle, on random blocks of every mode, and against known blocks.
 #include "support/check.h"
+#include "support/targets.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "image/format.h"
 #include "ref/block_ref.h"
 #include "texture/block/decode.h"
+#include "texture/block/kernels.h"
 #include "texture/block/partitions.h"
 
 namespace {
@@ -57,9 +59,18 @@ double stored_number(const uint8_t* texel, size_t channel, shd::image::Component
 /// Decodes to rows with a gap, which must stay as it is.
 void check_block(shd_format format, const uint8_t* block) {
   constexpr size_t kPitch = 4 * 8 + 5;
-  uint8_t texels[4 * kPitch];
+  uint8_t texels[4 * kPitch], other[4 * kPitch];
   memset(texels, 0xa5, sizeof texels);
-  shd::texture::decoder_of(format)(block, texels, kPitch);
+  memset(other, 0xa5, sizeof other);
+  const shd::texture::DecodeBlock decode = shd::texture::decoder_of(format);
+  decode(block, texels, kPitch);
+  for (const int64_t bit : shd::tests::target_bits()) {
+    const auto kernel = shd::texture::kernel_of(decode, shd::core::simd_target_from_bit(bit));
+    if (kernel == decode) continue;
+    kernel(block, other, kPitch);
+    if (memcmp(texels, other, sizeof texels) != 0)
+      fail_msg("format %d: target %lld differs", format, static_cast<long long>(bit));
+  }
   ref::BlockTexels wanted;
   oracle(format, block, &wanted);
   const shd::image::BlockInfo info = shd::image::block_info(format);
