@@ -161,8 +161,9 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
   if (desc.depth != 0) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.depth: %u, but format %u has compressed blocks, which 2D has only",
-                      desc.depth, desc.format);
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.depth: %u, but format %u has compressed blocks, which 2D has only", desc.depth,
+                      desc.format);
   }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
     return core::fail(SHD_ERROR_UNSUPPORTED,

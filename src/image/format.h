@@ -62,10 +62,10 @@ constexpr uint32_t kBlockSide = 4;
 
 /// Layout of a block-compressed format; all zero for other formats.
 struct BlockInfo {
-  size_t block_size;     // bytes
-  size_t channels;       // channels of a block, 1..4
-  size_t stored;         // channels of a decoded texel: 1, 2 or 4
-  Component component;   // component of decoded texels
+  size_t block_size;    // bytes
+  size_t channels;      // channels of a block, 1..4
+  size_t stored;        // channels of a decoded texel: 1, 2 or 4
+  Component component;  // component of decoded texels
 };
 
 constexpr BlockInfo block_info(shd_format format) {
@@ -97,7 +97,7 @@ constexpr bool is_block_format(uint32_t bits) {
 
 /// Rows of an image in memory: of pixels, or of blocks.
 struct RowLayout {
-  size_t row_size;   // bytes of a packed row
+  size_t row_size;  // bytes of a packed row
   uint32_t rows;
   size_t alignment;  // alignment of rows [bytes]
 };

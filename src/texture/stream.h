@@ -138,8 +138,8 @@ struct FilterCall {
   const Lookups& in;
   const Texels& out;
   const FormatKernels& format;
-  Consume record;        // null, or the consumer that replaces those of the format
-  Recording* recording;  // output of `record`, or null
+  Consume record;                // null, or the consumer that replaces those of the format
+  Recording* recording;          // output of `record`, or null
   BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
 };
 

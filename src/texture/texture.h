@@ -145,8 +145,8 @@ struct Texture {
                                 // level if the base is borrowed
   const uint8_t* borrowed;      // the caller's base level, or null
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
-  uint32_t borrowed_texels;     // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
-  BlockLayout blocks;           // layout, if `texels` are compressed blocks
+  uint32_t borrowed_texels;  // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
+  BlockLayout blocks;        // layout, if `texels` are compressed blocks
   core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
   uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
   core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double

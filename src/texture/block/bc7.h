@@ -46,7 +46,7 @@ inline uint32_t packed(uint64_t lanes) {
 
 /// Reads the endpoints of all subsets, two for each. Returns the position after them.
 template <uint32_t kMode>
-uint32_t read_endpoints(const Block& block, uint32_t position, uint64_t (&endpoint)[6]) {
+[[gnu::always_inline]] inline uint32_t read_endpoints(const Block& block, uint32_t position, uint64_t (&endpoint)[6]) {
   constexpr Mode m = kModes[kMode];
   constexpr uint32_t kCount = 2 * m.subsets, kP = m.endpoint_p | m.shared_p;
   for (uint64_t& e : endpoint) e = 0;

@@ -17,7 +17,7 @@ struct BlockCache {
   static constexpr uint32_t kMaxPlaces = 4096;
   static constexpr uint32_t kSpare = 4 * 256;  // texels of a stream
   static constexpr uint32_t kMargin = 16;      // texels; rows a power of two apart would alias in the first-level cache
-  static constexpr uint32_t kRowStep = 2531;   // places between rows of blocks: 1024 times the golden section
+  static constexpr uint32_t kRowStep = 2531;   // places between rows of blocks: kMaxPlaces times the golden section
   static constexpr uint32_t kUnused = 0xffffffff;
 
   uint8_t* texels;

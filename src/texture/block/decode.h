@@ -25,12 +25,13 @@
 /// |--------------------|----------------------------------------------------------------------|
 /// | decode.h, .cpp     | the decoders, by format                                              |
 /// | s3tc.cpp, rgtc.cpp | BC1, BC2, BC3; BC4, BC5                                              |
-/// | bc6h.cpp, bc7.cpp  | BC6H; BC7                                                            |
+/// | bc6h.cpp, bc7.h, .cpp | BC6H; BC7                                                          |
 /// | partitions.h       | subsets, anchors and weights of BC6H and BC7                         |
 /// | codes.h            | palettes of eight codes, of BC3, BC4 and BC5                         |
+/// | kernels.h, .cpp    | BC1 and BC7 with the vectors of each target                          |
 /// | levels.h, .cpp     | blocks of levels in memory; single texels                            |
 /// | cache.h, .cpp      | decoded blocks between calls                                         |
-/// | place.h, .cpp      | indices of a stream to places in a cache                             |
+/// | place-inl.h, .cpp  | indices of a stream to places in a cache                             |
 #pragma once
 
 #include <cstddef>

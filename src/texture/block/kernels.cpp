@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "texture/block/kernels-inl.h"
+#include "texture/kernel_part.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -37,12 +38,17 @@ HWY_INLINE uint64_t Spread(uint64_t x) {
   return (x | x << (8 - kBits)) & kOne * 0x0101010101010101;
 }
 
+/// Returns a vector of two words, made in registers: a load of 16 bytes would wait for two stores of 8.
+HWY_INLINE ByteVec BytesOf(uint64_t low, uint64_t high) {
+  const hn::Full128<uint64_t> d;
+  const hn::Half<decltype(d)> half;
+  return hn::BitCast(Bytes(), hn::Combine(d, hn::Set(half, high), hn::Set(half, low)));
+}
+
 /// Spreads 16 codes to bytes.
 template <uint32_t kBits>
 HWY_INLINE ByteVec SpreadAll(uint64_t codes) {
-  alignas(16) const uint64_t words[2] = {Spread<kBits>(codes & ((uint64_t{1} << 8 * kBits) - 1)),
-                                         Spread<kBits>(codes >> 8 * kBits)};
-  return hn::BitCast(Bytes(), hn::Load(hn::Full128<uint64_t>(), words));
+  return BytesOf(Spread<kBits>(codes & ((uint64_t{1} << 8 * kBits) - 1)), Spread<kBits>(codes >> 8 * kBits));
 }
 
 /// Writes colours of a palette of four. `index`: byte i is four times the index of texel i.
@@ -59,12 +65,10 @@ HWY_INLINE void WritePalette(ByteVec palette, ByteVec index, uint8_t* texels, si
 
 template <bool kOpaque>
 void DecodeBc1(const uint8_t* block, uint8_t* texels, size_t pitch) {
-  alignas(16) uint32_t palette[4];
-  bc1_palette(block, kOpaque, palette);
+  const Palette palette = bc1_palette(block, kOpaque);
   const ByteVec index = SpreadAll<2>(bits_at<4>(block + 4));
-  const Bytes d;
   const auto twice = index + index;
-  WritePalette(hn::Load(d, reinterpret_cast<const uint8_t*>(palette)), twice + twice, texels, pitch);
+  WritePalette(BytesOf(palette.low, palette.high), twice + twice, texels, pitch);
 }
 
 /// The endpoints of up to three subsets as RGBA, and the subset of every texel times 4.
@@ -79,7 +83,7 @@ HWY_INLINE ByteVec MixChannel(const Ends& ends, uint32_t c, ByteVec weight) {
   const auto at = ends.subset + hn::Set(d, static_cast<uint8_t>(c));
   const auto a = hn::TableLookupBytes(ends.first, at), b = hn::TableLookupBytes(ends.second, at);
   const auto zero = hn::Zero(d);
-  const auto mix = [&](auto a8, auto b8, auto w8) HWY_ATTR {
+  const auto mix = [&](auto a8, auto b8, auto w8) SHD_INLINE_LAMBDA {
     const auto a16 = hn::BitCast(dw, a8), b16 = hn::BitCast(dw, b8), w16 = hn::BitCast(dw, w8);
     // Differences wrap around, and the sum wraps back.
     return hn::ShiftRight<6>(hn::ShiftLeft<6>(a16) + (b16 - a16) * w16 + hn::Set(dw, 32));
@@ -118,10 +122,10 @@ HWY_INLINE ByteVec WeightsOf(uint64_t indices) {
 template <uint32_t kMode>
 HWY_INLINE Ends EndsOf(const uint64_t (&endpoint)[6], uint32_t partition) {
   constexpr uint32_t kSubsets = bc7::kModes[kMode].subsets;
-  alignas(16) uint32_t first[4] = {}, second[4] = {};
+  uint64_t first[2] = {}, second[2] = {};
   for (uint32_t s = 0; s < kSubsets; ++s) {
-    first[s] = bc7::packed(endpoint[2 * s]);
-    second[s] = bc7::packed(endpoint[2 * s + 1]);
+    first[s / 2] |= uint64_t{bc7::packed(endpoint[2 * s])} << (s % 2 * 32);
+    second[s / 2] |= uint64_t{bc7::packed(endpoint[2 * s + 1])} << (s % 2 * 32);
   }
   const Bytes d;
   auto subset = hn::Zero(d);
@@ -130,8 +134,7 @@ HWY_INLINE Ends EndsOf(const uint64_t (&endpoint)[6], uint32_t partition) {
     subset = subset + subset;
     subset = subset + subset;
   }
-  return {hn::Load(d, reinterpret_cast<const uint8_t*>(first)), hn::Load(d, reinterpret_cast<const uint8_t*>(second)),
-          subset};
+  return {BytesOf(first[0], first[1]), BytesOf(second[0], second[1]), subset};
 }
 
 template <uint32_t kMode>

@@ -9,7 +9,12 @@ namespace shd::texture {
 /// Returns the decoder of a target with the bits of a scalar decoder.
 DecodeBlock kernel_of(DecodeBlock decode, const core::SimdTarget& simd);
 
-/// Sets the four colours of a BC1 block. `opaque`: the fourth of three colours is black, otherwise it is transparent.
-void bc1_palette(const uint8_t* block, bool opaque, uint32_t (&palette)[4]);
+/// Four colours of RGBA bytes, the first one in the lowest bits.
+struct Palette {
+  uint64_t low, high;
+};
+
+/// Returns the colours of a BC1 block. `opaque`: the fourth of three colours is black, otherwise it is transparent.
+Palette bc1_palette(const uint8_t* block, bool opaque);
 
 }  // namespace shd::texture

@@ -62,7 +62,8 @@ void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Tex
 /// Returns the first byte of row y of the blocks of a level of a layer.
 inline const uint8_t* block_row(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   const uint32_t width = texture.width >> level ? texture.width >> level : 1;
-  return block_at(texture, layer * texture.blocks.layer_blocks + texture.blocks.offset[level] + y * blocks_along(width));
+  return block_at(texture,
+                  layer * texture.blocks.layer_blocks + texture.blocks.offset[level] + y * blocks_along(width));
 }
 
 }  // namespace shd::texture

@@ -33,21 +33,22 @@ uint32_t packed(uint64_t lanes) {
   return static_cast<uint32_t>((lanes & 0xff) | (lanes >> 13 & 0xff00) | (lanes >> 26 & 0xff0000));
 }
 
-/// Sets the palette of a block of colours: two endpoints of 16 bits, then 16 indices of two bits. `alpha`: of every
+/// Returns the palette of a block of colours: two endpoints of 16 bits, then 16 indices of two bits. `alpha`: of every
 /// colour. `three`: endpoints in rising order have three colours, and `fourth` is the last entry.
-void set_palette(const uint8_t* block, uint32_t alpha, bool three, uint32_t fourth, uint32_t (&palette)[4]) {
+Palette palette_of(const uint8_t* block, uint32_t alpha, bool three, uint32_t fourth) {
   const auto bits = static_cast<uint32_t>(bits_at<4>(block));
   const uint32_t first = bits & 0xffff, second = bits >> 16;
   const uint64_t a = expanded(first), b = expanded(second);
   const bool four = !three || first > second;
   const uint32_t two_thirds = packed(third(a, b)), half = packed(middle(a, b)), one_third = packed(third(b, a));
-  palette[0] = packed(a) | alpha;
-  palette[1] = packed(b) | alpha;
-  palette[2] = (four ? two_thirds : half) | alpha;
-  palette[3] = four ? one_third | alpha : fourth;
+  const uint32_t last = four ? one_third | alpha : fourth;
+  return {(packed(a) | alpha) | uint64_t{packed(b) | alpha} << 32,
+          ((four ? two_thirds : half) | alpha) | uint64_t{last} << 32};
 }
 
-void write_colors(const uint8_t* block, const uint32_t (&palette)[4], uint8_t* texels, size_t pitch) {
+void write_colors(const uint8_t* block, Palette colors, uint8_t* texels, size_t pitch) {
+  const uint32_t palette[4] = {static_cast<uint32_t>(colors.low), static_cast<uint32_t>(colors.low >> 32),
+                               static_cast<uint32_t>(colors.high), static_cast<uint32_t>(colors.high >> 32)};
   auto indices = static_cast<uint32_t>(bits_at<4>(block + 4));
   for (size_t y = 0; y < 4; ++y, indices >>= 8) {
     for (size_t x = 0; x < 4; ++x) std::memcpy(texels + y * pitch + 4 * x, &palette[indices >> (2 * x) & 3], 4);
@@ -56,28 +57,22 @@ void write_colors(const uint8_t* block, const uint32_t (&palette)[4], uint8_t* t
 
 /// Writes the colours of a block of 16 bytes, whose alphas are [16].
 void write_with_alphas(const uint8_t* block, const uint8_t (&alpha)[16], uint8_t* texels, size_t pitch) {
-  uint32_t palette[4];
-  set_palette(block + 8, 0, false, 0, palette);
-  write_colors(block + 8, palette, texels, pitch);
+  write_colors(block + 8, palette_of(block + 8, 0, false, 0), texels, pitch);
   for (size_t i = 0; i < 16; ++i) texels[i / 4 * pitch + i % 4 * 4 + 3] = alpha[i];
 }
 
 }  // namespace
 
-void bc1_palette(const uint8_t* block, bool opaque, uint32_t (&palette)[4]) {
-  set_palette(block, kOpaque, true, opaque ? kOpaque : 0, palette);
+Palette bc1_palette(const uint8_t* block, bool opaque) {
+  return palette_of(block, kOpaque, true, opaque ? kOpaque : 0);
 }
 
 void decode_bc1_rgb(const uint8_t* block, uint8_t* texels, size_t pitch) {
-  uint32_t palette[4];
-  bc1_palette(block, true, palette);
-  write_colors(block, palette, texels, pitch);
+  write_colors(block, bc1_palette(block, true), texels, pitch);
 }
 
 void decode_bc1_rgba(const uint8_t* block, uint8_t* texels, size_t pitch) {
-  uint32_t palette[4];
-  bc1_palette(block, false, palette);
-  write_colors(block, palette, texels, pitch);
+  write_colors(block, bc1_palette(block, false), texels, pitch);
 }
 
 void decode_bc2(const uint8_t* block, uint8_t* texels, size_t pitch) {
