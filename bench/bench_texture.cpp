@@ -58,6 +58,9 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   for (auto _ : state) sampling.run(columns, &out);
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * columns.count);
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns.count));
+  if (format.format == kRgba8.format) record_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge), rate);
+  const double texels = recorded_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge));
+  if (shd_format_block_size(format.format) != 0 && texels > 0.0) state.counters["ratio_rgba8"] = rate / texels;
   for (const char* peer : {"llvmpipe", "lavapipe", "openimageio", "openimageio_batch"}) {
     const double other = recorded_rate(row_name(filter.peer_row, format.name, peer, pattern, edge));
     if (other > 0.0) state.counters[std::string("ratio_") + peer] = rate / other;
@@ -111,6 +114,12 @@ void for_each_workload(Body body) {
   }
 }
 
+/// Whether a row of compressed blocks is run: those whose filter has levels, at the larger size.
+bool has_block_row(const Filter& filter, uint32_t edge) {
+  return edge == kEdges[1] && filter.tables == SHD_TABLE_MIPMAP && filter.precision == SHD_PRECISION_FULL &&
+         filter.profile == SHD_PROFILE_LEAST_ERROR && filter.filter != SHD_FILTER_EXACT;
+}
+
 /// Whether a row is run. Slow and irrelevant rows are left out: all filters run on RGBA8 at the larger size.
 bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
   const bool is_unorm8 = format.format == SHD_FORMAT_R8 || format.format == SHD_FORMAT_RGBA8;
@@ -152,15 +161,19 @@ void register_texture_peers() {
 }
 
 void register_texture() {
-  for (const Format& format : kFormats) {
+  const auto add_rows = [](const Format& format, auto is_row) {
     for (const Target& target : targets()) {
       for_each_workload([&](const Filter& filter, const std::string& pattern, uint32_t edge) {
-        if (!is_measured(filter, format, edge)) return;
+        if (!is_row(filter, edge)) return;
         add(row_name(filter.name, format.name, target.name, pattern, edge),
             [=](benchmark::State& state) { run_shd(state, target, filter, format, pattern, edge); });
       });
     }
+  };
+  for (const Format& format : kFormats) {
+    add_rows(format, [&](const Filter& filter, uint32_t edge) { return is_measured(filter, format, edge); });
   }
+  for (const Format& format : kBlockFormats) add_rows(format, has_block_row);
 }
 
 }  // namespace shd::bench

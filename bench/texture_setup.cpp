@@ -13,6 +13,35 @@ uint16_t to_half(float value) {
   return value == 0.0f ? 0 : static_cast<uint16_t>((bits - (112u << 23) + 0x1000u) >> 13);
 }
 
+/// All levels of a square texture of compressed blocks.
+class BlockLevels {
+ public:
+  BlockLevels(shd_format format, uint32_t edge) {
+    for (uint32_t side = edge; side > 0; side /= 2) {
+      const size_t across = (side + 3) / 4;
+      blocks_.emplace_back(across * across * shd_format_block_size(format));
+      for (uint8_t& byte : blocks_.back())
+        byte = static_cast<uint8_t>((state_ = state_ * 1664525u + 1013904223u) >> 24);
+      shd_image image = shd_image_default();
+      image.format = format;
+      image.width = image.height = side;
+      image.pixels = blocks_.back().data();
+      images_.push_back(image);
+    }
+  }
+  /// Sets the texels and levels of a desc, which must not outlive this object.
+  void set(shd_texture_desc* desc) const {
+    desc->texels = images_[0].pixels;
+    desc->levels = images_.data() + 1;
+    desc->level_count = static_cast<uint32_t>(images_.size()) - 1;
+  }
+
+ private:
+  uint32_t state_ = 1;
+  std::vector<std::vector<uint8_t>> blocks_;
+  std::vector<shd_image> images_;
+};
+
 }  // namespace
 
 std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format) {
@@ -47,12 +76,15 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   sampler.width_x = sampler.width_y = filter.width;
   sampler.max_anisotropy = filter.max_anisotropy;
   check(shd_sampler_create(context_, &sampler, &sampler_));
-  const std::vector<uint8_t> converted = convert(texels, format);
+  const bool has_blocks = shd_format_block_size(format.format) != 0;
+  const std::vector<uint8_t> converted = has_blocks ? std::vector<uint8_t>() : convert(texels, format);
+  const BlockLevels blocks(format.format, has_blocks ? edge : 0);
   shd_texture_desc texture = shd_texture_desc_default();
   texture.format = format.format;
   texture.width = texture.height = edge;
   texture.texels = converted.data();
   texture.tables = filter.tables;
+  if (has_blocks) blocks.set(&texture);
   check(shd_texture_create(context_, &texture, &texture_));
 }
 

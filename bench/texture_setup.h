@@ -101,10 +101,12 @@ constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
                                {"rgba8_srgb", SHD_FORMAT_RGBA8_SRGB, 4},
                                {"rgba16f", SHD_FORMAT_RGBA16F, 4},
                                {"rgba32f", SHD_FORMAT_RGBA32F, 4}};
+/// Blocks of random bits: BC7 then has its slow modes of two and three subsets most often.
+constexpr Format kBlockFormats[] = {{"bc1", SHD_FORMAT_BC1_RGBA, 4}, {"bc7", SHD_FORMAT_BC7, 4}};
 /// The format of the peers' rows.
 constexpr Format kRgba8 = kFormats[1];
 
-/// Converts RGBA8 texels to another format, whose channels are the first ones.
+/// Converts RGBA8 texels to another format of pixels, whose channels are the first ones.
 std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format);
 
 /// A context with a texture and a sampler for `filter`.

@@ -983,8 +983,8 @@ inline void texture_read_level(
   check(shd_texture_read_level(texture_, layer, level, out_));
 }
 
-/// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. See
-/// shd_texture_update().
+/// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. Textures of
+/// compressed blocks give SHD_ERROR_UNSUPPORTED. See shd_texture_update().
 inline void texture_update(
     shd_texture* texture_,
     uint32_t layer,

@@ -27,6 +27,9 @@ SHD_BEGIN_DECLS
  * Unsigned integer channels hold value / maximum, in [0, 1]; F channels are IEEE 754 binary16 or binary32. All channels
  * are linear, except r, g and b of the _SRGB formats, which are encoded (IEC 61966-2-1). Textures take every format;
  * framebuffers, colour transforms and files list the formats that they take.
+ *
+ * BC formats are blocks of 4 x 4 texels, row by row from the top left (Khronos Data Format Specification 1.3, chapters
+ * 18 to 20). Only shd_texture_create() and shd_texture_read_level() take them. docs/compressed.md has their values.
  */
 typedef enum shd_format {
     SHD_FORMAT_NONE = 0,
@@ -50,11 +53,30 @@ typedef enum shd_format {
     SHD_FORMAT_R32F = 18,
     SHD_FORMAT_RG32F = 19,
     SHD_FORMAT_RGB32F = 20,
+    SHD_FORMAT_BC1_RGB = 21, /**< blocks of 8 bytes; every texel is opaque */
+    SHD_FORMAT_BC1_RGB_SRGB = 22,
+    SHD_FORMAT_BC1_RGBA = 23, /**< blocks of 8 bytes; texels may be transparent black */
+    SHD_FORMAT_BC1_RGBA_SRGB = 24,
+    SHD_FORMAT_BC2 = 25, /**< blocks of 16 bytes, as all of the following except BC4 */
+    SHD_FORMAT_BC2_SRGB = 26,
+    SHD_FORMAT_BC3 = 27,
+    SHD_FORMAT_BC3_SRGB = 28,
+    SHD_FORMAT_BC4 = 29,         /**< one channel in 0..1, blocks of 8 bytes */
+    SHD_FORMAT_BC4_SNORM = 30,   /**< one channel in -1..1, blocks of 8 bytes */
+    SHD_FORMAT_BC5 = 31,         /**< two channels in 0..1 */
+    SHD_FORMAT_BC5_SNORM = 32,   /**< two channels in -1..1 */
+    SHD_FORMAT_BC6H_UFLOAT = 33, /**< three channels from 0 to 65504 */
+    SHD_FORMAT_BC6H_SFLOAT = 34, /**< three channels from -65504 to 65504 */
+    SHD_FORMAT_BC7 = 35,
+    SHD_FORMAT_BC7_SRGB = 36,
     SHD_FORMAT_MAX_ENUM = 0x7fffffff
 } shd_format;
 
-/** Bytes of one pixel; 0 for an unknown format. Any thread. @since 0.1 */
+/** Bytes of one pixel; 0 for an unknown format, and for formats of blocks. Any thread. @since 0.1 */
 SHD_API size_t shd_format_size(shd_format format);
+
+/** Bytes of one block of 4 x 4 texels: 8 or 16; 0 for formats of pixels, and unknown ones. Any thread. @since 0.1 */
+SHD_API size_t shd_format_block_size(shd_format format);
 
 /** An image in the caller's memory. Required: format, width, height, pixels. */
 typedef struct shd_image {
@@ -62,8 +84,9 @@ typedef struct shd_image {
     shd_format format;    /**< storage of `pixels` */
     uint32_t width;       /**< pixels, 1..65536 */
     uint32_t height;      /**< pixels, 1..65536 */
-    void *pixels;         /**< [height][width], row 0 on top; borrowed for the call */
-    size_t row_stride;    /**< bytes between rows, at least width * pixel size; 0 = packed */
+    void *pixels;         /**< [height][width], row 0 on top; borrowed for the call; blocks are
+                               [ceil(height / 4)][ceil(width / 4)] */
+    size_t row_stride;    /**< bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed */
     /* ---- end of 0.1; append below ---- */
 } shd_image;
 

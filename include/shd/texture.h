@@ -67,7 +67,8 @@ typedef enum shd_texture_flag {
      * Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
      * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
      * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
-     * because lookups load whole vectors. Lookups give the same bits as for copied texels.
+     * because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
+     * as for copied texels.
      */
     SHD_TEXTURE_BORROW = 1,
     SHD_TEXTURE_FLAG_MAX_ENUM = 0x7fffffff
@@ -79,15 +80,18 @@ typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
 
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 typedef struct shd_texture_desc {
-    uint32_t struct_size;    /**< set by shd_texture_desc_default() */
-    shd_format format;       /**< any; no default. Three channels are stored as four */
-    uint32_t width;          /**< texels, 1..65536; width * height * layers at most 2^28 */
-    uint32_t height;         /**< texels, 1..65536 */
-    const void *texels;      /**< [layers][height][width], row 0 on top, aligned to a channel; copied without
-                                  SHD_TEXTURE_BORROW */
-    size_t row_stride;       /**< bytes between rows, at least width * texel size; 0 = packed */
-    size_t layer_stride;     /**< bytes between layers, at least height * row stride; 0 = packed */
-    uint32_t layers;         /**< images of the array, 1..2048; default 1 */
+    uint32_t struct_size; /**< set by shd_texture_desc_default() */
+    shd_format format;    /**< any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+                                  decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
+                                  and the caller gives its levels */
+    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28 */
+    uint32_t height;      /**< texels, 1..65536 */
+    const void *texels;   /**< [layers][height][width], row 0 on top, aligned to a channel; copied without
+                                  SHD_TEXTURE_BORROW. Blocks: [layers][ceil(height / 4)][ceil(width / 4)], at any
+                                  address */
+    size_t row_stride;    /**< bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed */
+    size_t layer_stride;  /**< bytes between layers, at least the rows of a layer times the row stride; 0 = packed */
+    uint32_t layers;      /**< images of the array, 1..2048; default 1 */
     shd_texture_flags flags; /**< default none */
     shd_channel swizzle[4];  /**< sources of r, g, b, a of lookups; default SHD_CHANNEL_DEFAULT */
     float fill[4];           /**< values of channels that the format does not have, in lookups inside and outside the
@@ -149,7 +153,7 @@ SHD_API void shd_texture_release(shd_texture *texture);
 /** Size, format and memory of a texture. */
 typedef struct shd_texture_info {
     uint32_t struct_size;    /**< set by shd_texture_info_default() */
-    shd_format format;       /**< format of every level; RGBA for a format of three channels */
+    shd_format format;       /**< format of every level; RGBA for a format of three channels of pixels */
     uint32_t width;          /**< texels of level 0 */
     uint32_t height;         /**< texels of level 0 */
     uint32_t layers;         /**< images of the array */
@@ -184,14 +188,15 @@ SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture
  * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
  * @param layer  0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
- * @param out    image of that size, and of the format in shd_texture_info
+ * @param out    image of that size, and of the format in shd_texture_info; blocks are copied as they are
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level,
                                                         const shd_image *out);
 
 /**
- * Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it.
+ * Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. Textures of
+ * compressed blocks give SHD_ERROR_UNSUPPORTED.
  *
  * The texture then has the bits that shd_texture_create() gives for the changed base. Mip levels that the caller gave
  * stay as they are.

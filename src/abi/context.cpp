@@ -4,6 +4,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "core/cache_pool.h"
 #include "core/scratch.h"
 
 namespace {
@@ -54,6 +55,7 @@ void shd_context_release(shd_context* context) {
 void shd_context_trim(shd_context* context) {
   if (context && context_of(context).tag == core::kContextTag) {
     context_of(context).scratch->trim(context_of(context).allocator);
+    context_of(context).caches->trim();
   }
 }
 

@@ -83,6 +83,11 @@ shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
   return image::read_image(core::fail, takes, name, in, out);
 }
 
+shd_result read_pixels_or_blocks(const char* name, const shd_image* in, shd_image* out) {
+  const auto takes = [](shd_format) { return true; };
+  return image::read_image<true>(core::fail, takes, name, in, out);
+}
+
 shd_result check_apart(const char* a_name, const shd_image& a, const char* b_name, const shd_image& b) {
   const auto a_begin = reinterpret_cast<uintptr_t>(a.pixels), b_begin = reinterpret_cast<uintptr_t>(b.pixels);
   const size_t a_row = a.width * image::format_info(a.format).pixel_size;

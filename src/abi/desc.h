@@ -64,8 +64,10 @@ template <class Column>
 shd_result check_column(const char* field, const Column& column, size_t count) {
   return check_column(field, column.data, column.stride, count, sizeof *column.data);
 }
-/// Checks a caller's image of any known format and copies it, with its row stride filled in.
+/// Checks a caller's image of any known format of pixels and copies it, with its row stride filled in.
 shd_result read_image(const char* name, const shd_image* in, shd_image* out);
+/// As read_image(), but formats of blocks are taken as well.
+shd_result read_pixels_or_blocks(const char* name, const shd_image* in, shd_image* out);
 /// That two images that read_image has read share no byte.
 shd_result check_apart(const char* a_name, const shd_image& a, const char* b_name, const shd_image& b);
 

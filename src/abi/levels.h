@@ -28,7 +28,7 @@ inline shd_result check_level(const char* name, const shd_image* levels, size_t 
   shd_image image;
   const shd_image* given = texture::element_of(levels, i);
   SHD_TRY(check_same_size(element, given, first, levels));
-  SHD_TRY(read_image(element, given, &image));
+  SHD_TRY(read_pixels_or_blocks(element, given, &image));
   if (image.format != format) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,
                       static_cast<int>(image.format), static_cast<int>(format));

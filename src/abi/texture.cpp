@@ -8,6 +8,7 @@
 #include "abi/handle.h"
 #include "abi/levels.h"
 #include "image/format.h"
+#include "texture/block/levels.h"
 #include "texture/store/storage.h"
 #include "texture/texture.h"
 
@@ -67,14 +68,14 @@ uint32_t image_count(const shd_texture_desc& desc) {
 }
 
 /// `layer_size` is the size of one layer in bytes, with its row stride.
-shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& format, size_t layer_size) {
+shd_result check_layers(const shd_texture_desc& desc, size_t alignment, size_t layer_size) {
   const size_t stride = desc.layer_stride ? desc.layer_stride : layer_size;
   if (stride < layer_size) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu is below %zu", stride, layer_size);
   }
-  if (stride % format.channel_size != 0) {
+  if (stride % alignment != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu is not a multiple of %zu", stride,
-                      format.channel_size);
+                      alignment);
   }
   size_t bytes;
   if (__builtin_mul_overflow(stride, size_t{image_count(desc)}, &bytes) || bytes > PTRDIFF_MAX) {
@@ -84,25 +85,26 @@ shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& f
   return SHD_OK;
 }
 
-shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& format) {
+shd_result check_rows(const shd_texture_desc& desc) {
   SHD_TRY(check_not_null("texture.texels", desc.texels));
-  const size_t row = desc.width * format.pixel_size;
+  const image::RowLayout layout = image::row_layout(desc.format, desc.width, desc.height);
+  const size_t row = layout.row_size;
   const size_t stride = desc.row_stride ? desc.row_stride : row;
   if (stride < row) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu is below %zu", stride, row);
   }
-  if (stride % format.channel_size != 0) {
+  if (stride % layout.alignment != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu is not a multiple of %zu", stride,
-                      format.channel_size);
+                      layout.alignment);
   }
   size_t bytes;
-  if (__builtin_mul_overflow(stride, size_t{desc.height}, &bytes) || bytes > PTRDIFF_MAX) {
+  if (__builtin_mul_overflow(stride, size_t{layout.rows}, &bytes) || bytes > PTRDIFF_MAX) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu times %u rows exceeds the address space",
-                      stride, desc.height);
+                      stride, layout.rows);
   }
-  SHD_TRY(check_layers(desc, format, bytes));
-  if (reinterpret_cast<uintptr_t>(desc.texels) % format.channel_size != 0) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to %zu bytes", format.channel_size);
+  SHD_TRY(check_layers(desc, layout.alignment, bytes));
+  if (reinterpret_cast<uintptr_t>(desc.texels) % layout.alignment != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to %zu bytes", layout.alignment);
   }
   return SHD_OK;
 }
@@ -119,7 +121,8 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but %u layers, not 1",
                       desc.layers);
   }
-  const size_t row = desc.width * format.pixel_size;
+  const image::RowLayout layout = image::row_layout(desc.format, desc.width, desc.height);
+  const size_t row = layout.row_size;
   if (desc.row_stride != 0 && desc.row_stride != row) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride %zu, not %zu", desc.row_stride, row);
@@ -129,6 +132,7 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
                       "texture.flags: SHD_TEXTURE_BORROW, but texture.layer_stride %zu, not %zu", desc.layer_stride,
                       row * desc.height);
   }
+  if (image::is_block_format(enum_bits(desc.format))) return SHD_OK;
   const size_t alignment = format.pixel_size < 4 ? format.pixel_size : 4;
   if (reinterpret_cast<uintptr_t>(desc.texels) % alignment != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
@@ -153,6 +157,25 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
                       desc.height);
 }
 
+/// Kind, tables and levels of a texture of compressed blocks.
+shd_result check_blocks(const shd_texture_desc& desc) {
+  if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
+  if (desc.depth != 0) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.depth: %u, but format %u has compressed blocks, which 2D has only", desc.depth,
+                      desc.format);
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.tables: %#x, but a texture of compressed blocks has SHD_TABLE_MIPMAP only", desc.tables);
+  }
+  if (desc.tables & SHD_TABLE_MIPMAP && desc.level_count == 0 && (desc.width > 1 || desc.height > 1)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.levels");
+  }
+  return SHD_OK;
+}
+
 shd_result check_texels(const shd_texture_desc& desc) {
   const char* const product = desc.depth != 0 ? "texture.width * texture.height * texture.depth"
                                               : "texture.width * texture.height * texture.layers";
@@ -163,7 +186,7 @@ shd_result check_texels(const shd_texture_desc& desc) {
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
-  if (!image::is_format(bits)) {
+  if (!image::is_format(bits) && !image::is_block_format(bits)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
   }
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
@@ -172,7 +195,8 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   SHD_TRY(check_kind(desc));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
   SHD_TRY(check_texels(desc));
-  SHD_TRY(check_rows(desc, image::format_info(desc.format)));
+  SHD_TRY(check_blocks(desc));
+  SHD_TRY(check_rows(desc));
   SHD_TRY(check_borrow(desc, image::format_info(desc.format)));
   SHD_TRY(check_given_levels(desc));
   for (const shd_channel channel : desc.swizzle) {
@@ -268,6 +292,10 @@ shd_result shd_texture_update(shd_texture* texture, uint32_t layer, uint32_t x, 
   return guard([&]() -> shd_result {
     texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    if (texture::has_blocks(*body)) {
+      return core::fail(SHD_ERROR_UNSUPPORTED, "texture: format %d has compressed blocks, which cannot be updated",
+                        static_cast<int>(body->format));
+    }
     shd_image image;
     SHD_TRY(read_update_texels(*body, texels, &image));
     SHD_TRY(check_update(*body, layer, x, y, image));
@@ -284,7 +312,7 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
     const uint32_t slices = texture::level_size(body->depth, level);
     SHD_TRY(check_count("layer", layer, 0, (body->depth != 0 ? slices : body->layers) - 1));
     shd_image image;
-    SHD_TRY(read_image("out", out, &image));
+    SHD_TRY(read_pixels_or_blocks("out", out, &image));
     if (image.format != body->format) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is not the texture's %d",
                         static_cast<int>(image.format), static_cast<int>(body->format));
@@ -292,10 +320,12 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
     const uint32_t width = texture::level_size(body->width, level), height = texture::level_size(body->height, level);
     SHD_TRY(check_count("out.width", image.width, width, width));
     SHD_TRY(check_count("out.height", image.height, height, height));
-    const size_t pixel_size = texture::texel_size(*body);
+    const image::RowLayout layout = image::row_layout(image.format, width, height);
     auto* pixels = static_cast<uint8_t*>(image.pixels);
-    for (uint32_t y = 0; y < height; ++y) {
-      std::memcpy(pixels + y * image.row_stride, texture::row_of(*body, layer, level, y), width * pixel_size);
+    for (uint32_t y = 0; y < layout.rows; ++y) {
+      const uint8_t* row = texture::has_blocks(*body) ? texture::block_row(*body, layer, level, y)
+                                                      : texture::row_of(*body, layer, level, y);
+      std::memcpy(pixels + y * image.row_stride, row, layout.row_size);
     }
     return SHD_OK;
   });

@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "core/cache_pool.h"
 #include "core/executor.h"
 #include "core/scratch.h"
 
@@ -15,6 +16,7 @@ Context* create_context(const shd_context_desc& desc) {
 
   Context* context = create<Context>(allocator);
   context->scratch = nullptr;
+  context->caches = nullptr;
   context->built_in_executor = nullptr;
   context->tag = kContextTag;
   context->references.store(1, std::memory_order_relaxed);
@@ -23,11 +25,14 @@ Context* create_context(const shd_context_desc& desc) {
   context->simd = simd;
   context->executor = desc.executor;
   try {
-    context->scratch = create<ScratchPool>(allocator, !(desc.flags & SHD_CONTEXT_RETURN_MEMORY));
+    const bool keeps = !(desc.flags & SHD_CONTEXT_RETURN_MEMORY);
+    context->scratch = create<ScratchPool>(allocator, keeps);
+    context->caches = create<CachePool>(allocator, allocator, keeps, kCacheSize);
     if (!desc.executor.parallel_for) {
       context->built_in_executor = create_executor(context->allocator, desc.worker_count, &context->executor);
     }
   } catch (...) {
+    destroy(allocator, context->caches);
     destroy(allocator, context->scratch);
     destroy(allocator, context);
     throw;
@@ -44,6 +49,8 @@ void release(Context& context) noexcept {
   context.tag = 0;
   const Allocator allocator = context.allocator;
   if (context.built_in_executor) destroy_executor(context.allocator, context.built_in_executor);
+  context.caches->trim();
+  destroy(allocator, context.caches);
   context.scratch->trim(allocator);
   destroy(allocator, context.scratch);
   context.objects.free_all(allocator);

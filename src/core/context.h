@@ -11,6 +11,7 @@
 
 namespace shd::core {
 
+class CachePool;
 class ScratchPool;
 
 /// The body of a shd_context: the host's callbacks and the handles made with them.
@@ -24,6 +25,7 @@ struct Context {
   SimdTarget simd;
   ObjectPool objects;
   ScratchPool* scratch;  // working memory between calls
+  CachePool* caches;     // decoded blocks of compressed textures; null in the copy of a ScratchScope
 };
 
 constexpr uint32_t kContextTag = 0x43646873;  // "shdC"

@@ -19,6 +19,7 @@
 /// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
 /// | scratch.h     | working memory that is kept from call to call                     |
+/// | cache_pool.h  | copies of data of objects that are kept from call to call         |
 /// | simd_name.h   | names of SIMD targets                                             |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
 /// | simd_narrow.h | the SIMD target of a few elements                               |

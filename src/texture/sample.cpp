@@ -7,6 +7,7 @@
 
 #include "core/simd_narrow.h"
 #include "core/status.h"
+#include "texture/block/cache.h"
 #include "texture/filter/magnify.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -73,10 +74,10 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient != Gradient::kNone) {
     kernels.format.gradient = GradientOf(component);
-  } else if (!bordered) {
+  } else if (!bordered && !has_blocks(texture)) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
-  if (sampler.precision == SHD_PRECISION_FAST) {
+  if (sampler.precision == SHD_PRECISION_FAST && !has_blocks(texture)) {
     kernels.format.fixed = FixedOf(component);
     if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
   }
@@ -138,9 +139,9 @@ Texels of_columns(const Texels& columns, size_t first, size_t end) {
   return some;
 }
 
-/// Filters the stored channels. `wanted` holds their columns.
+/// Filters the stored channels. `wanted` holds their columns. `blocks`: see FilterCall.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& wanted, Recording* recording) {
+                     const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
   Kernels kernels = {};
@@ -150,14 +151,15 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
     const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
     find_kernels(Gradient::kDeep);
-    const size_t nonfinite = kernels.run({texture, sampler, lookups, deep, kernels.format, nullptr, nullptr});
+    const size_t nonfinite = kernels.run({texture, sampler, lookups, deep, kernels.format, nullptr, nullptr, blocks});
     if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
-    return sample_stored(texture, sampler, simd, lookups, others, nullptr);
+    return sample_stored(texture, sampler, simd, lookups, others, nullptr, blocks);
   }
   find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
-    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});
+    return filter(
+        {texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording, blocks});
   };
   if (recording) return run(kernels.run, wanted);
   if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
@@ -165,14 +167,26 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   if (wanted.wants_values()) run(kernels.fixed, without_gradient(wanted));
   return run(kernels.run, without_values(wanted));
 }
+/// sample_stored() of a compressed texture. Calls for other textures do not pay for its stack frame.
+[[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                       const Lookups& lookups, const Texels& wanted) {
+  CacheLease lease(texture);
+  return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, lease.cache());
+}
+
+size_t sample_any(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& wanted, Recording* recording) {
+  if (HWY_UNLIKELY(has_blocks(texture)) && !recording) return sample_blocks(texture, sampler, simd, lookups, wanted);
+  return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr);
+}
 }  // namespace
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
-  if (is_stored_as_read(texture)) return sample_stored(texture, sampler, simd, lookups, out, recording);
+  if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
   const Texels stored = stored_columns(texture, out);
-  const size_t nonfinite = sample_stored(texture, sampler, simd, lookups, stored, recording);
+  const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);
   complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
 }

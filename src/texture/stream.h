@@ -74,7 +74,9 @@ struct Stream : Elements<256> {
   uint16_t op[kMaxElements];
 };
 
-/// Addresses of the texels of a texture.
+struct FilterCall;
+
+/// Addresses of the texels of a texture, or of the decoded texels in its cache.
 struct TexelSource {
   const uint8_t* origin;     // address of texel 0, computed as if the base were not borrowed
   const uint8_t* borrowed;   // the caller's base level, or null
@@ -83,14 +85,13 @@ struct TexelSource {
   uint32_t texel_size;       // [bytes]
 
   explicit TexelSource(const Texture& texture);
+  explicit TexelSource(const FilterCall& call);
 
   /// Returns the first byte of a texel.
   const uint8_t* texel(uint32_t index) const {
     return (index < borrowed_texels ? borrowed : origin) + size_t{index} * texel_size;
   }
 };
-
-struct FilterCall;
 
 /// State of a consumer over the lookups of one batch: inputs, outputs and progress.
 struct Consumption {
@@ -109,6 +110,7 @@ struct Consumption {
 /// Consumes elements 0..end - 1.
 using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
+struct BlockCache;
 struct FixedVector;
 
 /// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
@@ -136,8 +138,9 @@ struct FilterCall {
   const Lookups& in;
   const Texels& out;
   const FormatKernels& format;
-  Consume record;        // null, or the consumer that replaces those of the format
-  Recording* recording;  // output of `record`, or null
+  Consume record;                // null, or the consumer that replaces those of the format
+  Recording* recording;          // output of `record`, or null
+  BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)

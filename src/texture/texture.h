@@ -18,6 +18,7 @@
 ///
 /// | folder     | contents                                                                                     |
 /// |------------|----------------------------------------------------------------------------------------------|
+/// | block/     | compressed blocks: decoders, caches of decoded blocks, places of texels in a cache (decode.h) |
 /// | store/     | texels and tables in memory: mip levels, ripmaps, summed areas; their builders, their layout |
 /// | footprint/ | shapes of lookups, block by block: levels of detail, probes, ellipses; profiles              |
 /// | filter/    | filters, one in each file; their shared parts: levels, quads, stream sinks, prefetching      |
@@ -99,6 +100,7 @@
 #include "core/allocator.h"
 #include "core/context.h"
 #include "image/format.h"
+#include "texture/block/decode.h"
 
 namespace shd::texture {
 
@@ -108,12 +110,23 @@ constexpr uint32_t kMaxLayers = 2048;
 
 constexpr uint32_t kFill = 4;  // channel_source of an output that takes its constant of `fill`
 
+/// Blocks of a compressed texture in memory. Indices of texels are those of a texture without blocks.
+struct BlockLayout {
+  DecodeBlock decode;           // null: the texture has texels, and nothing else here is set
+  uint32_t size;                // bytes of a block
+  uint32_t offset[kMaxLevels];  // first block of level l, whose rows have ceil(width / 4) blocks
+  uint32_t layer_blocks;        // blocks of all levels of one layer
+  uint32_t borrowed;            // blocks of the borrowed base; 0 if not borrowed
+  uint64_t owner;               // number of the texture among the owners of `caches`
+  core::CachePool* caches;      // caches of the context; may be null
+};
+
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
 struct Texture {
-  shd_format format;            // stored format: one, two or four channels
+  shd_format format;            // stored format: one, two or four channels, or blocks
   shd_format given_format;      // format of the texels that the texture was made from
-  image::Component component;   // component type of `format`
-  uint32_t channels;            // channels of `format`
+  image::Component component;   // component type of `format`, or of its decoded blocks
+  uint32_t channels;            // channels of `format`, or of its decoded blocks
   uint32_t channel_source[4];   // stored channel of each output, or kFill
   float fill[4];                // constant of each output whose source is kFill
   uint32_t tables;              // shd_table bits
@@ -131,14 +144,20 @@ struct Texture {
   core::Array<uint8_t> texels;  // [layers][levels][rows], rows packed; padded at the end for whole gathers; has no base
                                 // level if the base is borrowed
   const uint8_t* borrowed;      // the caller's base level, or null
-  const uint8_t* origin;        // address of texel 0, computed as if the base were not borrowed
-  uint32_t borrowed_texels;     // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed
+  const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
+  uint32_t borrowed_texels;  // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
+  BlockLayout blocks;        // layout, if `texels` are compressed blocks
   core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
   uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
   core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double
   core::Array<uint32_t> nonfinite_sums;      // counts of texels that are not finite; empty if the texture has none
   core::Array<double> sum_origins;           // [layers][channels] linear value subtracted from texels before summation
 };
+
+/// Returns whether the memory of a texture holds compressed blocks.
+inline bool has_blocks(const Texture& texture) {
+  return texture.blocks.decode != nullptr;
+}
 
 /// Returns whether lookups of a texture read w.
 inline bool needs_w(const Texture& texture) {

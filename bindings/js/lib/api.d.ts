@@ -387,6 +387,20 @@ export type Plane =
  * are linear, except r, g and b of the _SRGB formats, which are encoded (IEC 61966-2-1). Textures take every
  * format;
  * framebuffers, colour transforms and files list the formats that they take.
+ *
+ * BC formats are blocks of 4 x 4 texels, row by row from the top left (Khronos Data Format Specification 1.3,
+ * chapters
+ * 18 to 20). Only shd_texture_create() and shd_texture_read_level() take them. docs/compressed.md has their
+ * values.
+ * - `bc1_rgb`: blocks of 8 bytes; every texel is opaque
+ * - `bc1_rgba`: blocks of 8 bytes; texels may be transparent black
+ * - `bc2`: blocks of 16 bytes, as all of the following except BC4
+ * - `bc4`: one channel in 0..1, blocks of 8 bytes
+ * - `bc4_snorm`: one channel in -1..1, blocks of 8 bytes
+ * - `bc5`: two channels in 0..1
+ * - `bc5_snorm`: two channels in -1..1
+ * - `bc6h_ufloat`: three channels from 0 to 65504
+ * - `bc6h_sfloat`: three channels from -65504 to 65504
  */
 export type Format =
   | "none"
@@ -410,6 +424,22 @@ export type Format =
   | "r32f"
   | "rg32f"
   | "rgb32f"
+  | "bc1_rgb"
+  | "bc1_rgb_srgb"
+  | "bc1_rgba"
+  | "bc1_rgba_srgb"
+  | "bc2"
+  | "bc2_srgb"
+  | "bc3"
+  | "bc3_srgb"
+  | "bc4"
+  | "bc4_snorm"
+  | "bc5"
+  | "bc5_snorm"
+  | "bc6h_ufloat"
+  | "bc6h_sfloat"
+  | "bc7"
+  | "bc7_srgb"
   ;
 
 /**
@@ -1362,7 +1392,9 @@ export type Channel =
  * Requires one
  * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
  * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
- * because lookups load whole vectors. Lookups give the same bits as for copied texels.
+ * because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same
+ * bits
+ * as for copied texels.
  */
 export type TextureFlag =
   | "none"
@@ -1811,9 +1843,12 @@ export interface Image {
   width?: number;
   /** pixels, 1..65536 */
   height?: number;
-  /** [height][width], row 0 on top; borrowed for the call */
+  /**
+   * [height][width], row 0 on top; borrowed for the call; blocks are
+   * [ceil(height / 4)][ceil(width / 4)]
+   */
   pixels: Pixels;
-  /** bytes between rows, at least width * pixel size; 0 = packed */
+  /** bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed */
   rowStride?: number;
 }
 
@@ -3009,7 +3044,11 @@ export interface TessellationDesc {
 
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 export interface TextureDesc {
-  /** any; no default. Three channels are stored as four */
+  /**
+   * any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+   * decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
+   * and the caller gives its levels
+   */
   format: Format | number;
   /** texels, 1..65536; width * height * layers at most 2^28 */
   width?: number;
@@ -3017,12 +3056,13 @@ export interface TextureDesc {
   height?: number;
   /**
    * [layers][height][width], row 0 on top, aligned to a channel; copied without
-   * SHD_TEXTURE_BORROW
+   * SHD_TEXTURE_BORROW. Blocks: [layers][ceil(height / 4)][ceil(width / 4)], at any
+   * address
    */
   texels: Pixels;
-  /** bytes between rows, at least width * texel size; 0 = packed */
+  /** bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed */
   rowStride?: number;
-  /** bytes between layers, at least height * row stride; 0 = packed */
+  /** bytes between layers, at least the rows of a layer times the row stride; 0 = packed */
   layerStride?: number;
   /** images of the array, 1..2048; default 1 */
   layers?: number;
@@ -3070,7 +3110,7 @@ export interface TextureDesc {
 
 /** Size, format and memory of a texture. */
 export interface TextureInfo {
-  /** format of every level; RGBA for a format of three channels */
+  /** format of every level; RGBA for a format of three channels of pixels */
   format: Format | number;
   /** texels of level 0 */
   width: number;
@@ -3446,8 +3486,10 @@ export interface Raw {
    * @param out RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
    */
   shd_framebuffer_read_color(framebuffer: number, out: number): number;
-  /** Bytes of one pixel; 0 for an unknown format. Any thread. */
+  /** Bytes of one pixel; 0 for an unknown format, and for formats of blocks. Any thread. */
   shd_format_size(format: number): number;
+  /** Bytes of one block of 4 x 4 texels: 8 or 16; 0 for formats of pixels, and unknown ones. Any thread. */
+  shd_format_block_size(format: number): number;
   /**
    * Make a light.
    * @param context retained
@@ -3856,11 +3898,13 @@ export interface Raw {
    * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
    * @param layer 0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
    * @param level 0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
-   * @param out image of that size, and of the format in shd_texture_info
+   * @param out image of that size, and of the format in shd_texture_info; blocks are copied as they are
    */
   shd_texture_read_level(texture: number, layer: number, level: number, out: number): number;
   /**
-   * Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it.
+   * Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. Textures
+   * of
+   * compressed blocks give SHD_ERROR_UNSUPPORTED.
    *
    * The texture then has the bits that shd_texture_create() gives for the changed base. Mip levels that the caller
    * gave

@@ -239,6 +239,22 @@ typedef enum shd_format {
   SHD_FORMAT_R32F = 18,
   SHD_FORMAT_RG32F = 19,
   SHD_FORMAT_RGB32F = 20,
+  SHD_FORMAT_BC1_RGB = 21,
+  SHD_FORMAT_BC1_RGB_SRGB = 22,
+  SHD_FORMAT_BC1_RGBA = 23,
+  SHD_FORMAT_BC1_RGBA_SRGB = 24,
+  SHD_FORMAT_BC2 = 25,
+  SHD_FORMAT_BC2_SRGB = 26,
+  SHD_FORMAT_BC3 = 27,
+  SHD_FORMAT_BC3_SRGB = 28,
+  SHD_FORMAT_BC4 = 29,
+  SHD_FORMAT_BC4_SNORM = 30,
+  SHD_FORMAT_BC5 = 31,
+  SHD_FORMAT_BC5_SNORM = 32,
+  SHD_FORMAT_BC6H_UFLOAT = 33,
+  SHD_FORMAT_BC6H_SFLOAT = 34,
+  SHD_FORMAT_BC7 = 35,
+  SHD_FORMAT_BC7_SRGB = 36,
   SHD_FORMAT_MAX_ENUM = 2147483647
 } shd_format;
 typedef enum shd_file_format {
@@ -1830,6 +1846,7 @@ shd_result shd_framebuffer_read_plane(const shd_framebuffer *framebuffer, shd_pl
 shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer *framebuffer, shd_plane plane, const shd_u32_out *out);
 shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer, const shd_image *out);
 size_t shd_format_size(shd_format format);
+size_t shd_format_block_size(shd_format format);
 shd_result shd_bitmap_load(shd_context *context, const char *path, const shd_load_desc *desc, shd_bitmap **out_bitmap);
 shd_result shd_bitmap_load_memory(shd_context *context, const void *bytes, size_t size, const shd_load_desc *desc, shd_bitmap **out_bitmap);
 void shd_bitmap_retain(shd_bitmap *bitmap);

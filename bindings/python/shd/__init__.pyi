@@ -238,6 +238,22 @@ class Format(enum.IntEnum):
     R32F = 18
     RG32F = 19
     RGB32F = 20
+    BC1_RGB = 21
+    BC1_RGB_SRGB = 22
+    BC1_RGBA = 23
+    BC1_RGBA_SRGB = 24
+    BC2 = 25
+    BC2_SRGB = 26
+    BC3 = 27
+    BC3_SRGB = 28
+    BC4 = 29
+    BC4_SNORM = 30
+    BC5 = 31
+    BC5_SNORM = 32
+    BC6H_UFLOAT = 33
+    BC6H_SFLOAT = 34
+    BC7 = 35
+    BC7_SRGB = 36
 
 class FileFormat(enum.IntFlag):
     NONE = 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/bounds/plane.h"
 
+#include "texture/block/levels.h"
 #include "texture/bounds/cube.h"
 #include "texture/format/formats.h"
 #include "texture/store/storage.h"
@@ -11,8 +12,9 @@ namespace {
 
 Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
   const Texture& texture = *plane.texture;
-  const uint8_t* texel =
-      row_of(texture, layer, plane.level, static_cast<uint32_t>(y)) + static_cast<size_t>(x) * texel_size(texture);
+  DecodedBlock decoded;
+  const uint32_t first = layer * texture.layer_texels + texture.offset[plane.level];
+  const uint8_t* texel = texel_of(texture, first + static_cast<uint32_t>(y * plane.width + x), &decoded);
   Color color;
   if (texture.component == image::Component::kSrgb8) {
     for (uint32_t c = 0; c < texture.channels; ++c) {

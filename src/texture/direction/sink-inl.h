@@ -297,7 +297,8 @@ template <class Filter>
 HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
   const BatchTag d;
   const Sampler sampler = sampler_of_directions(given.texture, given.sampler);
-  const FilterCall call = {given.texture, sampler, given.in, given.out, given.format, given.record, given.recording};
+  const FilterCall call = {given.texture, sampler,      given.in,        given.out,
+                           given.format,  given.record, given.recording, given.blocks};
   const Filter filter(call.texture, call.sampler);
   const bool lat_long = call.texture.projection == SHD_PROJECTION_LAT_LONG;
   ProjectedBlock points;

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/read_desc.h"
+#include "texture/block/levels.h"
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
@@ -70,7 +71,8 @@ shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording
   out.y = texture.depth != 0 ? row % height : row;
   out.z = texture.depth != 0 ? row / height : 0;
   out.border = tap.border;
-  const uint8_t* texel = texel_at(texture, tap.index);
+  DecodedBlock decoded;
+  const uint8_t* texel = texel_of(texture, tap.index, &decoded);
   for (size_t c = 0; c < texture.channels; ++c) {
     out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
   }

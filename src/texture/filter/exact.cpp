@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "texture/block/levels.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/exact_footprint.h"
 #include "texture/format/formats.h"
@@ -68,8 +69,8 @@ class Integral {
 
   void cell(int64_t i, int64_t j, const Moments& m) {
     const double least = m.one * negligible_;
-    const uint8_t *lower = row(j), *upper = row(j + 1);
-    const auto add_if = [&](const uint8_t* from, int64_t x, double weight) {
+    const int64_t lower = row(j), upper = row(j + 1);
+    const auto add_if = [&](int64_t from, int64_t x, double weight) {
       if (weight > least) add(from, x, weight);
     };
     add_if(lower, i, m.one - m.x - m.y + m.xy);
@@ -79,7 +80,7 @@ class Integral {
   }
 
   void run(int64_t j, int64_t begin, int64_t end) {
-    for (const uint8_t* from : {row(j), row(j + 1)}) {
+    for (const int64_t from : {row(j), row(j + 1)}) {
       add(from, begin, 0.25);
       for (int64_t i = begin + 1; i < end; ++i) add(from, i, 0.5);
       add(from, end, 0.25);
@@ -89,18 +90,20 @@ class Integral {
   float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
-  /// Returns row j after wrapping, or null for the border colour.
-  const uint8_t* row(int64_t j) const {
+  /// Returns the first texel of row j after wrapping, or -1 for the border colour.
+  int64_t row(int64_t j) const {
     const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
-    return y < 0 ? nullptr : row_of(texture_, footprint_.layer, footprint_.level, static_cast<uint32_t>(y));
+    if (y < 0) return -1;
+    const uint32_t first = footprint_.layer * texture_.layer_texels + texture_.offset[footprint_.level];
+    return int64_t{first} + y * width_;
   }
 
-  void add(const uint8_t* from, int64_t i, double weight) {
+  void add(int64_t from, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
     double loaded[Codec::kChannels];
     const double* value = border_;
-    if (from && x >= 0) {
-      Codec::load(from + static_cast<size_t>(x) * Codec::kSize, loaded);
+    if (from >= 0 && x >= 0) {
+      Codec::load(texel_of(texture_, static_cast<uint32_t>(from + x), &decoded_), loaded);
       value = loaded;
     }
     weight_ += weight;
@@ -115,6 +118,7 @@ class Integral {
   int64_t width_, height_;
   double border_[Codec::kChannels];
   double weight_ = 0;
+  DecodedBlock decoded_;
   Mean mean_[Codec::kChannels];
 };
 
@@ -140,7 +144,7 @@ size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
     nonfinite += !footprint.finite;
     if (footprint.point) {
       const Lookups lookup = part_of(call.in, i, 1);
-      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr});
+      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.blocks});
     } else {
       integrate(call.texture, call.sampler, footprint, out);
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "texture/block/cache.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
@@ -61,9 +62,13 @@ void InputColumns::find(const Lookups& in) {
   }
 }
 
+TexelSource::TexelSource(const FilterCall& call) : TexelSource(call.texture) {
+  if (call.blocks) origin = call.blocks->texels;
+}
+
 TexelSource::TexelSource(const Texture& texture)
     : origin(texture.origin),
-      borrowed(texture.borrowed),
+      borrowed(has_blocks(texture) ? nullptr : texture.borrowed),
       borrowed_texels(texture.borrowed_texels),
       channels(texture.channels),
       texel_size(static_cast<uint32_t>(shd::texture::texel_size(texture))) {}

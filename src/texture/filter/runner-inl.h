@@ -17,6 +17,7 @@
 
 #include <hwy/highway.h>
 
+#include "texture/block/place-inl.h"
 #include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
 #include "texture/footprint/shapes-inl.h"
@@ -201,7 +202,9 @@ class StreamSink : public Emitter<StreamSink> {
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
         bordered_(has_border(call.texture, call.sampler)),
-        first_(call, TexelSource(call.texture), call.recording),
+        texture_(call.texture),
+        blocks_(call.blocks),
+        first_(call, TexelSource(call), call.recording),
         second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;
     if (!call.record) consume_second_ = call.format.gradient;
@@ -217,7 +220,7 @@ class StreamSink : public Emitter<StreamSink> {
   /// Begins the block of lookups whose first one is `first`. `scattered`: is_scattered() of the block.
   void begin(size_t first, bool scattered) {
     first_.done = second_.done = first;
-    scattered_ = scattered;
+    scattered_ = scattered && !has_blocks(texture_);
   }
 
   HWY_INLINE size_t add(BatchTag d) {
@@ -231,7 +234,7 @@ class StreamSink : public Emitter<StreamSink> {
     if (HWY_UNLIKELY(scattered_)) {
       const size_t at = e * hn::Lanes(d);
       prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
-    } else if (op & kNeighbours && op & kQuad) {
+    } else if (op & kNeighbours && op & kQuad && HWY_LIKELY(!blocks_)) {
       prefetch_ends(stream_.index[0] + e * hn::Lanes(d));
       prefetch_ends(stream_.index[2] + e * hn::Lanes(d));
     }
@@ -243,6 +246,7 @@ class StreamSink : public Emitter<StreamSink> {
     const size_t end = stream_.elements;
     if (end == 0) return;
     stream_.elements = 0;
+    if (HWY_UNLIKELY(blocks_ != nullptr)) PlaceStream(texture_, blocks_, end, &stream_);
     if (consume_first_) consume_first_(stream_, end, &first_);
     if (consume_second_) consume_second_(stream_, end, &second_);
   }
@@ -259,6 +263,8 @@ class StreamSink : public Emitter<StreamSink> {
   const Sampler& sampler_;
   const bool bordered_;
   bool scattered_ = false;
+  const Texture& texture_;
+  BlockCache* const blocks_;
   Consume consume_first_, consume_second_ = nullptr;
   Consumption first_, second_;
 };

@@ -22,7 +22,7 @@ inline shd_image image_at(const shd_image* images, size_t i) {
   const shd_image* given = element_of(images, i);
   const size_t size = core::struct_size_of(given);
   std::memcpy(&image, given, size < sizeof image ? size : sizeof image);
-  if (image.row_stride == 0) image.row_stride = image.width * image::format_info(image.format).pixel_size;
+  if (image.row_stride == 0) image.row_stride = image::row_layout(image.format, image.width, image.height).row_size;
   return image;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "image/format.h"
+#include "texture/block/levels.h"
 #include "texture/store/image_list.h"
 #include "texture/store/summed_area.h"
 
@@ -26,15 +27,18 @@ shd_format stored_format(shd_format format) {
 }
 
 void set_format(const shd_texture_desc& desc, Texture* texture) {
+  const image::BlockInfo blocks = image::block_info(desc.format);
   const image::FormatInfo given = image::format_info(desc.format);
+  const size_t channels = blocks.block_size ? blocks.channels : given.channels;
   texture->format = stored_format(desc.format);
-  texture->component = given.component;
+  texture->component = blocks.block_size ? blocks.component : given.component;
   texture->given_format = desc.format;
-  texture->channels = static_cast<uint32_t>(image::format_info(texture->format).channels);
+  texture->channels =
+      static_cast<uint32_t>(blocks.block_size ? blocks.stored : image::format_info(texture->format).channels);
   for (uint32_t c = 0; c < 4; ++c) {
     uint32_t source = c;
     if (desc.swizzle[c] != SHD_CHANNEL_DEFAULT) source = static_cast<uint32_t>(desc.swizzle[c]) - SHD_CHANNEL_R;
-    texture->channel_source[c] = source < given.channels ? source : kFill;
+    texture->channel_source[c] = source < channels ? source : kFill;
     texture->fill[c] = desc.fill[c];
   }
 }
@@ -191,6 +195,11 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   Texture texture = {};
   set_format(desc, &texture);
   const size_t texels = lay_out(desc, &texture);
+  if (image::block_info(desc.format).block_size) {
+    copy_blocks(context, desc, &texture);
+    *out = static_cast<Texture&&>(texture);
+    return;
+  }
   allocate(context, desc, texels, &texture);
   if (!texture.borrowed) copy_base(context, desc, &texture);
   if (desc.depth != 0) {

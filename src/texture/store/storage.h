@@ -42,9 +42,9 @@ inline uint32_t level_size(uint32_t base, uint32_t level) {
 /// Returns the number of levels down to one texel: floor(log2(max(width, height, depth))) + 1.
 uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth = 1);
 
-/// Returns the size of one stored texel [bytes].
+/// Returns the size of one stored texel, or of one decoded texel of blocks [bytes].
 inline size_t texel_size(const Texture& texture) {
-  return image::format_info(texture.format).pixel_size;
+  return image::format_info(texture.channels, texture.component).pixel_size;
 }
 
 /// Returns the size of all tables that are not borrowed, and of the sums that updates keep [bytes].

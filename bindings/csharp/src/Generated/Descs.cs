@@ -438,7 +438,7 @@ namespace Shd
         public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
         /// <summary>pixels, 1..65536</summary>
         public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
-        /// <summary>bytes between rows, at least width * pixel size; 0 = packed</summary>
+        /// <summary>bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed</summary>
         public long RowStride { get { return Raw.RowStride; } set { Raw.RowStride = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
@@ -2123,15 +2123,19 @@ namespace Shd
         /// <summary>The defaults of the library.</summary>
         public static TextureDesc Default { get { return new TextureDesc(); } }
 
-        /// <summary>any; no default. Three channels are stored as four</summary>
+        /// <summary>
+        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+        /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
+        /// and the caller gives its levels
+        /// </summary>
         public Format Format { get { return Raw.Format; } set { Raw.Format = value; } }
         /// <summary>texels, 1..65536; width * height * layers at most 2^28</summary>
         public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
         /// <summary>texels, 1..65536</summary>
         public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
-        /// <summary>bytes between rows, at least width * texel size; 0 = packed</summary>
+        /// <summary>bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed</summary>
         public long RowStride { get { return Raw.RowStride; } set { Raw.RowStride = value; } }
-        /// <summary>bytes between layers, at least height * row stride; 0 = packed</summary>
+        /// <summary>bytes between layers, at least the rows of a layer times the row stride; 0 = packed</summary>
         public long LayerStride { get { return Raw.LayerStride; } set { Raw.LayerStride = value; } }
         /// <summary>images of the array, 1..2048; default 1</summary>
         public uint Layers { get { return Raw.Layers; } set { Raw.Layers = value; } }

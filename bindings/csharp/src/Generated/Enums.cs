@@ -402,6 +402,9 @@ namespace Shd
     /// Unsigned integer channels hold value / maximum, in [0, 1]; F channels are IEEE 754 binary16 or binary32. All channels
     /// are linear, except r, g and b of the _SRGB formats, which are encoded (IEC 61966-2-1). Textures take every format;
     /// framebuffers, colour transforms and files list the formats that they take.
+    ///
+    /// BC formats are blocks of 4 x 4 texels, row by row from the top left (Khronos Data Format Specification 1.3, chapters
+    /// 18 to 20). Only shd_texture_create() and shd_texture_read_level() take them. docs/compressed.md has their values.
     /// </summary>
     public enum Format
     {
@@ -426,6 +429,31 @@ namespace Shd
         R32f = 18,
         Rg32f = 19,
         Rgb32f = 20,
+        /// <summary>blocks of 8 bytes; every texel is opaque</summary>
+        Bc1Rgb = 21,
+        Bc1RgbSrgb = 22,
+        /// <summary>blocks of 8 bytes; texels may be transparent black</summary>
+        Bc1Rgba = 23,
+        Bc1RgbaSrgb = 24,
+        /// <summary>blocks of 16 bytes, as all of the following except BC4</summary>
+        Bc2 = 25,
+        Bc2Srgb = 26,
+        Bc3 = 27,
+        Bc3Srgb = 28,
+        /// <summary>one channel in 0..1, blocks of 8 bytes</summary>
+        Bc4 = 29,
+        /// <summary>one channel in -1..1, blocks of 8 bytes</summary>
+        Bc4Snorm = 30,
+        /// <summary>two channels in 0..1</summary>
+        Bc5 = 31,
+        /// <summary>two channels in -1..1</summary>
+        Bc5Snorm = 32,
+        /// <summary>three channels from 0 to 65504</summary>
+        Bc6hUfloat = 33,
+        /// <summary>three channels from -65504 to 65504</summary>
+        Bc6hSfloat = 34,
+        Bc7 = 35,
+        Bc7Srgb = 36,
     }
 
     /// <summary>File formats that a load may accept; combine with |.</summary>
@@ -1498,7 +1526,8 @@ namespace Shd
         /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
         /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
         /// aligned to min(size of a texel, 4) bytes. Constants.TexturePadding bytes behind the last texel must be readable,
-        /// because lookups load whole vectors. Lookups give the same bits as for copied texels.
+        /// because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
+        /// as for copied texels.
         /// </summary>
         Borrow = 1,
     }

@@ -242,9 +242,13 @@ namespace Shd.Native
         [DllImport("shd", EntryPoint = "shd_framebuffer_read_color", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result FramebufferReadColor(IntPtr framebuffer, Image* @out);
 
-        /// <summary>Bytes of one pixel; 0 for an unknown format. Any thread.</summary>
+        /// <summary>Bytes of one pixel; 0 for an unknown format, and for formats of blocks. Any thread.</summary>
         [DllImport("shd", EntryPoint = "shd_format_size", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern UIntPtr FormatSize(Format format);
+
+        /// <summary>Bytes of one block of 4 x 4 texels: 8 or 16; 0 for formats of pixels, and unknown ones. Any thread.</summary>
+        [DllImport("shd", EntryPoint = "shd_format_block_size", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern UIntPtr FormatBlockSize(Format format);
 
         /// <summary>Make a light.</summary>
         [DllImport("shd", EntryPoint = "shd_light_create", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -570,7 +574,8 @@ namespace Shd.Native
         public static extern Result TextureReadLevel(IntPtr texture, uint layer, uint level, Image* @out);
 
         /// <summary>
-        /// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it.
+        /// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. Textures of
+        /// compressed blocks give Result.ErrorUnsupported.
         ///
         /// The texture then has the bits that shd_texture_create() gives for the changed base. Mip levels that the caller gave
         /// stay as they are.

@@ -665,9 +665,12 @@ namespace Shd.Native
         public uint Width;
         /// <summary>pixels, 1..65536</summary>
         public uint Height;
-        /// <summary>[height][width], row 0 on top; borrowed for the call</summary>
+        /// <summary>
+        /// [height][width], row 0 on top; borrowed for the call; blocks are
+        /// [ceil(height / 4)][ceil(width / 4)]
+        /// </summary>
         public void* Pixels;
-        /// <summary>bytes between rows, at least width * pixel size; 0 = packed</summary>
+        /// <summary>bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed</summary>
         public long RowStride { get { return (long)rowStrideWord; } set { rowStrideWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr rowStrideWord;
 
@@ -2152,7 +2155,11 @@ namespace Shd.Native
     {
         /// <summary>set by shd_texture_desc_default()</summary>
         public uint StructSize;
-        /// <summary>any; no default. Three channels are stored as four</summary>
+        /// <summary>
+        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+        /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
+        /// and the caller gives its levels
+        /// </summary>
         public Format Format;
         /// <summary>texels, 1..65536; width * height * layers at most 2^28</summary>
         public uint Width;
@@ -2160,13 +2167,14 @@ namespace Shd.Native
         public uint Height;
         /// <summary>
         /// [layers][height][width], row 0 on top, aligned to a channel; copied without
-        /// TextureFlags.Borrow
+        /// TextureFlags.Borrow. Blocks: [layers][ceil(height / 4)][ceil(width / 4)], at any
+        /// address
         /// </summary>
         public void* Texels;
-        /// <summary>bytes between rows, at least width * texel size; 0 = packed</summary>
+        /// <summary>bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed</summary>
         public long RowStride { get { return (long)rowStrideWord; } set { rowStrideWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr rowStrideWord;
-        /// <summary>bytes between layers, at least height * row stride; 0 = packed</summary>
+        /// <summary>bytes between layers, at least the rows of a layer times the row stride; 0 = packed</summary>
         public long LayerStride { get { return (long)layerStrideWord; } set { layerStrideWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr layerStrideWord;
         /// <summary>images of the array, 1..2048; default 1</summary>

@@ -745,7 +745,7 @@ namespace Shd
     {
         /// <summary>set by shd_texture_info_default()</summary>
         public uint StructSize;
-        /// <summary>format of every level; RGBA for a format of three channels</summary>
+        /// <summary>format of every level; RGBA for a format of three channels of pixels</summary>
         public Format Format;
         /// <summary>texels of level 0</summary>
         public uint Width;

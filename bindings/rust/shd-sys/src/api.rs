@@ -603,6 +603,9 @@ names!(shd_plane: R, G, B, A, DEPTH, U, V, NX, NY, NZ, TRIANGLE, PX, PY, PZ, DUD
 /// Unsigned integer channels hold value / maximum, in \[0, 1\]; F channels are IEEE 754 binary16 or binary32. All channels
 /// are linear, except r, g and b of the _SRGB formats, which are encoded (IEC 61966-2-1). Textures take every format;
 /// framebuffers, colour transforms and files list the formats that they take.
+///
+/// BC formats are blocks of 4 x 4 texels, row by row from the top left (Khronos Data Format Specification 1.3, chapters
+/// 18 to 20). Only shd_texture_create() and shd_texture_read_level() take them. docs/compressed.md has their values.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct shd_format(pub u32);
@@ -628,6 +631,31 @@ impl shd_format {
     pub const R32F: Self = Self(18);
     pub const RG32F: Self = Self(19);
     pub const RGB32F: Self = Self(20);
+    /// blocks of 8 bytes; every texel is opaque
+    pub const BC1_RGB: Self = Self(21);
+    pub const BC1_RGB_SRGB: Self = Self(22);
+    /// blocks of 8 bytes; texels may be transparent black
+    pub const BC1_RGBA: Self = Self(23);
+    pub const BC1_RGBA_SRGB: Self = Self(24);
+    /// blocks of 16 bytes, as all of the following except BC4
+    pub const BC2: Self = Self(25);
+    pub const BC2_SRGB: Self = Self(26);
+    pub const BC3: Self = Self(27);
+    pub const BC3_SRGB: Self = Self(28);
+    /// one channel in 0..1, blocks of 8 bytes
+    pub const BC4: Self = Self(29);
+    /// one channel in -1..1, blocks of 8 bytes
+    pub const BC4_SNORM: Self = Self(30);
+    /// two channels in 0..1
+    pub const BC5: Self = Self(31);
+    /// two channels in -1..1
+    pub const BC5_SNORM: Self = Self(32);
+    /// three channels from 0 to 65504
+    pub const BC6H_UFLOAT: Self = Self(33);
+    /// three channels from -65504 to 65504
+    pub const BC6H_SFLOAT: Self = Self(34);
+    pub const BC7: Self = Self(35);
+    pub const BC7_SRGB: Self = Self(36);
 }
 pub const SHD_FORMAT_NONE: shd_format = shd_format::NONE;
 pub const SHD_FORMAT_R8: shd_format = shd_format::R8;
@@ -650,7 +678,23 @@ pub const SHD_FORMAT_RGB16F: shd_format = shd_format::RGB16F;
 pub const SHD_FORMAT_R32F: shd_format = shd_format::R32F;
 pub const SHD_FORMAT_RG32F: shd_format = shd_format::RG32F;
 pub const SHD_FORMAT_RGB32F: shd_format = shd_format::RGB32F;
-names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F);
+pub const SHD_FORMAT_BC1_RGB: shd_format = shd_format::BC1_RGB;
+pub const SHD_FORMAT_BC1_RGB_SRGB: shd_format = shd_format::BC1_RGB_SRGB;
+pub const SHD_FORMAT_BC1_RGBA: shd_format = shd_format::BC1_RGBA;
+pub const SHD_FORMAT_BC1_RGBA_SRGB: shd_format = shd_format::BC1_RGBA_SRGB;
+pub const SHD_FORMAT_BC2: shd_format = shd_format::BC2;
+pub const SHD_FORMAT_BC2_SRGB: shd_format = shd_format::BC2_SRGB;
+pub const SHD_FORMAT_BC3: shd_format = shd_format::BC3;
+pub const SHD_FORMAT_BC3_SRGB: shd_format = shd_format::BC3_SRGB;
+pub const SHD_FORMAT_BC4: shd_format = shd_format::BC4;
+pub const SHD_FORMAT_BC4_SNORM: shd_format = shd_format::BC4_SNORM;
+pub const SHD_FORMAT_BC5: shd_format = shd_format::BC5;
+pub const SHD_FORMAT_BC5_SNORM: shd_format = shd_format::BC5_SNORM;
+pub const SHD_FORMAT_BC6H_UFLOAT: shd_format = shd_format::BC6H_UFLOAT;
+pub const SHD_FORMAT_BC6H_SFLOAT: shd_format = shd_format::BC6H_SFLOAT;
+pub const SHD_FORMAT_BC7: shd_format = shd_format::BC7;
+pub const SHD_FORMAT_BC7_SRGB: shd_format = shd_format::BC7_SRGB;
+names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F, BC1_RGB, BC1_RGB_SRGB, BC1_RGBA, BC1_RGBA_SRGB, BC2, BC2_SRGB, BC3, BC3_SRGB, BC4, BC4_SNORM, BC5, BC5_SNORM, BC6H_UFLOAT, BC6H_SFLOAT, BC7, BC7_SRGB);
 
 /// File formats that a load may accept; combine with |.
 #[repr(transparent)]
@@ -2005,7 +2049,8 @@ impl shd_texture_flag {
     /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
     /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
     /// aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
-    /// because lookups load whole vectors. Lookups give the same bits as for copied texels.
+    /// because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
+    /// as for copied texels.
     pub const BORROW: Self = Self(1);
 }
 pub const SHD_TEXTURE_NONE: shd_texture_flag = shd_texture_flag::NONE;
@@ -3156,9 +3201,10 @@ pub struct shd_image {
     pub width: u32,
     /// pixels, 1..65536
     pub height: u32,
-    /// \[height\]\[width\], row 0 on top; borrowed for the call
+    /// \[height\]\[width\], row 0 on top; borrowed for the call; blocks are
+    /// \[ceil(height / 4)\]\[ceil(width / 4)\]
     pub pixels: *mut c_void,
-    /// bytes between rows, at least width * pixel size; 0 = packed
+    /// bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed
     pub row_stride: usize,
 }
 #[cfg(target_pointer_width = "64")]
@@ -4721,18 +4767,21 @@ init!(shd_tessellation_desc, SHD_DESC_KIND_TESSELLATION_DESC);
 pub struct shd_texture_desc {
     /// set by shd_texture_desc_default()
     pub struct_size: u32,
-    /// any; no default. Three channels are stored as four
+    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
+    /// and the caller gives its levels
     pub format: shd_format,
     /// texels, 1..65536; width * height * layers at most 2^28
     pub width: u32,
     /// texels, 1..65536
     pub height: u32,
     /// \[layers\]\[height\]\[width\], row 0 on top, aligned to a channel; copied without
-    /// SHD_TEXTURE_BORROW
+    /// SHD_TEXTURE_BORROW. Blocks: \[layers\]\[ceil(height / 4)\]\[ceil(width / 4)\], at any
+    /// address
     pub texels: *const c_void,
-    /// bytes between rows, at least width * texel size; 0 = packed
+    /// bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed
     pub row_stride: usize,
-    /// bytes between layers, at least height * row stride; 0 = packed
+    /// bytes between layers, at least the rows of a layer times the row stride; 0 = packed
     pub layer_stride: usize,
     /// images of the array, 1..2048; default 1
     pub layers: u32,
@@ -4774,7 +4823,7 @@ init!(shd_texture_desc, SHD_DESC_KIND_TEXTURE_DESC);
 pub struct shd_texture_info {
     /// set by shd_texture_info_default()
     pub struct_size: u32,
-    /// format of every level; RGBA for a format of three channels
+    /// format of every level; RGBA for a format of three channels of pixels
     pub format: shd_format,
     /// texels of level 0
     pub width: u32,
@@ -5331,8 +5380,10 @@ extern "C" {
     ///
     /// - `out`: RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
     pub fn shd_framebuffer_read_color(framebuffer: *const shd_framebuffer, out: *const shd_image) -> shd_result;
-    /// Bytes of one pixel; 0 for an unknown format. Any thread.
+    /// Bytes of one pixel; 0 for an unknown format, and for formats of blocks. Any thread.
     pub fn shd_format_size(format: shd_format) -> usize;
+    /// Bytes of one block of 4 x 4 texels: 8 or 16; 0 for formats of pixels, and unknown ones. Any thread.
+    pub fn shd_format_block_size(format: shd_format) -> usize;
     /// Make a light.
     ///
     /// - `context`: retained
@@ -5652,9 +5703,10 @@ extern "C" {
     ///
     /// - `layer`: 0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
     /// - `level`: 0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
-    /// - `out`: image of that size, and of the format in shd_texture_info
+    /// - `out`: image of that size, and of the format in shd_texture_info; blocks are copied as they are
     pub fn shd_texture_read_level(texture: *const shd_texture, layer: u32, level: u32, out: *const shd_image) -> shd_result;
-    /// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it.
+    /// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. Textures of
+    /// compressed blocks give SHD_ERROR_UNSUPPORTED.
     ///
     /// The texture then has the bits that shd_texture_create() gives for the changed base. Mip levels that the caller gave
     /// stay as they are.

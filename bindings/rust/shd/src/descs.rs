@@ -192,15 +192,17 @@ impl Default for ContextDesc {
 /// Texels and tables of a texture. Required: format, width, height, texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureDesc {
-    /// any; no default. Three channels are stored as four
+    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
+    /// and the caller gives its levels
     pub format: Format,
     /// texels, 1..65536; width * height * layers at most 2^28
     pub width: u32,
     /// texels, 1..65536
     pub height: u32,
-    /// bytes between rows, at least width * texel size; 0 = packed
+    /// bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed
     pub row_stride: usize,
-    /// bytes between layers, at least height * row stride; 0 = packed
+    /// bytes between layers, at least the rows of a layer times the row stride; 0 = packed
     pub layer_stride: usize,
     /// images of the array, 1..2048; default 1
     pub layers: u32,
@@ -264,7 +266,7 @@ impl Default for TextureDesc {
 /// Size, format and memory of a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureInfo {
-    /// format of every level; RGBA for a format of three channels
+    /// format of every level; RGBA for a format of three channels of pixels
     pub format: Format,
     /// texels of level 0
     pub width: u32,

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "texture/block/cache.h"
+#include "texture/block/levels.h"
+#include "texture/store/storage.h"
+#include "texture/stream.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/block/place.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/block/kernels-inl.h"
+#include "texture/block/place-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+class Placer {
+ public:
+  Placer(const Texture& texture, BlockCache* cache)
+      : texture_(texture),
+        cache_(*cache),
+        decode_(KernelOf(texture.blocks.decode)),
+        size_(static_cast<uint32_t>(texel_size(texture))) {
+    know(0);
+    known_[1] = known_[0];
+  }
+
+  void place(size_t end, Stream* stream) {
+    const size_t lanes = hn::Lanes(BatchTag());
+    begin();
+    for (size_t e = 0; e < end; ++e) {
+      const uint32_t op = stream->op[e];
+      const size_t at = e * lanes;
+      if (op & kNeighbours) {
+        if (op & kQuad ? place_quad(at, stream) : place_row(at, stream)) continue;
+        stream->op[e] = static_cast<uint16_t>(op & ~kNeighbours);
+      } else if (!(op & kMerge)) {
+        const size_t count = op & (kQuad | kRow) ? 4 : 1;
+        for (size_t k = 0; k < count; ++k) place_texels(stream->index[k] + at, k * Stream::kCapacity + at);
+      }
+    }
+  }
+
+ private:
+  using DI = hn::RebindToSigned<BatchTag>;
+  using DU = hn::RebindToUnsigned<BatchTag>;
+
+  /// Texels of a row of a level that lie in the cache side by side: texel i is texel i + offset of the cache.
+  struct Run {
+    bool found;
+    int32_t offset;
+  };
+
+  void begin() {
+    if (++cache_.now != 0) return;
+    std::memset(cache_.turn, 0, cache_.places * sizeof *cache_.turn);
+    cache_.now = 1;
+  }
+
+  /// A level, and blocks of it that this stream has found side by side.
+  struct Known {
+    BlockLevel level;
+    uint32_t block, count, place;
+  };
+
+  HWY_INLINE static bool is_in(uint32_t texel, const BlockLevel& level) {
+    return texel - level.first < level.end - level.first;
+  }
+
+  /// Returns the level of a texel. The two latest levels are kept, because elements often alternate between two.
+  HWY_INLINE Known& level_at(uint32_t texel) {
+    if (HWY_LIKELY(is_in(texel, known_[recent_].level))) return known_[recent_];
+    recent_ ^= 1;
+    if (HWY_UNLIKELY(!is_in(texel, known_[recent_].level))) know(texel);
+    return known_[recent_];
+  }
+  HWY_NOINLINE void know(uint32_t texel) { known_[recent_] = {block_level_of(texture_, texel), 0, 0, 0}; }
+
+  /// Decodes a block to its place, unless the stream reads another block there. Returns whether it lies there.
+  HWY_INLINE bool load(uint32_t block, uint32_t place) {
+    if (HWY_LIKELY(cache_.block[place] == block)) return true;
+    if (HWY_UNLIKELY(cache_.turn[place] == cache_.now)) return false;
+    decode_(block_at(texture_, block), cache_.texels + size_t{4} * place * size_, size_t{cache_.pitch} * size_);
+    cache_.block[place] = block;
+    return true;
+  }
+
+  /// Decodes the blocks of a vector of indices if they lie in one row of texels, with `more` texels after the last one.
+  HWY_INLINE Run find_run(const int32_t* index, int32_t more) {
+    const DI di;
+    const DU du;
+    const size_t lanes = hn::Lanes(di);
+    const int32_t begin = index[0], last = index[lanes - 1];
+    const int32_t low = begin < last ? begin : last, span = (begin < last ? last : begin) - low;
+    const auto from_low = hn::BitCast(du, hn::Load(di, index) - hn::Set(di, low));
+    const auto most = hn::Set(du, static_cast<uint32_t>(span));
+    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {false, 0};
+    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
+    Known& known = level_at(first);
+    const BlockLevel& level = known.level;
+    const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
+    if (HWY_UNLIKELY(x + length >= level.width)) return {false, 0};
+    const uint32_t column = x / 4, count = (x + length) / 4 - column + 1;
+    const uint32_t block = level.block + y / 4 * level.across + column;
+    const uint32_t after = block - known.block;
+    uint32_t place = known.place + after;
+    if (after >= known.count || after + count > known.count) {
+      place = cache_.place_of(column, y / 4, level.number);
+      if (HWY_UNLIKELY(!load_run(block, place, count))) return {false, 0};
+      known.block = block;
+      known.count = count;
+      known.place = place;
+    }
+    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+  }
+
+  /// Loads blocks of a row, and marks their places as read.
+  HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
+    if (HWY_UNLIKELY(place + count > cache_.places)) return false;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (HWY_UNLIKELY(!load(block + k, place + k))) return false;
+    }
+    for (uint32_t k = 0; k < count; ++k) cache_.turn[place + k] = cache_.now;
+    return true;
+  }
+
+  static HWY_INLINE void move(int32_t* index, Run run) {
+    const DI di;
+    hn::Store(hn::Load(di, index) + hn::Set(di, run.offset), di, index);
+  }
+
+  static HWY_INLINE void set_after(const int32_t* index, int32_t step, int32_t* to) {
+    const DI di;
+    hn::Store(hn::Load(di, index) + hn::Set(di, step), di, to);
+  }
+
+  /// Places a quad of neighbours. Returns whether they still are neighbours.
+  HWY_INLINE bool place_quad(size_t at, Stream* stream) {
+    int32_t *const upper = stream->index[0] + at, *const lower = stream->index[2] + at;
+    const Run top = find_run(upper, 1), bottom = top.found ? find_run(lower, 1) : top;
+    if (HWY_LIKELY(bottom.found)) {
+      move(upper, top);
+      move(lower, bottom);
+      return true;
+    }
+    set_after(upper, 1, stream->index[1] + at);
+    set_after(lower, 1, stream->index[3] + at);
+    for (size_t k = 0; k < 4; ++k) place_apart(stream->index[k] + at, k * Stream::kCapacity + at);
+    return false;
+  }
+
+  /// Places a row of neighbours. Columns are in the order 1, 2, 0, 3.
+  HWY_INLINE bool place_row(size_t at, Stream* stream) {
+    int32_t* const first = stream->index[2] + at;
+    const Run run = find_run(first, 3);
+    if (HWY_LIKELY(run.found)) {
+      move(first, run);
+      return true;
+    }
+    set_after(first, 1, stream->index[0] + at);
+    set_after(first, 2, stream->index[1] + at);
+    set_after(first, 3, stream->index[3] + at);
+    for (size_t k = 0; k < 4; ++k) place_apart(stream->index[k] + at, k * Stream::kCapacity + at);
+    return false;
+  }
+
+  /// Places a vector of texels. `spare`: number of its first texel among those of the stream.
+  HWY_INLINE void place_texels(int32_t* index, size_t spare) {
+    const Run run = find_run(index, 0);
+    if (run.found) return move(index, run);
+    place_apart(index, spare);
+  }
+
+  /// Places a vector of texels anywhere: together if they lie in one level and at places of their own.
+  HWY_NOINLINE void place_apart(int32_t* index, size_t spare) {
+    if (index[0] >= 0 && place_in_level(index)) return;
+    place_each(index, spare);
+  }
+
+  /// Places texels of one level. Returns false, and leaves the indices as they are, if they are not in one level or if
+  /// the stream reads two blocks of the same place.
+  HWY_INLINE bool place_in_level(int32_t* index) {
+    const DI di;
+    const DU du;
+    const BatchTag d;
+    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0])).level;
+    const auto n = hn::Load(di, index) - hn::Set(di, static_cast<int32_t>(level.first));
+    const auto un = hn::BitCast(du, n);
+    if (!hn::AllTrue(du, hn::Eq(hn::Min(un, hn::Set(du, level.end - level.first - 1)), un))) return false;
+    // The product is off by less than 3 * 2^-24 of a quotient below 2^16, so its floor is off by one at most.
+    const auto width = hn::Set(di, static_cast<int32_t>(level.width)), one = hn::Set(di, 1);
+    auto y = hn::ConvertTo(di, hn::ConvertTo(d, n) * hn::Set(d, 1.0f / static_cast<float>(level.width)));
+    auto x = n - y * width;
+    const auto before = hn::Lt(x, hn::Zero(di)), behind = hn::Not(hn::Lt(x, width));
+    y = y - hn::IfThenElseZero(before, one) + hn::IfThenElseZero(behind, one);
+    x = x + hn::IfThenElseZero(before, width) - hn::IfThenElseZero(behind, width);
+    const auto column = hn::ShiftRight<2>(x), row = hn::ShiftRight<2>(y);
+    const auto zeroth = hn::Set(di, static_cast<int32_t>(cache_.place_of(0, 0, level.number)));
+    const auto mask = hn::Set(di, static_cast<int32_t>(cache_.places - 1));
+    const auto place = hn::And(column + row * hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep)) + zeroth, mask);
+    const auto block =
+        hn::Set(di, static_cast<int32_t>(level.block)) + row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
+    const auto there = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(cache_.block), place);
+    if (!load_missing(place, block, hn::Eq(there, block))) return false;
+    const auto low = hn::Set(di, 3), pitch = hn::Set(di, static_cast<int32_t>(cache_.pitch));
+    hn::Store(hn::And(y, low) * pitch + hn::ShiftLeft<2>(place) + hn::And(x, low), di, index);
+    return true;
+  }
+
+  /// Marks the places of a vector as read, and loads the blocks that are not there.
+  template <class V, class M>
+  HWY_INLINE bool load_missing(V place, V block, M there) {
+    const DI di;
+    alignas(64) uint32_t at[kMaxLanes], wanted[kMaxLanes];
+    hn::Store(hn::BitCast(DU(), place), DU(), at);
+    if (HWY_LIKELY(hn::AllTrue(di, there))) {
+      for (size_t lane = 0; lane < hn::Lanes(di); ++lane) cache_.turn[at[lane]] = cache_.now;
+      return true;
+    }
+    hn::Store(hn::BitCast(DU(), block), DU(), wanted);
+    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) {
+      if (cache_.block[at[lane]] == wanted[lane]) {
+        cache_.turn[at[lane]] = cache_.now;
+      } else {
+        __builtin_prefetch(block_at(texture_, wanted[lane]));
+      }
+    }
+    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) {
+      if (!load(wanted[lane], at[lane])) return false;
+      cache_.turn[at[lane]] = cache_.now;
+    }
+    return true;
+  }
+
+  /// Places texels one by one.
+  HWY_NOINLINE void place_each(int32_t* index, size_t spare) {
+    for (size_t lane = 0; lane < hn::Lanes(DI()); ++lane) {
+      index[lane] = index[lane] < 0 ? ~0 : place_texel(static_cast<uint32_t>(index[lane]), spare + lane);
+    }
+  }
+
+  HWY_INLINE int32_t place_texel(uint32_t texel, size_t spare) {
+    const BlockLevel& level = level_at(texel).level;
+    const uint32_t n = texel - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
+    const uint32_t place = cache_.place_of(x / 4, y / 4, level.number);
+    const uint32_t block = level.block + y / 4 * level.across + x / 4;
+    if (HWY_LIKELY(load(block, place))) {
+      cache_.turn[place] = cache_.now;
+      return static_cast<int32_t>(y % 4 * cache_.pitch + 4 * place + x % 4);
+    }
+    const auto copy = static_cast<uint32_t>(cache_.spare + spare);
+    std::memcpy(cache_.texels + size_t{copy} * size_, decoded_texel(texture_, texel, &decoded_), size_);
+    return static_cast<int32_t>(copy);
+  }
+
+  static constexpr int32_t kLongest = 128;  // [texels]; runs with wider gaps are placed one by one
+
+  const Texture& texture_;
+  BlockCache& cache_;
+  const DecodeBlock decode_;
+  const uint32_t size_;
+  Known known_[2];
+  uint32_t recent_ = 0;
+  DecodedBlock decoded_;
+};
+
+}  // namespace
+
+void PlaceStream(const Texture& texture, BlockCache* cache, size_t end, Stream* stream) {
+  Placer(texture, cache).place(end, stream);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
