@@ -33,8 +33,8 @@ double ellipse_texels(const Axes& p) {
 }
 
 /// Texels of bilinear probes. Mesa 25 averages as many probes along the longer axis as its length on the finer of two
-/// levels has texels, but at most 16, after the example of the Vulkan specification ("Texel Anisotropic Filtering"). The
-/// length of an axis is its larger component there.
+/// levels has texels, but at most 16, after the example of the Vulkan specification ("Texel Anisotropic Filtering").
+/// The length of an axis is its larger component there.
 double probe_texels(const Axes& p) {
   const double x = std::max(std::fabs(p.ux), std::fabs(p.vx)), y = std::max(std::fabs(p.uy), std::fabs(p.vy));
   return 4.0 * std::clamp(std::ceil(std::max(x, y)), 1.0, 16.0);

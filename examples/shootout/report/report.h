@@ -23,8 +23,8 @@ std::string pictures_json(const Options& options, const Measurements& m);
 /// The taps of a grid of pixels, as JSON.
 std::string taps_json(const Options& options, const Measurements& m);
 
-/// Writes shootout.html, shootout.json, shootout.csv and verdicts.json into options.out; the page is made of the files in
-/// options.web.
+/// Writes shootout.html, shootout.json, shootout.csv and verdicts.json into options.out; the page is made of the files
+/// in options.web.
 void write_report(const Options& options, const Measurements& m, const Costs& costs, const Verdicts& verdicts);
 /// Writes a whole file; fails with its path.
 void write_file(const std::string& path, const std::string& text);

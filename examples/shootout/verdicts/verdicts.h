@@ -32,8 +32,8 @@ constexpr JudgedRules kJudgedRules[] = {{SHD_RULES_VULKAN, "Vulkan", SHD_PROFILE
                                         {SHD_RULES_D3D11, "shd's default", SHD_PROFILE_LEAST_ERROR, true}};
 constexpr size_t kJudgedRulesCount = sizeof kJudgedRules / sizeof kJudgedRules[0];
 
-/// Textures whose texels are all levels, one after another: no level is an average of another one, so that a wrong level
-/// shows.
+/// Textures whose texels are all levels, one after another: no level is an average of another one, so that a wrong
+/// level shows.
 std::vector<Texture> judged_textures();
 /// Size of a level, and the place of its first texel among the texels.
 uint32_t level_edge(const Texture& texture, uint32_t level);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BC6H (BPTC): half floats as integers, interpolated linearly. The fourth channel is 0, as in formats of three channels.
+// BC6H (BPTC): half floats as integers, interpolated linearly. The fourth channel is 0, as in formats of three
+// channels.
 #include <cstring>
 
 #include "texture/block/decode.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Decoded blocks. A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows. Blocks
-/// that are neighbours in a row of blocks have neighbouring places. Neighbouring texels are therefore neighbours in
-/// memory, as in a level of a texture without blocks.
+/// Decoded blocks. A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows.
+/// Blocks that are neighbours in a row of blocks have neighbouring places. Neighbouring texels are therefore neighbours
+/// in memory, as in a level of a texture without blocks.
 ///
 /// A block has one place. The rows of blocks begin at places far apart, by the golden section (Knuth, "The Art of
 /// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all places.

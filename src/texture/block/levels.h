@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Levels of a compressed texture in memory: rows of blocks, packed. The last blocks of a row or column may reach beyond
-/// the level.
+/// Levels of a compressed texture in memory: rows of blocks, packed. The last blocks of a row or column may reach
+/// beyond the level.
 #pragma once
 
 #include "texture/store/storage.h"
@@ -27,8 +27,8 @@ struct BlockLevel {
 /// Returns the level of a texel.
 BlockLevel block_level_of(const Texture& texture, uint32_t texel);
 
-/// Returns n / width for n < 2^28, with inverse = floor(2^44 / width) + 1 = (2^44 + e) / width, where 0 < e <= width. The
-/// product exceeds n 2^44 / width by n e / width < 2^44 / width, so the quotient is exact. It is below 2^16, so the
+/// Returns n / width for n < 2^28, with inverse = floor(2^44 / width) + 1 = (2^44 + e) / width, where 0 < e <= width.
+/// The product exceeds n 2^44 / width by n e / width < 2^44 / width, so the quotient is exact. It is below 2^16, so the
 /// product stays below 2^61.
 constexpr uint64_t inverse_of(uint32_t width) {
   return (uint64_t{1} << 44) / width + 1;

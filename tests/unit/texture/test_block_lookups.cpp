@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lookups of compressed textures against lookups of textures made from their decoded texels: equal bits for every filter,
-// format, target and split of a batch, with a cache of many places and of few.
+// Lookups of compressed textures against lookups of textures made from their decoded texels: equal bits for every
+// filter, format, target and split of a batch, with a cache of many places and of few.
 #include <vector>
 
 #include "points.h"
