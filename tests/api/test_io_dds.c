@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Block-compressed DDS files, BC1 to BC7: blocks are built field by field, and the values of a texture made from
- * them are compared. Block layouts: Microsoft, "Texture Block Compression in Direct3D 11"; header: "Programming
- * Guide for DDS". */
+ * them are compared. Block layouts: Microsoft, "Texture Block Compression in Direct3D 11". */
 #include "support/check.h"
+#include "support/dds_file.h"
 
 #include <shd/io.h>
 #include <shd/shd.h>
 
-enum { BLOCK = 16, HEADER = 148 };
+enum { BLOCK = 16 };
 
 /** Appends bits to a block, lowest first. */
 struct bits {
@@ -159,39 +159,17 @@ static const struct dds_case k_cases[] = {
     {"bc7", "DX10", 98, 16, make_bc7, want_bc7},
 };
 
-static void put32(unsigned char *to, uint32_t value)
-{
-    int i;
-    for (i = 0; i < 4; ++i) to[i] = (unsigned char)(value >> (8 * i));
-}
-
 /** A file of 4 x 4 texels. */
 static size_t make_file(const struct dds_case *c, unsigned char *file)
 {
     struct bits block;
+    size_t size;
     memset(&block, 0, sizeof block);
     c->make(&block);
     assert_int_equal(block.count, 8 * c->block_size);
-    memset(file, 0, HEADER);
-    memcpy(file, "DDS ", 4);
-    put32(file + 4, 124);
-    put32(file + 8, 0x81007);
-    put32(file + 12, 4);
-    put32(file + 16, 4);
-    put32(file + 20, c->block_size);
-    put32(file + 76, 32);
-    put32(file + 80, 4);
-    memcpy(file + 84, c->code, 4);
-    put32(file + 108, 0x1000);
-    if (c->dxgi_format == 0) {
-        memcpy(file + 128, block.data, c->block_size);
-        return 128 + c->block_size;
-    }
-    put32(file + 128, c->dxgi_format);
-    put32(file + 132, 3); /* two-dimensional */
-    put32(file + 140, 1); /* one layer */
-    memcpy(file + HEADER, block.data, c->block_size);
-    return HEADER + c->block_size;
+    size = shd_dds_header(c->code, c->dxgi_format, 4, 4, c->block_size, file);
+    memcpy(file + size, block.data, c->block_size);
+    return size + c->block_size;
 }
 
 static shd_texture *make_texture(shd_context *context, const shd_bitmap *bitmap)
@@ -214,7 +192,7 @@ static shd_texture *make_texture(shd_context *context, const shd_bitmap *bitmap)
 static void test_block(void **state)
 {
     const struct dds_case *c = (const struct dds_case *)*state;
-    unsigned char file[HEADER + BLOCK];
+    unsigned char file[SHD_DDS_HEADER + BLOCK];
     float u[16], v[16], rgba[4][16];
     const size_t size = make_file(c, file);
     shd_context *context = NULL;
@@ -259,7 +237,7 @@ static void test_block(void **state)
 static void test_truncated(void **state)
 {
     const struct dds_case *c = (const struct dds_case *)*state;
-    unsigned char file[HEADER + BLOCK];
+    unsigned char file[SHD_DDS_HEADER + BLOCK];
     const size_t size = make_file(c, file);
     size_t cut;
     shd_context *context = NULL;
