@@ -2,6 +2,7 @@
 /* Moments of normal maps: every format against the oracle, lookups of moments and of lengths of mean normals, and
  * refusals. */
 #include "support/check.h"
+#include "support/image.h"
 #include "support/noise.h"
 
 #include <stdlib.h>
@@ -18,16 +19,6 @@ static float next_random(uint32_t *seed)
 {
     shd_noise(seed);
     return 2 * (float)(*seed >> 8) / 16777216.0f - 1;
-}
-
-static shd_image make_image(shd_format format, uint32_t width, uint32_t height, void *pixels)
-{
-    shd_image image = shd_image_default();
-    image.format = format;
-    image.width = width;
-    image.height = height;
-    image.pixels = pixels;
-    return image;
 }
 
 /* Half to float, for normal numbers and 0. */
@@ -100,9 +91,10 @@ static void test_format(void **state)
     const size_t pixel = shd_format_size(c->format), channel = pixel / c->channels;
     const size_t out_pixel = shd_format_size(c->out);
     const double rounding = c->out == SHD_FORMAT_RGBA16F ? 0x1p-11 : 0x1p-24;
-    shd_image normals = make_image(c->format, WIDTH, HEIGHT, in), moments = make_image(c->out, WIDTH, HEIGHT, out);
+    shd_image normals = shd_test_image(c->format, WIDTH, HEIGHT, in),
+              moments = shd_test_image(c->out, WIDTH, HEIGHT, out);
     const int is_half = c->out == SHD_FORMAT_RGBA16F;
-    shd_image mixed = make_image(is_half ? SHD_FORMAT_R32F : SHD_FORMAT_R16F, WIDTH, HEIGHT, product);
+    shd_image mixed = shd_test_image(is_half ? SHD_FORMAT_R32F : SHD_FORMAT_R16F, WIDTH, HEIGHT, product);
     static double want[HEIGHT][WIDTH][3];
     shd_context *context = NULL;
     uint32_t seed = 17, x, y, k;
@@ -156,8 +148,8 @@ static void test_special(void **state)
     const float bad[3] = {k_nan, k_inf, -k_inf};
     shd_context *context = NULL;
     float n[3], out[4];
-    const shd_image normals = make_image(SHD_FORMAT_RGB32F, 1, 1, n);
-    const shd_image moments = make_image(SHD_FORMAT_RGBA32F, 1, 1, out);
+    const shd_image normals = shd_test_image(SHD_FORMAT_RGB32F, 1, 1, n);
+    const shd_image moments = shd_test_image(SHD_FORMAT_RGBA32F, 1, 1, out);
     size_t i, k, c;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
@@ -198,14 +190,14 @@ static void bumpy(float height)
 static shd_texture *with_levels(shd_context *context, float *base, shd_texel_content semantic)
 {
     shd_image levels[LEVELS];
-    const shd_image image = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, base);
+    const shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, base);
     shd_mip_desc mip = shd_mip_desc_default();
     shd_texture_desc desc = shd_texture_desc_default();
     shd_texture *texture = NULL;
     uint32_t l;
     for (l = 0; l < LEVELS; ++l) {
-        levels[l] = make_image(SHD_FORMAT_RGBA32F, SIZE >> (l + 1), SIZE >> (l + 1),
-                               g_levels[semantic == SHD_TEXEL_CONTENT_NORMAL][l]);
+        levels[l] = shd_test_image(SHD_FORMAT_RGBA32F, SIZE >> (l + 1), SIZE >> (l + 1),
+                                   g_levels[semantic == SHD_TEXEL_CONTENT_NORMAL][l]);
     }
     mip.content = semantic;
     shd_assert_ok(shd_mip_build(context, &image, &mip, LEVELS, levels));
@@ -256,8 +248,8 @@ static double variance_of(const float m[4])
 static void test_variance(void **state)
 {
     const float height = (float)*(const int *)*state / 100.0f;
-    const shd_image normals = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
-    const shd_image moments = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_moments);
+    const shd_image normals = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
+    const shd_image moments = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_moments);
     shd_context *context = NULL;
     shd_texture *texture;
     uint32_t level, x, y;
@@ -298,8 +290,8 @@ static void test_variance(void **state)
  * two levels. With gentle bumps the length gives the same variance as the moments. */
 static void test_length(void **state)
 {
-    const shd_image normals = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
-    const shd_image moments = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_moments);
+    const shd_image normals = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
+    const shd_image moments = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_moments);
     shd_context *context = NULL;
     shd_texture *by_length, *by_moments;
     int i;
@@ -346,7 +338,7 @@ static void test_length_in_codes(void **state)
     for (i = 0; i < SIZE * SIZE * 4; ++i) {
         codes[0][i] = (unsigned char)(i % 4 == 3 ? 255 : (g_normals[i] + 1) / 2 * 255 + 0.5f);
     }
-    for (l = 0; l <= LEVELS; ++l) images[l] = make_image(SHD_FORMAT_RGBA8, SIZE >> l, SIZE >> l, codes[l]);
+    for (l = 0; l <= LEVELS; ++l) images[l] = shd_test_image(SHD_FORMAT_RGBA8, SIZE >> l, SIZE >> l, codes[l]);
     mip.content = SHD_TEXEL_CONTENT_NORMAL;
     shd_assert_ok(shd_mip_build(context, &images[0], &mip, LEVELS, images + 1));
     desc.format = SHD_FORMAT_RGBA8;
@@ -377,8 +369,8 @@ static void test_length_in_codes(void **state)
 static void test_workers(void **state)
 {
     static uint16_t out[SIZE * SIZE * 4];
-    const shd_image normals = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
-    const shd_image moments = make_image(SHD_FORMAT_RGBA16F, SIZE, SIZE, out);
+    const shd_image normals = shd_test_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
+    const shd_image moments = shd_test_image(SHD_FORMAT_RGBA16F, SIZE, SIZE, out);
     uint64_t want = 0;
     uint32_t workers;
     (void)state;
@@ -420,7 +412,8 @@ static void test_bad(void **state)
 {
     const struct bad_case *c = (const struct bad_case *)*state;
     static float in[64], out[64];
-    const shd_image normals = make_image(c->format, 4, 4, in), moments = make_image(c->out, c->width, c->height, out);
+    const shd_image normals = shd_test_image(c->format, 4, 4, in),
+                    moments = shd_test_image(c->out, c->width, c->height, out);
     shd_context *context = NULL;
     shd_assert_ok(shd_context_create(NULL, &context));
     out[0] = 7;
@@ -433,8 +426,8 @@ static void test_bad(void **state)
 static void test_bad_arguments(void **state)
 {
     static float in[64], out[64], product[64];
-    const shd_image normals = make_image(SHD_FORMAT_RGBA32F, 4, 4, in);
-    shd_image moments = make_image(SHD_FORMAT_RGBA32F, 4, 4, out);
+    const shd_image normals = shd_test_image(SHD_FORMAT_RGBA32F, 4, 4, in);
+    shd_image moments = shd_test_image(SHD_FORMAT_RGBA32F, 4, 4, out);
     shd_context *context = NULL;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
@@ -459,7 +452,7 @@ static void test_bad_arguments(void **state)
                       "out.row_stride: 60 is below 64");
     moments.row_stride = 0;
     {
-        shd_image mixed = make_image(SHD_FORMAT_RGBA32F, 4, 4, product);
+        shd_image mixed = shd_test_image(SHD_FORMAT_RGBA32F, 4, 4, product);
         shd_assert_result("mixed.format", shd_normal_moments(context, &normals, &moments, &mixed),
                           SHD_ERROR_INVALID_ARGUMENT, "mixed.format: 5 is neither R16F nor R32F");
         mixed.format = SHD_FORMAT_R32F;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Textures of compressed blocks: what is refused, what is stored, and what other functions make of them. */
 #include "support/check.h"
+#include "support/image.h"
 
 #include <shd/shd.h>
 
@@ -24,16 +25,6 @@ static int teardown(void **state)
     (void)state;
     shd_context_release(g_context);
     return 0;
-}
-
-static shd_image make_image(shd_format format, uint32_t width, uint32_t height, void *pixels)
-{
-    shd_image image = shd_image_default();
-    image.format = format;
-    image.width = width;
-    image.height = height;
-    image.pixels = pixels;
-    return image;
 }
 
 static shd_texture_desc of_blocks(shd_format format)
@@ -150,8 +141,8 @@ static const struct create_case {
 
 static void set_levels(void)
 {
-    g_levels[0] = make_image(SHD_FORMAT_BC7, 9, 5, g_level_1);
-    g_levels[1] = make_image(SHD_FORMAT_BC7, 4, 2, g_level_2);
+    g_levels[0] = shd_test_image(SHD_FORMAT_BC7, 9, 5, g_level_1);
+    g_levels[1] = shd_test_image(SHD_FORMAT_BC7, 4, 2, g_level_2);
 }
 
 static void test_create(void **state)
@@ -170,7 +161,7 @@ static void test_create(void **state)
 static void test_stored(void **state)
 {
     unsigned char rows[DOWN][ACROSS * 16];
-    shd_image out = make_image(SHD_FORMAT_BC7, WIDTH, HEIGHT, rows);
+    shd_image out = shd_test_image(SHD_FORMAT_BC7, WIDTH, HEIGHT, rows);
     shd_texture_desc desc = of_blocks(SHD_FORMAT_BC7);
     shd_texture_info info = shd_texture_info_default();
     shd_texture *texture;
@@ -199,7 +190,7 @@ static void test_stored(void **state)
 
 static void test_update(void **state)
 {
-    const shd_image texels = make_image(SHD_FORMAT_RGBA8, 1, 1, g_texels);
+    const shd_image texels = shd_test_image(SHD_FORMAT_RGBA8, 1, 1, g_texels);
     const shd_texture_desc desc = of_blocks(SHD_FORMAT_BC1_RGBA);
     shd_texture *texture = create(&desc);
     (void)state;
@@ -211,8 +202,8 @@ static void test_update(void **state)
 /* Functions of pixels refuse blocks, with a message of their own. */
 static void test_pixels_only(void **state)
 {
-    const shd_image blocks = make_image(SHD_FORMAT_BC7, 8, 8, g_blocks);
-    shd_image level = make_image(SHD_FORMAT_BC7, 4, 4, g_texels);
+    const shd_image blocks = shd_test_image(SHD_FORMAT_BC7, 8, 8, g_blocks);
+    shd_image level = shd_test_image(SHD_FORMAT_BC7, 4, 4, g_texels);
     shd_framebuffer_desc fd = shd_framebuffer_desc_default();
     shd_environment_desc ed = shd_environment_desc_default();
     shd_framebuffer *framebuffer = NULL;
@@ -332,7 +323,7 @@ static void render_normals(shd_texture *normals, float *out)
     shd_render_desc rd = shd_render_desc_default();
     shd_camera camera = shd_camera_default();
     shd_draw draw = shd_draw_default();
-    shd_image image = make_image(SHD_FORMAT_RGBA32F, SIDE, SIDE, out);
+    shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, SIDE, SIDE, out);
     shd_framebuffer *framebuffer = NULL;
     shd_sampler *sampler = NULL;
     shd_material *material = NULL;

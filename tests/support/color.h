@@ -8,6 +8,7 @@
 #include <shd/color.h>
 
 #include "support/check.h"
+#include "support/image.h"
 
 #define SHD_ACES_VIEW "ACES 1.0 SDR-video"
 
@@ -17,17 +18,6 @@ static inline double shd_srgb_encode(double x)
     return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
 }
 static inline double shd_srgb_decode(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
-
-/** An image over memory of the test. */
-static inline shd_image shd_test_image(shd_format format, uint32_t width, uint32_t height, void *pixels)
-{
-    shd_image image = shd_image_default();
-    image.format = format;
-    image.width = width;
-    image.height = height;
-    image.pixels = pixels;
-    return image;
-}
 
 /** A context with `workers` workers and the colour of the built-in config. */
 static inline shd_color *shd_test_color(uint32_t workers, shd_context **out_context)

@@ -9,226 +9,85 @@
 namespace shd::texture {
 namespace {
 
-/// Endpoint variables: channel 3 e + c is channel c of endpoint e: w, x, y, z.
-enum Variable : uint8_t { kRw, kGw, kBw, kRx, kGx, kBx, kRy, kGy, kBy, kRz, kGz, kBz };
-
-/// Bits of a variable that follow each other in a block, from `first` up, or down if `falling`.
+/// Bits of a variable that follow each other in a block, from `first` up, or down if `falling`. Variable 3 e + c is
+/// channel c of endpoint e.
 struct Field {
   uint8_t variable, first, count;
   bool falling;
 };
 
-/// Bits of an endpoint, bits of the differences of each channel, and the fields after the mode (Khronos Data Format
-/// Specification 1.3, 20.2, table of block formats). A count of 0 ends the fields.
+/// Bits of an endpoint, bits of the differences of each channel, and the fields after the marker. A count of 0 ends the
+/// fields.
 struct Mode {
   uint8_t marker, precision, delta[3];
   bool transformed, two_subsets;
   Field fields[27];
 };
 
+constexpr uint8_t read_number(const char** text) {
+  uint8_t number = 0;
+  for (; **text >= '0' && **text <= '9'; ++*text) number = static_cast<uint8_t>(10 * number + (**text - '0'));
+  return number;
+}
+
+/// Returns a mode. Fields are written as in the specification: g2[4] is bit 4 of green of endpoint 2, r0[9:0] are bits
+/// 0 to 9 with the lowest one first, and r0[10:11] are bits 10 and 11 with the highest one first.
+constexpr Mode make_mode(uint8_t marker, uint8_t precision, uint8_t red, uint8_t green, uint8_t blue, bool transformed,
+                         bool two_subsets, const char* text) {
+  Mode made = {marker, precision, {red, green, blue}, transformed, two_subsets, {}};
+  for (Field* field = made.fields; *text; ++field) {
+    const int channel = *text == 'r' ? 0 : *text == 'g' ? 1 : 2;
+    field->variable = static_cast<uint8_t>(3 * (text[1] - '0') + channel);
+    text += 3;
+    const uint8_t left = read_number(&text);
+    if (*text == ':') ++text;
+    const uint8_t right = *text == ']' ? left : read_number(&text);
+    field->first = right;
+    field->falling = left < right;
+    field->count = static_cast<uint8_t>((left < right ? right - left : left - right) + 1);
+    while (*text == ']' || *text == ' ') ++text;
+  }
+  return made;
+}
+
+/// Khronos Data Format Specification 1.3, 20.2, table of block formats.
 constexpr Mode kModes[14] = {
-    {0x00,
-     10,
-     {5, 5, 5},
-     true,
-     true,
-     {{kGy, 4, 1, false},
-      {kBy, 4, 1, false},
-      {kBz, 4, 1, false},
-      {kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 5, false},
-      {kGz, 4, 1, false},
-      {kGy, 0, 4, false},
-      {kGx, 0, 5, false},
-      {kBz, 0, 1, false},
-      {kGz, 0, 4, false},
-      {kBx, 0, 5, false},
-      {kBz, 1, 1, false},
-      {kBy, 0, 4, false},
-      {kRy, 0, 5, false},
-      {kBz, 2, 1, false},
-      {kRz, 0, 5, false},
-      {kBz, 3, 1, false}}},
-    {0x01, 7, {6, 6, 6}, true, true, {{kGy, 5, 1, false}, {kGz, 4, 2, false}, {kRw, 0, 7, false}, {kBz, 0, 2, false},
-                                      {kBy, 4, 1, false}, {kGw, 0, 7, false}, {kBy, 5, 1, false}, {kBz, 2, 1, false},
-                                      {kGy, 4, 1, false}, {kBw, 0, 7, false}, {kBz, 3, 1, false}, {kBz, 5, 1, false},
-                                      {kBz, 4, 1, false}, {kRx, 0, 6, false}, {kGy, 0, 4, false}, {kGx, 0, 6, false},
-                                      {kGz, 0, 4, false}, {kBx, 0, 6, false}, {kBy, 0, 4, false}, {kRy, 0, 6, false},
-                                      {kRz, 0, 6, false}}},
-    {0x02,
-     11,
-     {5, 4, 4},
-     true,
-     true,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 5, false},
-      {kRw, 10, 1, false},
-      {kGy, 0, 4, false},
-      {kGx, 0, 4, false},
-      {kGw, 10, 1, false},
-      {kBz, 0, 1, false},
-      {kGz, 0, 4, false},
-      {kBx, 0, 4, false},
-      {kBw, 10, 1, false},
-      {kBz, 1, 1, false},
-      {kBy, 0, 4, false},
-      {kRy, 0, 5, false},
-      {kBz, 2, 1, false},
-      {kRz, 0, 5, false},
-      {kBz, 3, 1, false}}},
-    {0x06, 11, {4, 5, 4}, true, true, {{kRw, 0, 10, false}, {kGw, 0, 10, false}, {kBw, 0, 10, false},
-                                       {kRx, 0, 4, false},  {kRw, 10, 1, false}, {kGz, 4, 1, false},
-                                       {kGy, 0, 4, false},  {kGx, 0, 5, false},  {kGw, 10, 1, false},
-                                       {kGz, 0, 4, false},  {kBx, 0, 4, false},  {kBw, 10, 1, false},
-                                       {kBz, 1, 1, false},  {kBy, 0, 4, false},  {kRy, 0, 4, false},
-                                       {kBz, 0, 1, false},  {kBz, 2, 1, false},  {kRz, 0, 4, false},
-                                       {kGy, 4, 1, false},  {kBz, 3, 1, false}}},
-    {0x0a,
-     11,
-     {4, 4, 5},
-     true,
-     true,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 4, false},
-      {kRw, 10, 1, false},
-      {kBy, 4, 1, false},
-      {kGy, 0, 4, false},
-      {kGx, 0, 4, false},
-      {kGw, 10, 1, false},
-      {kBz, 0, 1, false},
-      {kGz, 0, 4, false},
-      {kBx, 0, 5, false},
-      {kBw, 10, 1, false},
-      {kBy, 0, 4, false},
-      {kRy, 0, 4, false},
-      {kBz, 1, 2, false},
-      {kRz, 0, 4, false},
-      {kBz, 4, 1, false},
-      {kBz, 3, 1, false}}},
-    {0x0e,
-     9,
-     {5, 5, 5},
-     true,
-     true,
-     {{kRw, 0, 9, false},
-      {kBy, 4, 1, false},
-      {kGw, 0, 9, false},
-      {kGy, 4, 1, false},
-      {kBw, 0, 9, false},
-      {kBz, 4, 1, false},
-      {kRx, 0, 5, false},
-      {kGz, 4, 1, false},
-      {kGy, 0, 4, false},
-      {kGx, 0, 5, false},
-      {kBz, 0, 1, false},
-      {kGz, 0, 4, false},
-      {kBx, 0, 5, false},
-      {kBz, 1, 1, false},
-      {kBy, 0, 4, false},
-      {kRy, 0, 5, false},
-      {kBz, 2, 1, false},
-      {kRz, 0, 5, false},
-      {kBz, 3, 1, false}}},
-    {0x12,
-     8,
-     {6, 5, 5},
-     true,
-     true,
-     {{kRw, 0, 8, false},
-      {kGz, 4, 1, false},
-      {kBy, 4, 1, false},
-      {kGw, 0, 8, false},
-      {kBz, 2, 1, false},
-      {kGy, 4, 1, false},
-      {kBw, 0, 8, false},
-      {kBz, 3, 2, false},
-      {kRx, 0, 6, false},
-      {kGy, 0, 4, false},
-      {kGx, 0, 5, false},
-      {kBz, 0, 1, false},
-      {kGz, 0, 4, false},
-      {kBx, 0, 5, false},
-      {kBz, 1, 1, false},
-      {kBy, 0, 4, false},
-      {kRy, 0, 6, false},
-      {kRz, 0, 6, false}}},
-    {0x16, 8, {5, 6, 5}, true, true, {{kRw, 0, 8, false}, {kBz, 0, 1, false}, {kBy, 4, 1, false}, {kGw, 0, 8, false},
-                                      {kGy, 5, 1, false}, {kGy, 4, 1, false}, {kBw, 0, 8, false}, {kGz, 5, 1, false},
-                                      {kBz, 4, 1, false}, {kRx, 0, 5, false}, {kGz, 4, 1, false}, {kGy, 0, 4, false},
-                                      {kGx, 0, 6, false}, {kGz, 0, 4, false}, {kBx, 0, 5, false}, {kBz, 1, 1, false},
-                                      {kBy, 0, 4, false}, {kRy, 0, 5, false}, {kBz, 2, 1, false}, {kRz, 0, 5, false},
-                                      {kBz, 3, 1, false}}},
-    {0x1a, 8, {5, 5, 6}, true, true, {{kRw, 0, 8, false}, {kBz, 1, 1, false}, {kBy, 4, 1, false}, {kGw, 0, 8, false},
-                                      {kBy, 5, 1, false}, {kGy, 4, 1, false}, {kBw, 0, 8, false}, {kBz, 5, 1, false},
-                                      {kBz, 4, 1, false}, {kRx, 0, 5, false}, {kGz, 4, 1, false}, {kGy, 0, 4, false},
-                                      {kGx, 0, 5, false}, {kBz, 0, 1, false}, {kGz, 0, 4, false}, {kBx, 0, 6, false},
-                                      {kBy, 0, 4, false}, {kRy, 0, 5, false}, {kBz, 2, 1, false}, {kRz, 0, 5, false},
-                                      {kBz, 3, 1, false}}},
-    {0x1e, 6, {6, 6, 6}, false, true, {{kRw, 0, 6, false}, {kGz, 4, 1, false}, {kBz, 0, 2, false}, {kBy, 4, 1, false},
-                                       {kGw, 0, 6, false}, {kGy, 5, 1, false}, {kBy, 5, 1, false}, {kBz, 2, 1, false},
-                                       {kGy, 4, 1, false}, {kBw, 0, 6, false}, {kGz, 5, 1, false}, {kBz, 3, 1, false},
-                                       {kBz, 5, 1, false}, {kBz, 4, 1, false}, {kRx, 0, 6, false}, {kGy, 0, 4, false},
-                                       {kGx, 0, 6, false}, {kGz, 0, 4, false}, {kBx, 0, 6, false}, {kBy, 0, 4, false},
-                                       {kRy, 0, 6, false}, {kRz, 0, 6, false}}},
-    {0x03,
-     10,
-     {10, 10, 10},
-     false,
-     false,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 10, false},
-      {kGx, 0, 10, false},
-      {kBx, 0, 10, false}}},
-    {0x07,
-     11,
-     {9, 9, 9},
-     true,
-     false,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 9, false},
-      {kRw, 10, 1, false},
-      {kGx, 0, 9, false},
-      {kGw, 10, 1, false},
-      {kBx, 0, 9, false},
-      {kBw, 10, 1, false}}},
-    {0x0b,
-     12,
-     {8, 8, 8},
-     true,
-     false,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 8, false},
-      {kRw, 11, 2, true},
-      {kGx, 0, 8, false},
-      {kGw, 11, 2, true},
-      {kBx, 0, 8, false},
-      {kBw, 11, 2, true}}},
-    {0x0f,
-     16,
-     {4, 4, 4},
-     true,
-     false,
-     {{kRw, 0, 10, false},
-      {kGw, 0, 10, false},
-      {kBw, 0, 10, false},
-      {kRx, 0, 4, false},
-      {kRw, 15, 6, true},
-      {kGx, 0, 4, false},
-      {kGw, 15, 6, true},
-      {kBx, 0, 4, false},
-      {kBw, 15, 6, true}}},
+    make_mode(0x00, 10, 5, 5, 5, true, true,
+              "g2[4] b2[4] b3[4] r0[9:0] g0[9:0] b0[9:0] r1[4:0] g3[4] g2[3:0] g1[4:0] b3[0] g3[3:0] b1[4:0] b3[1] "
+              "b2[3:0] r2[4:0] b3[2] r3[4:0] b3[3]"),
+    make_mode(0x01, 7, 6, 6, 6, true, true,
+              "g2[5] g3[5:4] r0[6:0] b3[1:0] b2[4] g0[6:0] b2[5] b3[2] g2[4] b0[6:0] b3[3] b3[5] b3[4] r1[5:0] "
+              "g2[3:0] g1[5:0] g3[3:0] b1[5:0] b2[3:0] r2[5:0] r3[5:0]"),
+    make_mode(0x02, 11, 5, 4, 4, true, true,
+              "r0[9:0] g0[9:0] b0[9:0] r1[4:0] r0[10] g2[3:0] g1[3:0] g0[10] b3[0] g3[3:0] b1[3:0] b0[10] b3[1] "
+              "b2[3:0] r2[4:0] b3[2] r3[4:0] b3[3]"),
+    make_mode(0x06, 11, 4, 5, 4, true, true,
+              "r0[9:0] g0[9:0] b0[9:0] r1[3:0] r0[10] g3[4] g2[3:0] g1[4:0] g0[10] g3[3:0] b1[3:0] b0[10] b3[1] "
+              "b2[3:0] r2[3:0] b3[0] b3[2] r3[3:0] g2[4] b3[3]"),
+    make_mode(0x0a, 11, 4, 4, 5, true, true,
+              "r0[9:0] g0[9:0] b0[9:0] r1[3:0] r0[10] b2[4] g2[3:0] g1[3:0] g0[10] b3[0] g3[3:0] b1[4:0] b0[10] "
+              "b2[3:0] r2[3:0] b3[2:1] r3[3:0] b3[4] b3[3]"),
+    make_mode(0x0e, 9, 5, 5, 5, true, true,
+              "r0[8:0] b2[4] g0[8:0] g2[4] b0[8:0] b3[4] r1[4:0] g3[4] g2[3:0] g1[4:0] b3[0] g3[3:0] b1[4:0] b3[1] "
+              "b2[3:0] r2[4:0] b3[2] r3[4:0] b3[3]"),
+    make_mode(0x12, 8, 6, 5, 5, true, true,
+              "r0[7:0] g3[4] b2[4] g0[7:0] b3[2] g2[4] b0[7:0] b3[4:3] r1[5:0] g2[3:0] g1[4:0] b3[0] g3[3:0] "
+              "b1[4:0] b3[1] b2[3:0] r2[5:0] r3[5:0]"),
+    make_mode(0x16, 8, 5, 6, 5, true, true,
+              "r0[7:0] b3[0] b2[4] g0[7:0] g2[5] g2[4] b0[7:0] g3[5] b3[4] r1[4:0] g3[4] g2[3:0] g1[5:0] g3[3:0] "
+              "b1[4:0] b3[1] b2[3:0] r2[4:0] b3[2] r3[4:0] b3[3]"),
+    make_mode(0x1a, 8, 5, 5, 6, true, true,
+              "r0[7:0] b3[1] b2[4] g0[7:0] b2[5] g2[4] b0[7:0] b3[5] b3[4] r1[4:0] g3[4] g2[3:0] g1[4:0] b3[0] "
+              "g3[3:0] b1[5:0] b2[3:0] r2[4:0] b3[2] r3[4:0] b3[3]"),
+    make_mode(0x1e, 6, 6, 6, 6, false, true,
+              "r0[5:0] g3[4] b3[1:0] b2[4] g0[5:0] g2[5] b2[5] b3[2] g2[4] b0[5:0] g3[5] b3[3] b3[5] b3[4] r1[5:0] "
+              "g2[3:0] g1[5:0] g3[3:0] b1[5:0] b2[3:0] r2[5:0] r3[5:0]"),
+    make_mode(0x03, 10, 10, 10, 10, false, false, "r0[9:0] g0[9:0] b0[9:0] r1[9:0] g1[9:0] b1[9:0]"),
+    make_mode(0x07, 11, 9, 9, 9, true, false, "r0[9:0] g0[9:0] b0[9:0] r1[8:0] r0[10] g1[8:0] g0[10] b1[8:0] b0[10]"),
+    make_mode(0x0b, 12, 8, 8, 8, true, false,
+              "r0[9:0] g0[9:0] b0[9:0] r1[7:0] r0[10:11] g1[7:0] g0[10:11] b1[7:0] b0[10:11]"),
+    make_mode(0x0f, 16, 4, 4, 4, true, false,
+              "r0[9:0] g0[9:0] b0[9:0] r1[3:0] r0[10:15] g1[3:0] g0[10:15] b1[3:0] b0[10:15]"),
 };
 
 /// Returns the mode of a block, or null for a reserved one. Modes 0 and 1 have markers of two bits, others of five.

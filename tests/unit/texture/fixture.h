@@ -166,4 +166,16 @@ void for_each_target(Body&& body) {
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) body(target);
 }
 
+/// Writes the derivatives of lookups in u and v: [2][channel][point]. Derivatives that are not computed are 0.
+inline void run_gradient(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups,
+                         float (&gradient)[2][4][kMaxPoints]) {
+  memset(gradient, 0, sizeof gradient);
+  Texels out = {};
+  for (size_t c = 0; c < 4; ++c) {
+    out.du[c] = gradient[0][c];
+    out.dv[c] = gradient[1][c];
+  }
+  shd::texture::sample(texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
+}
+
 }  // namespace fixture

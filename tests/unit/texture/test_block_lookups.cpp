@@ -110,16 +110,6 @@ Texture* build_texture(const size_case& c, shd_format format, const uint8_t* bas
   return texture;
 }
 
-void run_gradient(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups, int which) {
-  memset(t_gradient[which], 0, sizeof t_gradient[which]);
-  Texels out = {};
-  for (size_t c = 0; c < 4; ++c) {
-    out.du[c] = t_gradient[which][0][c];
-    out.dv[c] = t_gradient[which][1][c];
-  }
-  shd::texture::sample(texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
-}
-
 /// Runs a batch in parts whose sizes change.
 void run_split(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups) {
   const Texels out = {{t_batch.out[0], t_batch.out[1], t_batch.out[2], t_batch.out[3]}, {}, {}};
@@ -157,8 +147,8 @@ void check_sampler(const Texture& texels, Texture* blocks, const shd_sampler_des
     run_split(*blocks, sampler, target, lookups);
     check_equal(*blocks, desc, "split");
     if (!shd::texture::has_gradient(desc.filter)) return;
-    run_gradient(texels, sampler, target, lookups, 0);
-    run_gradient(*blocks, sampler, target, lookups, 1);
+    run_gradient(texels, sampler, target, lookups, t_gradient[0]);
+    run_gradient(*blocks, sampler, target, lookups, t_gradient[1]);
     assert_memory_equal(t_gradient[0], t_gradient[1], sizeof t_gradient[0]);
   });
 }
