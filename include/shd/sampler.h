@@ -206,6 +206,19 @@ typedef enum shd_stochastic {
     SHD_STOCHASTIC_MAX_ENUM = 0x7fffffff
 } shd_stochastic;
 
+/** What a lookup does where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures. */
+typedef enum shd_missing_tiles {
+    SHD_MISSING_TILES_WAIT = 0, /**< load the tile; the result does not depend on the content of the cache */
+    /**
+     * Never load and never wait: filter from the finest levels whose tiles are resident, and request the missing ones
+     * (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
+     * detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
+     * If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
+     */
+    SHD_MISSING_TILES_COARSER = 1,
+    SHD_MISSING_TILES_MAX_ENUM = 0x7fffffff
+} shd_missing_tiles;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -258,6 +271,7 @@ typedef struct shd_sampler_desc {
     float level_blend;
     shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
     shd_wrap wrap_w;           /**< across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
+    shd_missing_tiles missing_tiles; /**< default SHD_MISSING_TILES_WAIT */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

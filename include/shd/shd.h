@@ -81,6 +81,8 @@
 #include <shd/solid.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
+#include <shd/tile_cache.h>
+#include <shd/tiles.h>
 #include <shd/transform.h>
 #include <shd/vertices.h>
 #include <shd/view.h>

@@ -23,6 +23,7 @@
 #include <shd/context.h>
 #include <shd/image.h>
 #include <shd/projection.h>
+#include <shd/tile_cache.h>
 
 SHD_BEGIN_DECLS
 
@@ -71,6 +72,12 @@ typedef enum shd_texture_flag {
      * as for copied texels.
      */
     SHD_TEXTURE_BORROW = 1,
+    /**
+     * With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one another without gaps
+     * from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
+     * not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
+     */
+    SHD_TEXTURE_BORROW_LEVELS = 2,
     SHD_TEXTURE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_texture_flag;
 typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
@@ -84,7 +91,7 @@ typedef struct shd_texture_desc {
     shd_format format;    /**< any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
                                   decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
                                   and the caller gives its levels */
-    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28 */
+    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
     uint32_t height;      /**< texels, 1..65536 */
     const void *texels;   /**< [layers][height][width], row 0 on top, aligned to a channel; copied without
                                   SHD_TEXTURE_BORROW. Blocks: [layers][ceil(height / 4)][ceil(width / 4)], at any
@@ -118,6 +125,16 @@ typedef struct shd_texture_desc {
      * `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
      */
     shd_projection projection;
+    /**
+     * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
+     * has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and `projection`
+     * is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
+     * The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
+     * Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
+     * SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
+     * SHD_ERROR_UNSUPPORTED.
+     */
+    shd_tile_source tiles;
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Tile caches: memory of a fixed size for textures that are larger than memory.
+ *
+ * A texture whose desc has `tiles` keeps no texels. Its levels consist of tiles, and a callback of the host writes the
+ * texels of a tile when a lookup first needs them. The cache keeps the tiles that lookups used lately, within its
+ * budget. It is shared by any number of textures of any contexts.
+ *
+ * A tile has `tile_bytes` bytes. It is as wide as high, or twice as wide: with 64 KiB a tile has 256 x 256 texels of 1
+ * byte, 256 x 128 of 2, 128 x 128 of 4, 128 x 64 of 8 and 64 x 64 of 16 bytes. These are the block shapes of sparse
+ * images (Vulkan 1.3 specification, "Standard Sparse Image Block Shapes").
+ *
+ * Lookups have the same bits as those of a texture that keeps the same levels in memory, for any budget, with
+ * SHD_MISSING_TILES_WAIT (shd/sampler.h). A lookup finds the tiles of many texels first, and loads those that are
+ * missing in one call; a tile that several threads need is loaded once.
+ *
+ * Lifetime:      reference counted; create returns an owned reference; a texture retains its cache.
+ * Thread safety: every function from any thread.
+ *
+ * @code
+ * static shd_result load(void *user_data, const shd_tile *tiles, size_t count); // writes tiles[i].texels
+ *
+ * shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
+ * cache_desc.budget_bytes = 512u << 20;
+ * result = shd_tile_cache_create(context, &cache_desc, &cache);
+ * shd_texture_desc desc = shd_texture_desc_default();
+ * desc.format = SHD_FORMAT_RGBA8_SRGB, desc.width = desc.height = 524288;
+ * desc.tables = SHD_TABLE_MIPMAP; // `load` also writes the mip levels
+ * desc.tiles.cache = cache, desc.tiles.load = load, desc.tiles.user_data = file;
+ * result = shd_texture_create(context, &desc, &texture);
+ * @endcode
+ */
+#ifndef SHD_TILE_CACHE_H
+#define SHD_TILE_CACHE_H
+
+#include <shd/context.h>
+
+SHD_BEGIN_DECLS
+
+/** Memory for the tiles of textures. */
+typedef struct shd_tile_cache shd_tile_cache;
+
+/** Size of a tile cache. */
+typedef struct shd_tile_cache_desc {
+    uint32_t struct_size; /**< set by shd_tile_cache_desc_default() */
+    uint32_t tile_bytes;  /**< bytes of a tile, a power of two from 1024 to 2^20; default 65536 */
+    /**
+     * All memory of the cache: tiles, their table, and places for copies of texels; from 4 tiles plus 64 KiB to 2^31
+     * bytes; default 2^28. It is allocated once. A small budget makes lookups slower, because tiles are loaded again.
+     * Half of the tiles can be pinned.
+     */
+    uint64_t budget_bytes;
+    /* ---- end of 0.1; append below ---- */
+} shd_tile_cache_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_tile_cache_desc shd_tile_cache_desc_default(void)
+{
+    shd_tile_cache_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.tile_bytes = 65536;
+    desc.budget_bytes = (uint64_t)1 << 28;
+    return desc;
+}
+
+/** A tile that a callback fills. Frozen. */
+typedef struct shd_tile {
+    uint32_t layer;    /**< layer of the texture */
+    uint32_t level;    /**< 0 = the base level */
+    uint32_t x;        /**< first column of the level, a multiple of the width of whole tiles */
+    uint32_t y;        /**< first row of the level, a multiple of the height of whole tiles */
+    uint32_t width;    /**< texels to write in a row: the width of a tile, less at the right edge of the level */
+    uint32_t height;   /**< rows to write; fewer at the lower edge */
+    void *texels;      /**< [height] rows, `row_stride` apart; aligned to 64 bytes; content undefined */
+    size_t row_stride; /**< bytes between rows */
+} shd_tile;
+
+/**
+ * Writes the texels of tiles, in the format of the texture. It is called without a lock, from any thread that looks
+ * texels up, and by several threads at once for different tiles. It may call shd, except for lookups that need the same
+ * tiles: they are refused.
+ * @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
+ *          or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
+ */
+typedef shd_result (*shd_load_tiles_fn)(void *user_data, const shd_tile *tiles, size_t count);
+
+/** Source of the tiles of a texture. Frozen. */
+typedef struct shd_tile_source {
+    shd_tile_cache *cache;            /**< retained; NULL = the texture has its texels in memory */
+    shd_load_tiles_fn load;           /**< required with `cache` */
+    void (*release)(void *user_data); /**< called once, after the last `load`, when the texture is destroyed; may be
+                                           NULL. It is not called if shd_texture_create() fails */
+    void *user_data;                  /**< passed to both; borrowed until release of the texture */
+} shd_tile_source;
+
+/**
+ * Make a tile cache.
+ * @param context    retained; its allocator gives the memory
+ * @param desc       borrowed for the call; NULL = all defaults
+ * @param out_cache  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_tile_cache_create(shd_context *context, const shd_tile_cache_desc *desc,
+                                                       shd_tile_cache **out_cache);
+
+/** Add a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_tile_cache_retain(shd_tile_cache *cache);
+
+/** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_tile_cache_release(shd_tile_cache *cache);
+
+/** Counters of a tile cache since its creation. */
+typedef struct shd_tile_cache_stats {
+    uint32_t struct_size;     /**< set by shd_tile_cache_stats_default() */
+    uint32_t tile_bytes;      /**< bytes of a tile */
+    uint64_t budget_bytes;    /**< as in its desc */
+    uint64_t allocated_bytes; /**< memory of the cache, at most the budget; it does not change */
+    uint32_t tile_count;      /**< tiles that fit */
+    uint32_t resident_tiles;  /**< tiles in memory now */
+    uint32_t pinned_tiles;    /**< tiles that are pinned now */
+    uint32_t requested_tiles; /**< tiles that shd_tile_cache_load_requested() would load now */
+    uint64_t loads;           /**< calls of load callbacks */
+    uint64_t loaded_tiles;    /**< tiles that callbacks wrote */
+    uint64_t failed_tiles;    /**< tiles of calls that failed */
+    uint64_t evicted_tiles;   /**< tiles that gave their place to others */
+    uint64_t repeated_tiles;  /**< tiles that were loaded although they were resident or being loaded: always 0 */
+    uint64_t waits;           /**< lookups that waited for a tile that another thread loaded */
+    /* ---- end of 0.1; append below ---- */
+} shd_tile_cache_stats;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_tile_cache_stats shd_tile_cache_stats_default(void)
+{
+    shd_tile_cache_stats stats = SHD_ZERO_INIT;
+    stats.struct_size = (uint32_t)sizeof stats;
+    return stats;
+}
+
+/**
+ * Get the counters of a cache.
+ * @param out_stats  its struct_size is read; the rest is written, all zero on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_tile_cache_get_stats(const shd_tile_cache *cache, shd_tile_cache_stats *out_stats);
+
+/**
+ * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. The cache remembers
+ * the latest 4096 requests. An engine calls this on the threads that stream.
+ * @param max_tiles   most tiles to load; 0 = all that are requested
+ * @param out_loaded  number of tiles that were loaded; may be NULL; 0 on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_tile_cache_load_requested(shd_tile_cache *cache, uint32_t max_tiles,
+                                                               uint32_t *out_loaded);
+
+SHD_END_DECLS
+
+#endif /* SHD_TILE_CACHE_H */
