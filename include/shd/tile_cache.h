@@ -124,7 +124,6 @@ typedef struct shd_tile_cache_stats {
     uint64_t loaded_tiles;    /**< tiles that callbacks wrote */
     uint64_t failed_tiles;    /**< tiles of calls that failed */
     uint64_t evicted_tiles;   /**< tiles that gave their place to others */
-    uint64_t repeated_tiles;  /**< tiles that were loaded although they were resident or being loaded: always 0 */
     uint64_t waits;           /**< lookups that waited for a tile that another thread loaded */
     /* ---- end of 0.1; append below ---- */
 } shd_tile_cache_stats;

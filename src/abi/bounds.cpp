@@ -109,6 +109,7 @@ shd_result shd_texture_bounds(const shd_texture* texture, const shd_sampler* sam
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
+    SHD_TRY(check_resident(*texture_body));
     shd_bounds_desc bounds = shd_bounds_desc_default();
     SHD_TRY(read_desc("bounds", desc, true, &bounds));
     SHD_TRY(check_model(bounds));

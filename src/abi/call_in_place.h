@@ -33,7 +33,7 @@ class CallInPlace {
       out.channel[c] = use(texels->channel[c], &written_);
       out.du[c] = out.dv[c] = out.dw[c] = nullptr;
     }
-    return sound_ && !wants_gradient(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 &&
+    return sound_ && !wants_more(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 &&
            are_apart();
   }
 
@@ -66,12 +66,14 @@ class CallInPlace {
     return column.data;
   }
 
-  static bool wants_gradient(const shd_texels& texels) {
+  /// Whether a call wants derivatives, or the column that textures in tiles have.
+  static bool wants_more(const shd_texels& texels) {
     uintptr_t any = 0;
     for (size_t c = 0; c < 4; ++c) {
       any |= reinterpret_cast<uintptr_t>(texels.du[c].data) | reinterpret_cast<uintptr_t>(texels.dv[c].data);
     }
     for (size_t c = 0; texels.struct_size != 0 && c < 4; ++c) any |= reinterpret_cast<uintptr_t>(texels.dw[c].data);
+    if (texels.struct_size != 0) any |= reinterpret_cast<uintptr_t>(texels.coarser.data);
     return any != 0;
   }
 

@@ -141,9 +141,17 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
                     texture.depth != 0 ? "of 3D" : "of directions");
 }
 
+shd_result check_resident(const texture::Texture& texture) {
+  if (!texture::has_tiles(texture)) return SHD_OK;
+  return core::fail(SHD_ERROR_UNSUPPORTED, "texture: in tiles");
+}
+
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
   if (texture.depth != 0) return check_slices(sampler);
   if (texture.projection != SHD_PROJECTION_NONE) return check_directions(sampler, texture.projection);
+  if (sampler.filter == SHD_FILTER_EXACT && texture::has_tiles(texture)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: EXACT, but the texture is in tiles");
+  }
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
   }
@@ -161,7 +169,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr size_t kOutputs = texture::kOutputColumns;
+constexpr size_t kCoarser = texture::kOutputColumns, kOutputs = kCoarser + 1;
 using LookupBatch = Batch<kLookupColumns, kOutputs>;
 
 void set_outputs(const shd_texels& texels, LookupBatch* batch) {
@@ -172,6 +180,7 @@ void set_outputs(const shd_texels& texels, LookupBatch* batch) {
     batch->out[8 + c] = out_column("texels.dv", texels.dv[c], Need::kOptional, index);
     batch->out[12 + c] = out_column("texels.dw", texels.dw[c], Need::kOptional, index);
   }
+  batch->out[kCoarser] = out_column("texels.coarser", texels.coarser, Need::kOptional);
 }
 
 shd_result check_outputs(const LookupBatch& batch) {
@@ -185,8 +194,8 @@ shd_result check_outputs(const LookupBatch& batch) {
 /// Whether the texture and the sampler have the derivatives that a batch requests.
 shd_result check_gradient(const LookupBatch& batch, const texture::Texture& texture, const texture::Sampler& sampler) {
   bool wanted = false, along_w = false;
-  for (size_t c = 4; c < kOutputs; ++c) wanted = wanted || batch.out[c].data;
-  for (size_t c = 12; c < kOutputs; ++c) along_w = along_w || batch.out[c].data;
+  for (size_t c = 4; c < kCoarser; ++c) wanted = wanted || batch.out[c].data;
+  for (size_t c = 12; c < kCoarser; ++c) along_w = along_w || batch.out[c].data;
   if (!wanted) return SHD_OK;
   if (along_w && texture.depth == 0) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
@@ -233,7 +242,8 @@ void write_nonfinite(size_t count, shd_texels* out) {
   std::atomic<size_t> nonfinite{0};
   run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
     texture::Texels to;
-    for (size_t c = 0; c < kOutputs; ++c) to.column(c) = piece.out_floats(c);
+    for (size_t c = 0; c < kCoarser; ++c) to.column(c) = piece.out_floats(c);
+    to.coarser = piece.out_integers(kCoarser);
     const size_t found = texture::sample(texture, sampler, context.simd, lookups_of(piece), to);
     if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
   });

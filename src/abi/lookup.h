@@ -62,6 +62,9 @@ const char* filter_name(shd_filter filter);
 /// Whether a texture has two coordinates.
 shd_result check_flat(const char* field, const texture::Texture& texture);
 
+/// SHD_ERROR_UNSUPPORTED for a texture in tiles.
+shd_result check_resident(const texture::Texture& texture);
+
 /// Whether the filter has a meaning for the texture, and the texture has the table that the filter needs.
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler);
 

@@ -11,6 +11,8 @@
 #include "texture/block/levels.h"
 #include "texture/store/storage.h"
 #include "texture/texture.h"
+#include "texture/tile/cache.h"
+#include "texture/tile/regions.h"
 
 namespace {
 
@@ -20,6 +22,7 @@ using namespace shd::abi;
 /// Texel indices of all levels, times four channels, stay within 32-bit gathers.
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 constexpr uint64_t kMaxRipmapTexels = uint64_t{1} << 26;
+constexpr uint64_t kMaxTiles = uint64_t{1} << 30;
 
 /// Size, layers and tables of a texture of directions.
 shd_result check_directions(const shd_texture_desc& desc) {
@@ -111,8 +114,12 @@ shd_result check_rows(const shd_texture_desc& desc) {
 
 /// Checks texels that are not copied; their rows are checked already.
 shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& format) {
-  SHD_TRY(check_flags("texture.flags", desc.flags, SHD_TEXTURE_BORROW));
-  if (!(desc.flags & SHD_TEXTURE_BORROW)) return SHD_OK;
+  SHD_TRY(check_flags("texture.flags", desc.flags, SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS));
+  if (!(desc.flags & SHD_TEXTURE_BORROW)) {
+    if (desc.flags == 0) return SHD_OK;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.flags: SHD_TEXTURE_BORROW_LEVELS without SHD_TEXTURE_BORROW");
+  }
   if (format.channels == 3) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but format %u has three channels",
                       desc.format);
@@ -157,6 +164,69 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
                       desc.height);
 }
 
+/// Whether the levels that are borrowed follow one another in memory; they are checked already.
+shd_result check_borrowed_levels(const shd_texture_desc& desc) {
+  if (!(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) return SHD_OK;
+  if (desc.depth != 0 || image::is_block_format(enum_bits(desc.format))) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.flags: SHD_TEXTURE_BORROW_LEVELS, but the texture %s",
+                      desc.depth != 0 ? "is 3D" : "has compressed blocks");
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP} || desc.level_count == 0) {
+    return core::fail(
+        SHD_ERROR_INVALID_ARGUMENT,
+        "texture.flags: SHD_TEXTURE_BORROW_LEVELS, but texture.level_count %u and texture.tables %#x, not "
+        "1 or more and SHD_TABLE_MIPMAP alone",
+        desc.level_count, desc.tables);
+  }
+  const size_t size = image::format_info(desc.format).pixel_size;
+  const uint8_t* next = static_cast<const uint8_t*>(desc.texels) + size * desc.width * desc.height;
+  for (uint32_t level = 0; level < desc.level_count; ++level) {
+    const shd_image image = texture::image_at(desc.levels, level);
+    if (image.pixels != next || image.row_stride != image.width * size) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                        "texture.levels[%u].%s, but SHD_TEXTURE_BORROW_LEVELS has packed levels one after another",
+                        level, image.pixels != next ? "pixels: not behind the finer level" : "row_stride: not packed");
+    }
+    next += size * image.width * image.height;
+  }
+  return SHD_OK;
+}
+
+/// A texture in tiles: what it can have, and how many tiles.
+shd_result check_tiles(const shd_texture_desc& desc) {
+  texture::TileCache* cache;
+  SHD_TRY(read_handle("texture.tiles.cache", desc.tiles.cache, core::ObjectType::kTileCache, &cache));
+  SHD_TRY(check_not_null("texture.tiles.load", reinterpret_cast<const void*>(desc.tiles.load)));
+  if (desc.texels || desc.levels) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.%s: not NULL, but texture.tiles has a cache",
+                      desc.texels ? "texels" : "levels");
+  }
+  SHD_TRY(check_zero("texture.row_stride", desc.row_stride));
+  SHD_TRY(check_zero("texture.layer_stride", desc.layer_stride));
+  SHD_TRY(check_zero("texture.flags", desc.flags));
+  const image::FormatInfo format = image::format_info(desc.format);
+  if (image::is_block_format(enum_bits(desc.format)) || format.channels == 3) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has %s, but texture.tiles has a cache",
+                      static_cast<int>(desc.format), format.channels == 3 ? "three channels" : "compressed blocks");
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP} || desc.depth != 0 || desc.projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.tables: %#x, depth %u, projection %d, but a texture in tiles is 2D and has "
+                      "SHD_TABLE_MIPMAP only",
+                      desc.tables, desc.depth, static_cast<int>(desc.projection));
+  }
+  if (desc.level_count != 0) {
+    if (!(desc.tables & SHD_TABLE_MIPMAP)) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP",
+                        desc.level_count);
+    }
+    SHD_TRY(check_count("texture.level_count", desc.level_count, 0,
+                        texture::full_level_count(desc.width, desc.height) - 1));
+  }
+  const uint64_t tiles = texture::tile_count(desc, cache->tile_bytes());
+  return check_count("texture.tiles: number of tiles of all levels and layers", tiles, 1, kMaxTiles);
+}
+
 /// Kind, tables and levels of a texture of compressed blocks.
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
@@ -184,25 +254,53 @@ shd_result check_texels(const shd_texture_desc& desc) {
                      desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels);
 }
 
-shd_result check_texture_desc(const shd_texture_desc& desc) {
-  const uint32_t bits = enum_bits(desc.format);
-  if (!image::is_format(bits) && !image::is_block_format(bits)) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
-  }
-  SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
-  SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
-  SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
-  SHD_TRY(check_kind(desc));
-  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
+/// Texels and levels in memory.
+shd_result check_memory(const shd_texture_desc& desc) {
   SHD_TRY(check_texels(desc));
   SHD_TRY(check_blocks(desc));
   SHD_TRY(check_rows(desc));
   SHD_TRY(check_borrow(desc, image::format_info(desc.format)));
   SHD_TRY(check_given_levels(desc));
+  return check_borrowed_levels(desc);
+}
+
+shd_result check_texture_desc(const shd_texture_desc& desc) {
+  const uint32_t bits = enum_bits(desc.format);
+  if (!image::is_format(bits) && !image::is_block_format(bits)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
+  }
+  const uint32_t largest = desc.tiles.cache ? 1u << 20 : 65536;
+  SHD_TRY(check_count("texture.width", desc.width, 1, largest));
+  SHD_TRY(check_count("texture.height", desc.height, 1, largest));
+  SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
+  SHD_TRY(check_kind(desc));
+  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
+  SHD_TRY(desc.tiles.cache ? check_tiles(desc) : check_memory(desc));
   for (const shd_channel channel : desc.swizzle) {
     SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));
   }
   return check_finite("texture.fill", desc.fill, 4);
+}
+
+shd_texture_flags flags_of(const texture::Texture& texture) {
+  if (!texture.borrowed) return SHD_TEXTURE_NONE;
+  const bool base_only = texture.borrowed_texels <= texture.width * texture.height * texture::image_count(texture);
+  return base_only ? SHD_TEXTURE_BORROW : SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS;
+}
+
+/// Whether a texture has texels that an update can write.
+shd_result check_updatable(const texture::Texture& texture) {
+  if (texture::has_blocks(texture)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: format %d has compressed blocks, which cannot be updated",
+                      static_cast<int>(texture.format));
+  }
+  if (texture::has_tiles(texture)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: in tiles, which shd_texture_drop_tiles() updates");
+  }
+  if (flags_of(texture) & SHD_TEXTURE_BORROW_LEVELS) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: its levels are borrowed, so they cannot be updated");
+  }
+  return SHD_OK;
 }
 
 /// The caller's texels of an update; those of a borrowed base level are there already.
@@ -255,6 +353,7 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
       throw;
     }
     make_handle(owner, core::ObjectType::kTexture, body, out_texture);
+    if (body->tiles) body->tiles->source.release = read.tiles.release;
     return SHD_OK;
   });
 }
@@ -279,8 +378,8 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     info.layers = body->layers;
     info.level_count = body->level_count;
     info.tables = body->tables;
-    info.flags = body->borrowed ? SHD_TEXTURE_BORROW : SHD_TEXTURE_NONE;
-    info.byte_size = texture::byte_size(*body);
+    info.flags = flags_of(*body);
+    info.byte_size = texture::has_tiles(*body) ? 0 : texture::byte_size(*body);
     info.depth = body->depth;
     info.projection = body->projection;
     write_desc(info, out_info);
@@ -292,10 +391,7 @@ shd_result shd_texture_update(shd_texture* texture, uint32_t layer, uint32_t x, 
   return guard([&]() -> shd_result {
     texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
-    if (texture::has_blocks(*body)) {
-      return core::fail(SHD_ERROR_UNSUPPORTED, "texture: format %d has compressed blocks, which cannot be updated",
-                        static_cast<int>(body->format));
-    }
+    SHD_TRY(check_updatable(*body));
     shd_image image;
     SHD_TRY(read_update_texels(*body, texels, &image));
     SHD_TRY(check_update(*body, layer, x, y, image));
@@ -320,6 +416,10 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
     const uint32_t width = texture::level_size(body->width, level), height = texture::level_size(body->height, level);
     SHD_TRY(check_count("out.width", image.width, width, width));
     SHD_TRY(check_count("out.height", image.height, height, height));
+    if (texture::has_tiles(*body)) {
+      texture::read_level(*body, layer, level, image);
+      return SHD_OK;
+    }
     const image::RowLayout layout = image::row_layout(image.format, width, height);
     auto* pixels = static_cast<uint8_t*>(image.pixels);
     for (uint32_t y = 0; y < layout.rows; ++y) {

@@ -107,6 +107,9 @@ SHD_SIZED(shd_occlusion_desc, rays, draw_count, 56);
 SHD_SIZED(shd_occlusion_points, normal, normal, 112);
 SHD_SIZED(shd_occlusion_atlas, height, stats, 64);
 SHD_SIZED(shd_bounds_desc, srgb_error, srgb_error, 44);
+SHD_SIZED(shd_tile_cache_desc, struct_size, budget_bytes, 16);
+SHD_SIZED(shd_tile_cache_stats, struct_size, waits, 80);
+SHD_SIZED(shd_tile_region, height, height, 28);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE
 

@@ -24,6 +24,7 @@ enum class ObjectType : uint32_t {
   kShadow = 7,
   kEnvironment = 8,
   kVolume = 9,
+  kTileCache = 10,
 };
 
 /// The memory behind every handle except a context's. It stays mapped, in its context's slabs, until the context is

@@ -9,6 +9,8 @@
 #include "core/status.h"
 #include "texture/block/cache.h"
 #include "texture/filter/magnify.h"
+#include "texture/tile/coarser.h"
+#include "texture/tile/lease.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/sample.cpp"
@@ -56,6 +58,11 @@ void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient g
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
 }
 
+/// Returns whether streams of a texture are placed in a cache before they are consumed.
+bool is_placed(const Texture& texture) {
+  return has_blocks(texture) || has_tiles(texture);
+}
+
 /// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup. They are
 /// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
 void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
@@ -74,10 +81,10 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient != Gradient::kNone) {
     kernels.format.gradient = GradientOf(component);
-  } else if (!bordered && !has_blocks(texture)) {
+  } else if (!bordered && !is_placed(texture)) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
-  if (sampler.precision == SHD_PRECISION_FAST && !has_blocks(texture)) {
+  if (sampler.precision == SHD_PRECISION_FAST && !is_placed(texture)) {
     kernels.format.fixed = FixedOf(component);
     if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
   }
@@ -101,6 +108,7 @@ bool is_stored_as_read(const Texture& texture) {
 /// their derivatives in u (k = 1) or v (k = 2).
 Texels stored_columns(const Texture& texture, const Texels& out) {
   Texels stored = {};
+  stored.coarser = out.coarser;
   for (size_t i = 0; i < kOutputColumns; ++i) {
     const uint32_t source = texture.channel_source[i % 4];
     if (source == kFill) continue;
@@ -139,9 +147,10 @@ Texels of_columns(const Texels& columns, size_t first, size_t end) {
   return some;
 }
 
-/// Filters the stored channels. `wanted` holds their columns. `blocks`: see FilterCall.
+/// Filters the stored channels. `wanted` holds their columns. `blocks`, `tiles`: see FilterCall.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks) {
+                     const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks,
+                     TileLease* tiles = nullptr) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
   Kernels kernels = {};
@@ -158,8 +167,8 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
-    return filter(
-        {texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording, blocks});
+    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording,
+                   blocks, tiles});
   };
   if (recording) return run(kernels.run, wanted);
   if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
@@ -174,9 +183,28 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, lease.cache());
 }
 
+/// sample_stored() of a texture in tiles.
+[[gnu::noinline]] size_t sample_tiles(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                      const Lookups& lookups, const Texels& wanted) {
+  TileLeaseScope scope(texture);
+  TileLease& lease = *scope.lease();
+  const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
+    lease.lookup = 0;
+    lease.lookup_end = in.count;
+    lease.needed = needed;
+    return sample_stored(texture, with, simd, in, out, nullptr, nullptr, &lease);
+  };
+  if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
+    return sample_coarser(texture, sampler, lookups, wanted, filter);
+  if (wanted.coarser) std::fill_n(wanted.coarser, lookups.count, 0u);
+  return filter(sampler, lookups, wanted, nullptr);
+}
+
 size_t sample_any(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& wanted, Recording* recording) {
   if (HWY_UNLIKELY(has_blocks(texture)) && !recording) return sample_blocks(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(has_tiles(texture))) return sample_tiles(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
   return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr);
 }
 }  // namespace

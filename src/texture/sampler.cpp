@@ -65,6 +65,7 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.probe_slack = desc.probe_slack;
   sampler.level_steepness = desc.level_blend < 0x1p-24f ? 0.0f : 1.0f / desc.level_blend;
   sampler.stochastic = desc.stochastic;
+  sampler.missing_tiles = desc.missing_tiles;
   return sampler;
 }
 

@@ -76,7 +76,7 @@ struct Stream : Elements<256> {
 
 struct FilterCall;
 
-/// Addresses of the texels of a texture, or of the decoded texels in its cache.
+/// Addresses of the texels of a texture, or of the texels in its cache.
 struct TexelSource {
   const uint8_t* origin;     // address of texel 0, computed as if the base were not borrowed
   const uint8_t* borrowed;   // the caller's base level, or null
@@ -112,6 +112,7 @@ using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumpt
 
 struct BlockCache;
 struct FixedVector;
+struct TileLease;
 
 /// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
 struct FixedKernels {
@@ -141,6 +142,7 @@ struct FilterCall {
   Consume record;                // null, or the consumer that replaces those of the format
   Recording* recording;          // output of `record`, or null
   BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
+  TileLease* tiles = nullptr;    // tiles of a texture in tiles; null for others
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)

@@ -19,6 +19,7 @@
 /// | folder     | contents                                                                                     |
 /// |------------|----------------------------------------------------------------------------------------------|
 /// | block/     | compressed blocks: decoders, caches of decoded blocks, places of texels in a cache (decode.h) |
+/// | tile/      | tiles of textures larger than memory: cache, leases, places of texels (tile.h)               |
 /// | store/     | texels and tables in memory: mip levels, ripmaps, summed areas; their builders, their layout |
 /// | footprint/ | shapes of lookups, block by block: levels of detail, probes, ellipses; profiles              |
 /// | filter/    | filters, one in each file; their shared parts: levels, quads, stream sinks, prefetching      |
@@ -101,10 +102,11 @@
 #include "core/context.h"
 #include "image/format.h"
 #include "texture/block/decode.h"
+#include "texture/tile/tile.h"
 
 namespace shd::texture {
 
-constexpr uint32_t kMaxLevels = 17;  // the base of 65536 = 2^16 texels and 16 halvings
+constexpr uint32_t kMaxLevels = 21;  // the base of 2^20 texels of a texture in tiles, and 20 halvings
 
 constexpr uint32_t kMaxLayers = 2048;
 
@@ -134,9 +136,10 @@ struct Texture {
   uint32_t layers;              // 1..kMaxLayers
   uint32_t depth;               // slices of level 0 of a 3D texture; 0 = 2D
   shd_projection projection;    // directions that coordinates are
-  uint32_t layer_texels;        // texels of all levels of one layer
+  uint32_t layer_texels;        // texels of all levels of one layer; tiles, if the texture is in tiles
   uint32_t level_count;         // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];  // first texel of level l, whose size is max(1, width >> l) x max(1, height >> l)
+  uint32_t offset[kMaxLevels];  // first texel of level l, whose size is max(1, width >> l) x max(1, height >> l); or
+                                // the first tile
   uint32_t ripmap_columns, ripmap_rows;             // ripmap levels along each axis, or 0; the size of level (i, j) is
                                                     // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
@@ -147,6 +150,7 @@ struct Texture {
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
   uint32_t borrowed_texels;  // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
   BlockLayout blocks;        // layout, if `texels` are compressed blocks
+  TileSetOwner tiles;        // tiles of a texture in tiles, which has neither texels nor a borrowed base
   core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
   uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
   core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double
@@ -157,6 +161,11 @@ struct Texture {
 /// Returns whether the memory of a texture holds compressed blocks.
 inline bool has_blocks(const Texture& texture) {
   return texture.blocks.decode != nullptr;
+}
+
+/// Returns whether the texels of a texture come from a cache of tiles.
+inline bool has_tiles(const Texture& texture) {
+  return static_cast<bool>(texture.tiles);
 }
 
 /// Returns whether lookups of a texture read w.
@@ -185,6 +194,7 @@ struct Sampler {
   float probe_slack;
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
   shd_stochastic stochastic;
+  shd_missing_tiles missing_tiles;
 };
 
 /// Copies a sampler and removes width and blur from the copy.
@@ -235,8 +245,9 @@ constexpr size_t kOutputColumns = 16;
 /// Packed columns of Lookups::count elements. Unwanted columns are null. Nothing is written past the last element.
 struct Texels {
   float* channel[4];
-  float *du[4], *dv[4];  // derivatives of the channels in u and v, for filters with has_gradient()
-  float* dw[4] = {};     // derivatives in w, for 3D textures
+  float *du[4], *dv[4];         // derivatives of the channels in u and v, for filters with has_gradient()
+  float* dw[4] = {};            // derivatives in w, for 3D textures
+  uint32_t* coarser = nullptr;  // finest levels that lookups of a texture in tiles could use (shd_texels)
 
   float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : i < 12 ? dv[i - 8] : dw[i - 12]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
@@ -264,6 +275,7 @@ inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
 inline Texels part_of(const Texels& out, size_t first) {
   Texels part;
   for (size_t c = 0; c < kOutputColumns; ++c) part.column(c) = out.column(c) ? out.column(c) + first : nullptr;
+  part.coarser = out.coarser ? out.coarser + first : nullptr;
   return part;
 }
 

@@ -55,6 +55,9 @@ class DirectionSink {
   HWY_INLINE void texel(D d, uint32_t op, VI index, MaskOf<D> in, const AnyShare&... share) {
     stream_.texel(d, op, index, in, share...);
   }
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, VI x, VI y, MaskOf<D> in) {
+    stream_.texel(d, op, level, x, y, in);
+  }
   HWY_INLINE void merge(D d, V share) { stream_.merge(d, share); }
 
   HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, V u, V v) {
@@ -210,10 +213,12 @@ class DirectionSink {
     const V third = s * t * hn::Set(d, 1.0f / 3.0f);
     const V own = (one - s) * (one - t) + third, across = s * (one - t) + third, down = (one - s) * t + third;
     Row<D> row;
-    row.index[0] = pick(index[0], index[1], index[2], index[3]);
-    row.index[1] = pick(index[1], index[0], index[3], index[2]);
-    row.index[2] = pick(index[2], index[3], index[0], index[1]);
-    row.index[3] = row.index[0];
+    row.level = nullptr;
+    row.first = hn::Zero(di);
+    row.column[0] = pick(index[0], index[1], index[2], index[3]);
+    row.column[1] = pick(index[1], index[0], index[3], index[2]);
+    row.column[2] = pick(index[2], index[3], index[0], index[1]);
+    row.column[3] = row.column[0];
     row.share[0] = across / (own + across);
     row.share[1] = down;
     row.share[2] = zero;

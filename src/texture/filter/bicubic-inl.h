@@ -38,11 +38,13 @@ struct Bicubic : OnBaseLevel {
         hn::And(hn::Eq(x.index[1], x.index[0] + hn::Set(di, 1)), hn::Eq(x.index[3], x.index[0] + hn::Set(di, 3)));
     const bool neighbours = hn::AllTrue(di, hn::And(right, hn::Eq(x.index[2], x.index[1] + hn::Set(di, 1))));
     for (int k = 0; k < 4; ++k) {
-      const auto first = RowIndex(d, base, y.index[kOrder[k]]);
       Row<D> row;
+      row.level = &base;
+      row.y = y.index[kOrder[k]];
+      row.first = RowIndex(d, base, row.y);
       row.neighbours = neighbours;
       for (int c = 0; c < 4; ++c) {
-        row.index[c] = first + x.index[kOrder[c]];
+        row.column[c] = x.index[kOrder[c]];
         row.in[c] = hn::And(x.in[kOrder[c]], y.in[kOrder[k]]);
       }
       for (int c = 0; c < 3; ++c) {

@@ -136,8 +136,8 @@ struct EllipseWalk {
       const Row row = row_at(d, hn::Set(d, r));
       const Walk<D> across(d, sampler.wrap_u, row.left, ellipse.level.across);
       MaskOf<D> in_x, in_y;
-      const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
-      sink.texel(d, kNewLine, texel, hn::And(in_x, in_y));
+      const auto y = down.index(d, &in_y), x = across.index(d, &in_x);
+      sink.texel(d, kNewLine, ellipse.level, x, y, hn::And(in_x, in_y));
       down.step(d);
     }
   }
@@ -160,8 +160,8 @@ struct EllipseWalk {
       sink.texel(d, how(starts) | flags, sink.folded(d, ellipse.level, across.at, down.at), active, share);
     } else {
       MaskOf<D> in_x, in_y;
-      const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
-      sink.texel(d, how(starts) | flags, texel, hn::And(in_x, in_y), share);
+      const auto row_y = down.index(d, &in_y), column_x = across.index(d, &in_x);
+      sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, hn::And(in_x, in_y), share);
     }
     return true;
   }

@@ -3,15 +3,13 @@
 // gathered and filtered, and the results are scattered.
 #include "texture/filter/magnify.h"
 
+#include "texture/filter/gathered.h"
 #include "texture/footprint/lod.h"
 #include "texture/footprint/profile.h"
 #include "texture/sample.h"
 
 namespace shd::texture {
 namespace {
-
-/// Lookups in a block. Their copies take 6 KB of stack.
-constexpr size_t kPart = 64;
 
 /// Returns the sampler's range of levels of detail, not limited to the levels of the texture.
 LodRange free_range(const Sampler& sampler) {
@@ -34,39 +32,6 @@ size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::
   if (sampler.profile == SHD_PROFILE_LEAST_ERROR && !is_isotropic(sampler)) rule.profile = SHD_PROFILE_EXACT;
   return find_lods(texture, rule, free_range(sampler), by_probes ? LodAxis::kProbes : LodAxis::kLonger, simd, in, out);
 }
-
-/// Packed copies of some lookups of a block, and their results.
-struct Gathered {
-  float floats[kFloatColumns][kPart];
-  uint32_t integers[kIntegerColumns][kPart];
-  float results[kOutputColumns][kPart];
-
-  template <class T>
-  static const T* gather(const T* column, const uint16_t* rows, size_t count, T* to) {
-    if (!column) return nullptr;
-    for (size_t i = 0; i < count; ++i) to[i] = column[rows[i]];
-    return to;
-  }
-
-  Lookups load(const Lookups& in, const uint16_t* rows, size_t count) {
-    Lookups some = in;
-    some.count = count;
-    for (size_t c = 0; c < kFloatColumns; ++c) some.real(c) = gather(in.real(c), rows, count, floats[c]);
-    for (size_t c = 0; c < kIntegerColumns; ++c) some.integer(c) = gather(in.integer(c), rows, count, integers[c]);
-    return some;
-  }
-  Texels wanted(const Texels& out) {
-    Texels to;
-    for (size_t c = 0; c < kOutputColumns; ++c) to.column(c) = out.column(c) ? results[c] : nullptr;
-    return to;
-  }
-  void scatter(const uint16_t* rows, size_t count, const Texels& out) const {
-    for (size_t c = 0; c < kOutputColumns; ++c) {
-      if (!out.column(c)) continue;
-      for (size_t i = 0; i < count; ++i) out.column(c)[rows[i]] = results[c][i];
-    }
-  }
-};
 
 void sample_rows(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
                  const uint16_t* rows, size_t count, const Texels& out) {

@@ -23,7 +23,7 @@ HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level,
   MaskOf<D> in_x, in_y;
   const auto x = WrapNearest(d, sampler.wrap_u, hn::Load(d, block.u + i), level.across, &in_x);
   const auto y = WrapNearest(d, sampler.wrap_v, hn::Load(d, block.v + i), level.down, &in_y);
-  sink.texel(d, kStart | kNewLine, RowIndex(d, level, y) + x, hn::And(in_x, in_y));
+  sink.texel(d, kStart | kNewLine, level, x, y, hn::And(in_x, in_y));
   sink.finish();
 }
 

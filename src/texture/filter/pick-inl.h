@@ -69,7 +69,7 @@ HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, 
 /// Emits the chosen texel of a lookup.
 template <class D, class Sink>
 HWY_INLINE void emit_pick(D d, const Level<D>& level, const Pick<D>& x, const Pick<D>& y, Sink& sink) {
-  sink.texel(d, kStart | kNewLine, RowIndex(d, level, y.index) + x.index, hn::And(x.in, y.in));
+  sink.texel(d, kStart | kNewLine, level, x.index, y.index, hn::And(x.in, y.in));
   sink.finish();
 }
 

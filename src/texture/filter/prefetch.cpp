@@ -5,6 +5,7 @@
 
 #include "texture/block/cache.h"
 #include "texture/store/storage.h"
+#include "texture/tile/lease.h"
 
 namespace shd::texture {
 
@@ -64,6 +65,7 @@ void InputColumns::find(const Lookups& in) {
 
 TexelSource::TexelSource(const FilterCall& call) : TexelSource(call.texture) {
   if (call.blocks) origin = call.blocks->texels;
+  if (call.tiles) origin = call.tiles->origin;
 }
 
 TexelSource::TexelSource(const Texture& texture)

@@ -22,6 +22,8 @@
 #include "texture/filter/prefetch.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/stream.h"
+#include "texture/tile/lease.h"
+#include "texture/tile/place-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -42,10 +44,12 @@ struct DeepShare {
 /// Four texels of a row of a level around a point, in the order of columns 1, 2, 0, 3.
 template <class D>
 struct Row {
-  Ints<D> index[4];
+  Ints<D> first, column[4];  // index of a texel of the texture, and the distances of the four texels from it
+  Ints<D> y;                 // row of `level`, whose columns are `column`
+  const Level<D>* level;     // null: the texture is not in tiles, and y is not set
   MaskOf<D> in[4];
   hn::Vec<D> share[3], rate[3];  // shares of the last three texels in their running average, and their derivatives
-  bool neighbours;               // columns are adjacent in memory
+  bool neighbours;               // columns are adjacent
 };
 
 /// Base of sinks, to which filters emit elements. A Sink has these members:
@@ -55,6 +59,7 @@ struct Row {
 ///   finish()       marks the latest element as the last one of its vector of lookups
 ///   sampler()      the sampler
 ///   bordered()     texels may be the border colour
+///   tiles()        null, or the lease of a texture in tiles, which takes rows and levels beside the columns
 ///   kTakesLines    takes whole lines of probes with equal weights
 ///   has_rates()    shares need their derivatives
 ///
@@ -66,6 +71,7 @@ class Emitter {
  public:
   Emitter() = default;
   static constexpr bool kTakesLines = false;
+  static constexpr TileLease* tiles() { return nullptr; }
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 
@@ -96,6 +102,13 @@ class Emitter {
       hn::Store(y.rate, d, to.rate_t + at);
     }
     op |= kQuad | write_share(d, at, share...);
+    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
+      write_place(d, 0, at, x.i0, x.in0);
+      write_place(d, 1, at, x.i1, x.in1);
+      write_rows(d, at, level, y.i0, y.in0);
+      write_row(d, 1, at, y.i1, y.in1);
+      return self().commit(d, op);
+    }
     const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
     if (HWY_UNLIKELY(self().bordered())) {
       write_texel(d, 0, at, top + x.i0, hn::And(x.in0, y.in0));
@@ -135,12 +148,29 @@ class Emitter {
       if (HWY_UNLIKELY(self().has_rates())) hn::Store(row.rate[k], d, rates[k] + at);
     }
     op |= kRow | write_share(d, at, share);
-    if (HWY_LIKELY(row.neighbours && !self().bordered())) {
-      hn::Store(row.index[2], hn::RebindToSigned<D>(), to.index[2] + at);
+    const bool neighbours = row.neighbours && !self().bordered();
+    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
+      for (size_t k = 0; k < 4; ++k) write_place(d, k, at, row.column[k], row.in[k]);
+      write_rows(d, at, *row.level, row.y, hn::Eq(row.share[0], row.share[0]));
+      return self().commit(d, neighbours ? op | kNeighbours : op);
+    }
+    if (HWY_LIKELY(neighbours)) {
+      hn::Store(row.first + row.column[2], hn::RebindToSigned<D>(), to.index[2] + at);
       return self().commit(d, op | kNeighbours);
     }
-    for (size_t k = 0; k < 4; ++k) write_texel(d, k, at, row.index[k], row.in[k]);
+    for (size_t k = 0; k < 4; ++k) write_texel(d, k, at, row.first + row.column[k], row.in[k]);
     self().commit(d, op);
+  }
+
+  /// Emits the texel of a level.
+  template <class D, class... AnyShare>
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, Ints<D> x, Ints<D> y, MaskOf<D> in,
+                        const AnyShare&... share) {
+    if (HWY_LIKELY(self().tiles() == nullptr)) return texel(d, op, RowIndex(d, level, y) + x, in, share...);
+    const size_t at = self().add(d);
+    write_place(d, 0, at, x, in);
+    write_rows(d, at, level, y, in);
+    self().commit(d, op | write_share(d, at, share...));
   }
 
   template <class D, class... AnyShare>
@@ -164,6 +194,26 @@ class Emitter {
   HWY_INLINE void write_texel(D d, size_t k, size_t at, Ints<D> index, MaskOf<D> in) {
     const Ints<D> texel = HWY_UNLIKELY(self().bordered()) ? TexelOrBorder(d, index, in) : index;
     hn::Store(texel, hn::RebindToSigned<D>(), self().elements().index[k] + at);
+  }
+
+  /// Write the place of a texel in its level, for a texture in tiles: -1 on the border.
+  template <class D>
+  HWY_INLINE void write_place(D, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), column, hn::Set(di, -1)), di, self().elements().index[k] + at);
+  }
+  template <class D>
+  HWY_INLINE void write_row(D, size_t k, size_t at, Ints<D> y, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), y, hn::Set(di, -1)), di, self().tiles()->y[k] + at);
+  }
+  /// Writes the first row of an element, and its level.
+  template <class D>
+  HWY_INLINE void write_rows(D d, size_t at, const Level<D>& level, Ints<D> y, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    write_row(d, 0, at, y, in);
+    hn::Store(level.offset, di, self().tiles()->first_tile + at);
+    hn::Store(level.across.whole, di, self().tiles()->width + at);
   }
 
   /// Writes the share of an element. Returns its flags.
@@ -204,6 +254,8 @@ class StreamSink : public Emitter<StreamSink> {
         bordered_(has_border(call.texture, call.sampler)),
         texture_(call.texture),
         blocks_(call.blocks),
+        tiles_(call.tiles),
+        placed_(call.blocks != nullptr || call.tiles != nullptr),
         first_(call, TexelSource(call), call.recording),
         second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;
@@ -216,11 +268,12 @@ class StreamSink : public Emitter<StreamSink> {
   HWY_INLINE Stream& elements() { return stream_; }
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
   HWY_INLINE bool bordered() const { return bordered_; }
+  HWY_INLINE TileLease* tiles() const { return tiles_; }
 
   /// Begins the block of lookups whose first one is `first`. `scattered`: is_scattered() of the block.
   void begin(size_t first, bool scattered) {
     first_.done = second_.done = first;
-    scattered_ = scattered && !has_blocks(texture_);
+    scattered_ = scattered && !placed_;
   }
 
   HWY_INLINE size_t add(BatchTag d) {
@@ -234,7 +287,7 @@ class StreamSink : public Emitter<StreamSink> {
     if (HWY_UNLIKELY(scattered_)) {
       const size_t at = e * hn::Lanes(d);
       prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
-    } else if (op & kNeighbours && op & kQuad && HWY_LIKELY(!blocks_)) {
+    } else if (op & kNeighbours && op & kQuad && HWY_LIKELY(!placed_)) {
       prefetch_ends(stream_.index[0] + e * hn::Lanes(d));
       prefetch_ends(stream_.index[2] + e * hn::Lanes(d));
     }
@@ -246,12 +299,18 @@ class StreamSink : public Emitter<StreamSink> {
     const size_t end = stream_.elements;
     if (end == 0) return;
     stream_.elements = 0;
-    if (HWY_UNLIKELY(blocks_ != nullptr)) PlaceStream(texture_, blocks_, end, &stream_);
+    if (HWY_UNLIKELY(placed_)) place(end);
     if (consume_first_) consume_first_(stream_, end, &first_);
     if (consume_second_) consume_second_(stream_, end, &second_);
   }
 
  private:
+  /// Finds the places of texels in a cache.
+  HWY_NOINLINE void place(size_t end) {
+    if (blocks_) PlaceStream(texture_, blocks_, end, &stream_);
+    if (tiles_) PlaceInTiles(tiles_, end, &stream_);
+  }
+
   /// Prefetches the texels of the first and the last lookup of a vector: those between them are near.
   HWY_INLINE void prefetch_ends(const int32_t* index) const {
     const size_t lanes = hn::Lanes(BatchTag());
@@ -265,6 +324,8 @@ class StreamSink : public Emitter<StreamSink> {
   bool scattered_ = false;
   const Texture& texture_;
   BlockCache* const blocks_;
+  TileLease* const tiles_;
+  const bool placed_;
   Consume consume_first_, consume_second_ = nullptr;
   Consumption first_, second_;
 };

@@ -61,8 +61,8 @@ size_t lay_out_ripmap(Texture* texture, size_t texels) {
   return texels;
 }
 
-/// Sets the sizes of the texture and the offset of every level. Returns the number of texels of all layers.
-size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
+/// Sets the sizes of the texture and the number of its levels.
+void set_size(const shd_texture_desc& desc, Texture* texture) {
   texture->width = desc.width;
   texture->height = desc.height;
   texture->layers = desc.layers;
@@ -74,6 +74,11 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   if (desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP) {
     texture->level_count = full_level_count(desc.width, desc.height, desc.depth);
   }
+}
+
+/// Sets the sizes of the texture and the offset of every level. Returns the number of texels of all layers.
+size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
+  set_size(desc, texture);
   const auto slices = [&](uint32_t level) { return desc.depth != 0 ? level_size(desc.depth, level) : 1; };
   size_t texels = 0;
   for (uint32_t level = 0; level < kMaxLevels; ++level) {
@@ -143,6 +148,7 @@ void allocate(const core::Context& context, const shd_texture_desc& desc, size_t
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     // Several layers have no other levels.
     texture->borrowed_texels = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layers);
+    if (desc.flags & SHD_TEXTURE_BORROW_LEVELS) texture->borrowed_texels = static_cast<uint32_t>(texels);
   }
   const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
   texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
@@ -194,6 +200,11 @@ uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth) {
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
   Texture texture = {};
   set_format(desc, &texture);
+  if (desc.tiles.cache) {
+    set_size(desc, &texture);
+    *out = static_cast<Texture&&>(texture);
+    return build_tiles(context, desc, out);
+  }
   const size_t texels = lay_out(desc, &texture);
   if (image::block_info(desc.format).block_size) {
     copy_blocks(context, desc, &texture);
@@ -204,7 +215,7 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   if (!texture.borrowed) copy_base(context, desc, &texture);
   if (desc.depth != 0) {
     copy_slices(context, desc, &texture);
-  } else if (desc.level_count > 0) {
+  } else if (desc.level_count > 0 && !(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) {
     copy_levels(context, desc, &texture);
   }
   build_tables(context, &texture);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/tile/lease.h"
+
+namespace shd::texture {
+
+/// Elements of a stream that wait for tiles.
+struct WaitingElements {
+  size_t count = 0;
+  uint16_t element[Stream::kMaxElements];
+};
+
+/// Places the texels of `waiting`, whose tiles are in TileLease::wanted and whose places within the tiles are in
+/// Stream::index. Loads missing tiles, or, if the lease must not wait, marks the lookups that need them. Texels whose
+/// tiles the lease cannot keep are copied.
+void resolve(TileLease* lease, const WaitingElements& waiting, size_t lanes, Stream* stream);
+
+}  // namespace shd::texture
