@@ -58,11 +58,13 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   for (auto _ : state) sampling.run(columns, &out);
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * columns.count);
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns.count));
-  if (format.format == kRgba8.format) record_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge), rate);
+  if (format.name == std::string(kRgba8.name)) record_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge), rate);
   const double texels = recorded_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge));
-  if (shd_format_block_size(format.format) != 0 && texels > 0.0) state.counters["ratio_rgba8"] = rate / texels;
+  const bool is_variant = format.in_tiles || shd_format_block_size(format.format) != 0;
+  if (is_variant && texels > 0.0) state.counters["ratio_rgba8"] = rate / texels;
+  const char* const peer_format = format.in_tiles ? kRgba8.name : format.name;
   for (const char* peer : {"llvmpipe", "lavapipe", "openimageio", "openimageio_batch"}) {
-    const double other = recorded_rate(row_name(filter.peer_row, format.name, peer, pattern, edge));
+    const double other = recorded_rate(row_name(filter.peer_row, peer_format, peer, pattern, edge));
     if (other > 0.0) state.counters[std::string("ratio_") + peer] = rate / other;
   }
 }
@@ -114,8 +116,8 @@ void for_each_workload(Body body) {
   }
 }
 
-/// Whether a row of compressed blocks is run: those whose filter has levels, at the larger size.
-bool has_block_row(const Filter& filter, uint32_t edge) {
+/// Whether a row of compressed blocks or tiles is run: those whose filter has levels, at the larger size.
+bool has_variant_row(const Filter& filter, uint32_t edge) {
   return edge == kEdges[1] && filter.tables == SHD_TABLE_MIPMAP && filter.precision == SHD_PRECISION_FULL &&
          filter.profile == SHD_PROFILE_LEAST_ERROR && filter.filter != SHD_FILTER_EXACT;
 }
@@ -173,7 +175,8 @@ void register_texture() {
   for (const Format& format : kFormats) {
     add_rows(format, [&](const Filter& filter, uint32_t edge) { return is_measured(filter, format, edge); });
   }
-  for (const Format& format : kBlockFormats) add_rows(format, has_block_row);
+  for (const Format& format : kBlockFormats) add_rows(format, has_variant_row);
+  add_rows(kTiles, has_variant_row);
 }
 
 }  // namespace shd::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture_setup.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace shd::bench {
@@ -86,6 +87,40 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   texture.tables = filter.tables;
   if (has_blocks) blocks.set(&texture);
   check(shd_texture_create(context_, &texture, &texture_));
+  if (format.in_tiles) move_into_tiles(texture);
+}
+
+void Sampling::move_into_tiles(const shd_texture_desc& of_memory) {
+  shd_texture_desc desc = of_memory;
+  for (uint32_t side = desc.width, level = 0; level == 0 || side > 1; ++level) {
+    side = desc.width >> level;
+    levels_.emplace_back(size_t{side} * side * shd_format_size(desc.format));
+    shd_image image = shd_image_default();
+    image.format = desc.format;
+    image.width = image.height = side;
+    image.pixels = levels_.back().data();
+    check(shd_texture_read_level(texture_, 0, level, &image));
+  }
+  shd_texture_release(texture_);
+  shd_tile_cache* cache = nullptr;
+  check(shd_tile_cache_create(context_, nullptr, &cache));
+  desc.texels = nullptr;
+  desc.tiles.cache = cache;
+  desc.tiles.user_data = &levels_;
+  desc.tiles.load = [](void* user_data, const shd_tile* tiles, size_t count) {
+    const auto& levels = *static_cast<const std::vector<std::vector<uint8_t>>*>(user_data);
+    for (size_t i = 0; i < count; ++i) {
+      const shd_tile& tile = tiles[i];
+      const auto width = static_cast<size_t>(std::sqrt(static_cast<double>(levels[tile.level].size() / 4)));
+      for (uint32_t y = 0; y < tile.height; ++y) {
+        std::memcpy(static_cast<uint8_t*>(tile.texels) + y * tile.row_stride,
+                    &levels[tile.level][4 * ((tile.y + y) * width + tile.x)], 4 * tile.width);
+      }
+    }
+    return SHD_OK;
+  };
+  check(shd_texture_create(context_, &desc, &texture_));
+  shd_tile_cache_release(cache);
 }
 
 Sampling::~Sampling() {

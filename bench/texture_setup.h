@@ -95,6 +95,7 @@ struct Format {
   const char* name;
   shd_format format;
   int channels;
+  bool in_tiles = false;
 };
 constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
                                {"rgba8", SHD_FORMAT_RGBA8, 4},
@@ -103,6 +104,8 @@ constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
                                {"rgba32f", SHD_FORMAT_RGBA32F, 4}};
 /// Blocks of random bits: BC7 then has its slow modes of two and three subsets most often.
 constexpr Format kBlockFormats[] = {{"bc1", SHD_FORMAT_BC1_RGBA, 4}, {"bc7", SHD_FORMAT_BC7, 4}};
+/// RGBA8 in a cache of tiles, which holds the whole texture after the first run.
+constexpr Format kTiles = {"rgba8_tiles", SHD_FORMAT_RGBA8, 4, true};
 /// The format of the peers' rows.
 constexpr Format kRgba8 = kFormats[1];
 
@@ -123,8 +126,11 @@ class Sampling {
 
  private:
   shd_context* context_ = nullptr;
+  void move_into_tiles(const shd_texture_desc& desc);
+
   shd_texture* texture_ = nullptr;
   shd_sampler* sampler_ = nullptr;
+  std::vector<std::vector<uint8_t>> levels_;  // of a texture in tiles
 };
 
 /// The columns that `filter` reads, with one lookup in filter.every.

@@ -13,9 +13,10 @@ namespace shd::texture {
 /// What one call knows of a cache: the tiles that it keeps, and the texels of the stream that it places. It stays with
 /// its texture between calls, so that the next call finds the tiles of the previous one.
 struct TileLease {
-  static constexpr uint32_t kKept = 256, kNoTile = 0xffffffff;
+  static constexpr uint32_t kKept = 1024, kNoTile = 0xffffffff;
   static constexpr size_t kColumn = Stream::kColumn;
-  static constexpr size_t kSpares = 4 * Stream::kCapacity;  // copies of texels, of up to 16 bytes
+  static constexpr size_t kSpares = 4 * Stream::kCapacity;  // copies of texels, of up to 16 bytes; 4 L of an element
+                                                            // of L lanes
   static constexpr size_t kSpareBytes = kSpares * 16;
 
   // Tiles that no other call can evict. Tile t can only be at entry_of(t).
@@ -47,7 +48,7 @@ struct TileLease {
   std::atomic<bool> used;
   std::atomic<uint32_t> last_number;  // `number`, for calls that look for their lease
 
-  static uint32_t entry_of(uint32_t of_tile) { return of_tile * 0x9e3779b1u >> 24; }
+  static uint32_t entry_of(uint32_t of_tile) { return of_tile * 0x9e3779b1u >> 22; }
 
   /// Begins the next stream: earlier ones read nothing any more.
   void begin_stream();

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "texture/store/storage.h"
 #include "texture/tile/lease.h"
 #include "texture/tile/resolve.h"
 
@@ -25,11 +28,12 @@ class TilePlacer {
         stream_(*stream),
         shape_(lease->texture->tiles->shape),
         last_x_((1 << shape_.shift_x) - 1),
-        last_y_((1 << shape_.shift_y) - 1) {}
+        last_y_((1 << shape_.shift_y) - 1),
+        texel_size_(texel_size(*lease->texture)) {}
 
   void place(size_t end) {
     const size_t lanes = hn::Lanes(DI());
-    WaitingElements waiting;
+    WaitingElements apart, waiting;
     size_t lookup = lease_.lookup;
     lease_.begin_stream();
     for (size_t e = 0; e < end; ++e) {
@@ -38,12 +42,18 @@ class TilePlacer {
       if (op & kLast) lookup += lanes;
       if (op & kMerge) continue;
       if (HWY_UNLIKELY(left < lanes)) repeat_first(at, left);
-      const bool placed = op & kQuad ? place_quad(e, at) : op & kRow ? place_row(e, at) : place_texel(at);
-      if (HWY_LIKELY(placed)) continue;
-      stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
-      waiting.element[waiting.count++] = static_cast<uint16_t>(e);
+      if (op & kQuad) {
+        if (HWY_UNLIKELY(!place_together(e, at))) apart.add(e);
+      } else if (HWY_UNLIKELY(!(op & kRow ? place_row(e, at) : place_texel(at)))) {
+        waiting.add(e);
+      }
     }
-    if (HWY_UNLIKELY(waiting.count != 0)) resolve(&lease_, waiting, lanes, &stream_);
+    // Their texels have been prefetched.
+    for (size_t i = 0; i < apart.count; ++i) {
+      const size_t e = apart.element[i];
+      if (HWY_UNLIKELY(!place_apart(e, e * lanes))) waiting.add(e);
+    }
+    if (HWY_UNLIKELY(waiting.count != 0)) wait(waiting, lanes);
     lease_.lookup = lookup;
   }
 
@@ -52,6 +62,14 @@ class TilePlacer {
   struct TileRow {
     VI tile, texel;
   };
+
+  HWY_NOINLINE void wait(const WaitingElements& waiting, size_t lanes) {
+    for (size_t i = 0; i < waiting.count; ++i) {
+      uint16_t& op = stream_.op[waiting.element[i]];
+      op = static_cast<uint16_t>(op & ~kNeighbours);
+    }
+    resolve(&lease_, waiting, lanes, &stream_);
+  }
 
   /// Lets lanes from `end` on, which have no lookup, read the texels of lane 0.
   HWY_NOINLINE void repeat_first(size_t at, size_t end) {
@@ -66,13 +84,24 @@ class TilePlacer {
   HWY_INLINE VI tile_column(VI x) const { return hn::ShiftRightSame(x, static_cast<int>(shape_.shift_x)); }
   HWY_INLINE VI texel_column(VI x) const { return hn::And(x, hn::Set(DI(), last_x_)); }
 
-  HWY_INLINE TileRow row_at(size_t at, VI y) const {
-    const DI di;
-    const VI across = tile_column(load(lease_.width + at) + hn::Set(di, last_x_));
-    const VI down = hn::ShiftRightSame(y, static_cast<int>(shape_.shift_y));
-    const VI texel = hn::ShiftLeftSame(hn::And(y, hn::Set(di, last_y_)), static_cast<int>(shape_.shift_x));
-    return {load(lease_.first_tile + at) + down * across, texel};
+  HWY_INLINE VI texel_row(VI y) const {
+    return hn::ShiftLeftSame(hn::And(y, hn::Set(DI(), last_y_)), static_cast<int>(shape_.shift_x));
   }
+
+  HWY_INLINE TileRow row_at(size_t at, VI y) const {
+    const VI across = tile_column(load(lease_.width + at) + hn::Set(DI(), last_x_));
+    const VI down = hn::ShiftRightSame(y, static_cast<int>(shape_.shift_y));
+    return {load(lease_.first_tile + at) + down * across, texel_row(y)};
+  }
+
+  /// Returns the tile of a texel of the level of the first lane at `at`.
+  HWY_INLINE uint32_t tile_at(size_t at, int32_t x, int32_t y) const {
+    const int32_t across = (lease_.width[at] + last_x_) >> shape_.shift_x;
+    return static_cast<uint32_t>(lease_.first_tile[at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
+  }
+
+  /// Returns the memory for copies of texels of an element.
+  HWY_INLINE uint8_t* spare_of(size_t e) const { return lease_.spare_bytes + 4 * e * hn::Lanes(DI()) * texel_size_; }
 
   HWY_INLINE static bool all_equal(VI a, VI b) { return hn::AllTrue(DI(), hn::Eq(a, b)); }
 
@@ -86,18 +115,18 @@ class TilePlacer {
     return lease_.first[entry];
   }
 
-  /// Writes the tiles and the texels within them for resolve().
-  HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row, VI x) {
-    const DI di;
-    const VI tile = row.tile + tile_column(x);
-    hn::Store(tile, di, lease_.wanted[k] + at);
-    hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
+  /// Prefetches the texels of the first and the last lane: those between them are near.
+  HWY_INLINE void prefetch_ends(const int32_t* index) const {
+    __builtin_prefetch(lease_.origin + static_cast<size_t>(index[0]) * texel_size_);
+    __builtin_prefetch(lease_.origin + static_cast<size_t>(index[hn::Lanes(DI()) - 1]) * texel_size_);
   }
-  HWY_INLINE void wait_for_bordered(size_t k, size_t at, const TileRow& row, VI x, VI y) {
+
+  /// Writes the tile and the texel within it for resolve().
+  HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row, VI x, VI y) {
     const DI di;
-    wait_for(k, at, row, x);
     const auto outside = hn::Lt(hn::Or(x, y), hn::Zero(di));
-    hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), load(lease_.wanted[k] + at)), di, lease_.wanted[k] + at);
+    hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, lease_.wanted[k] + at);
+    hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
   }
 
   /// Places texels whose tiles the lease keeps. Returns false and changes nothing if it does not keep them all.
@@ -105,7 +134,7 @@ class TilePlacer {
     const DI di;
     const hn::RebindToUnsigned<DI> du;
     const auto hash = hn::BitCast(du, tile) * hn::Set(du, 0x9e3779b1u);
-    const VI entry = hn::BitCast(di, hn::ShiftRight<24>(hash));
+    const VI entry = hn::BitCast(di, hn::ShiftRight<22>(hash));
     if (!all_equal(hn::GatherIndex(di, reinterpret_cast<const int32_t*>(lease_.tile), entry), tile)) return false;
     *index = hn::GatherIndex(di, lease_.first, entry) + texel;
     return true;
@@ -117,56 +146,165 @@ class TilePlacer {
     for (size_t lane = 0; lane < hn::Lanes(di); ++lane) lease_.turn[TileLease::entry_of(tiles[lane])] = lease_.now;
   }
 
-  HWY_INLINE bool place_quad(size_t e, size_t at) {
+  /// Places quads of columns side by side in one tile. Otherwise, prefetches texels and returns false.
+  HWY_INLINE bool place_together(size_t e, size_t at) {
     const DI di;
     const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
     const VI y0 = load(lease_.y[0] + at), y1 = load(lease_.y[1] + at);
-    const TileRow top = row_at(at, y0), bottom = row_at(at, y1);
-    const VI first = top.tile + tile_column(x0), last = bottom.tile + tile_column(x1);
-    const bool adjacent = all_equal(x1, x0 + hn::Set(di, 1));
-    const auto outside = hn::Lt(hn::Or(hn::Or(x0, x1), hn::Or(y0, y1)), hn::Zero(di));
-    if (HWY_UNLIKELY(!hn::AllFalse(di, outside))) {
-      wait_for_bordered(0, at, top, x0, y0);
-      wait_for_bordered(1, at, top, x1, y0);
-      wait_for_bordered(2, at, bottom, x0, y1);
-      wait_for_bordered(3, at, bottom, x1, y1);
-      return false;
-    }
-    const VI one = hn::Set(di, hn::GetLane(first));
-    if (HWY_LIKELY(adjacent && hn::AllTrue(di, hn::And(hn::Eq(first, one), hn::Eq(last, one))))) {
-      const int32_t base = first_texel_of(static_cast<uint32_t>(hn::GetLane(first)));
-      if (HWY_LIKELY(base >= 0)) {
-        const VI column = hn::Set(di, base) + texel_column(x0);
-        hn::Store(column + top.texel, di, stream_.index[0] + at);
-        hn::Store(column + bottom.texel, di, stream_.index[2] + at);
+    const int32_t column = stream_.index[0][at], row = lease_.y[0][at];
+    // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level, and columns are side by side.
+    const VI x = hn::Set(di, column), y = hn::Set(di, row);
+    const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
+    const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
+    const VI level = hn::Or(load(lease_.first_tile + at) ^ hn::Set(di, lease_.first_tile[at]),
+                            load(lease_.width + at) ^ hn::Set(di, lease_.width[at]));
+    const VI gap = (x1 - x0) ^ hn::Set(di, 1);
+    const VI apart = hn::Or(hn::Or(across, down), hn::Or(level, gap));
+    if (HWY_LIKELY(all_equal(apart, hn::Zero(di)) && (column | row) >= 0)) {
+      const int32_t first = first_texel_of(tile_at(at, column, row));
+      if (HWY_LIKELY(first >= 0)) {
+        const VI texel = hn::Set(di, first) + texel_column(x0);
+        hn::Store(texel + texel_row(y0), di, stream_.index[0] + at);
+        hn::Store(texel + texel_row(y1), di, stream_.index[2] + at);
+        prefetch_ends(stream_.index[0] + at);
+        prefetch_ends(stream_.index[2] + at);
         stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
         return true;
       }
     }
-    return place_apart(e, at, adjacent && all_equal(tile_column(x0), tile_column(x1)), {top, bottom}, {x0, x1});
+    prefetch_apart(at);
+    prefetch_apart(at + hn::Lanes(di) - 1);
+    return false;
   }
 
-  /// Places a quad in several tiles. `beside`: its columns are side by side in one tile, for every lane.
-  HWY_INLINE bool place_apart(size_t e, size_t at, bool beside, const TileRow (&rows)[2], const VI (&x)[2]) {
-    const DI di;
-    VI index[4];
-    bool kept = true;
-    for (size_t k = 0; k < 4 && kept; k += beside ? 2 : 1) {
-      const TileRow& row = rows[k / 2];
-      kept = find_kept(row.tile + tile_column(x[k % 2]), row.texel + texel_column(x[k % 2]), &index[k]);
+  /// Prefetches the texels of a lane if its tiles are kept.
+  HWY_INLINE void prefetch_apart(size_t at) const {
+    const int32_t x = stream_.index[0][at];
+    if (x < 0) return;
+    for (const auto& row : lease_.y) {
+      const int32_t y = row[at];
+      const uint32_t tile = tile_at(at, x, y), entry = TileLease::entry_of(tile);
+      if (y < 0 || lease_.tile[entry] != tile) continue;
+      const int32_t texel = lease_.first[entry] + ((y & last_y_) << shape_.shift_x) + (x & last_x_);
+      __builtin_prefetch(lease_.origin + static_cast<size_t>(texel) * texel_size_);
     }
-    for (size_t k = 0; k < 4; ++k) {
-      const TileRow& row = rows[k / 2];
-      if (!kept) {
-        wait_for(k, at, row, x[k % 2]);
-      } else if (!beside || k % 2 == 0) {
-        hn::Store(index[k], di, stream_.index[k] + at);
-        mark_read(row.tile + tile_column(x[k % 2]));
+  }
+
+  /// Places a quad in several tiles.
+  HWY_NOINLINE bool place_apart(size_t e, size_t at) {
+    const DI di;
+    const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
+    const VI y0 = load(lease_.y[0] + at), y1 = load(lease_.y[1] + at);
+    const TileRow top = row_at(at, y0), bottom = row_at(at, y1);
+    const auto outside = hn::Lt(hn::Or(hn::Or(x0, x1), hn::Or(y0, y1)), hn::Zero(di));
+    if (HWY_LIKELY(hn::AllFalse(di, outside))) {
+      if (all_equal(x1, x0 + hn::Set(di, 1))) {
+        if (stitch(e, at) || place_pairs(e, at, top, bottom, x0)) return true;
+      } else if (place_texels(e, at, top, bottom, x0, x1)) {
+        return true;
       }
     }
-    if (!kept) return false;
-    const uint32_t op = stream_.op[e] & ~kNeighbours;
-    stream_.op[e] = static_cast<uint16_t>(beside ? op | kNeighbours : op);
+    wait_for(0, at, top, x0, y0);
+    wait_for(1, at, top, x1, y0);
+    wait_for(2, at, bottom, x0, y1);
+    wait_for(3, at, bottom, x1, y1);
+    return false;
+  }
+
+  /// Places quads on two rows of texels that cross tiles: both rows are copied without a gap, so that consumers load
+  /// them as they load rows of a level. Returns false and changes nothing if the quads are elsewhere.
+  HWY_INLINE bool stitch(size_t e, size_t at) {
+    const DI di;
+    const int32_t lanes = static_cast<int32_t>(hn::Lanes(di)), *const x = stream_.index[0] + at;
+    const int32_t first = x[0] < x[lanes - 1] ? x[0] : x[lanes - 1], end = x[0] + x[lanes - 1] - first + 2;
+    if (end - first > 2 * lanes) return false;
+    const VI column = load(x) - hn::Set(di, first);
+    const VI range = hn::Min(hn::Max(column, hn::Zero(di)), hn::Set(di, end - first - 2));
+    const VI other = hn::Or(hn::Or(load(lease_.first_tile + at) ^ hn::Set(di, lease_.first_tile[at]),
+                                   load(lease_.width + at) ^ hn::Set(di, lease_.width[at])),
+                            hn::Or(load(lease_.y[0] + at) ^ hn::Set(di, lease_.y[0][at]),
+                                   load(lease_.y[1] + at) ^ hn::Set(di, lease_.y[1][at])));
+    if (!all_equal(hn::Or(range ^ column, other), hn::Zero(di))) return false;
+    for (size_t k = 0; k < 2; ++k) {
+      if (!copy_row(at, first, end, lease_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
+    }
+    const VI copy = column + hn::Set(di, lease_.spare + static_cast<int32_t>(4 * at));
+    hn::Store(copy, di, stream_.index[0] + at);
+    hn::Store(copy + hn::Set(di, 2 * lanes), di, stream_.index[2] + at);
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
+    return true;
+  }
+
+  /// Copies columns first..end - 1 of a row of the level of lane 0. Returns false if a tile is not at hand.
+  HWY_INLINE bool copy_row(size_t at, int32_t first, int32_t end, int32_t y, uint8_t* to) {
+    const int32_t row = (y & last_y_) << shape_.shift_x;
+    for (int32_t x = first; x < end;) {
+      const int32_t texel = first_texel_of(tile_at(at, x, y));
+      if (texel < 0) return false;
+      const int32_t tile_end = (x | last_x_) + 1, run = (end < tile_end ? end : tile_end) - x;
+      const size_t bytes = static_cast<size_t>(run) * texel_size_;
+      std::memcpy(to, lease_.origin + static_cast<size_t>(texel + row + (x & last_x_)) * texel_size_, bytes);
+      to += bytes;
+      x += run;
+    }
+    return true;
+  }
+
+  /// Places quads of columns side by side. Pairs that cross tiles are copied. Returns false if tiles are not at hand.
+  HWY_INLINE bool place_pairs(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0) {
+    const DI di;
+    const VI x1 = x0 + hn::Set(di, 1), column = tile_column(x0);
+    VI index[2], right[2];
+    if (!find_kept(top.tile + column, top.texel + texel_column(x0), &index[0])) return false;
+    if (!find_kept(bottom.tile + column, bottom.texel + texel_column(x0), &index[1])) return false;
+    const auto crosses = hn::Ne(column, tile_column(x1));
+    const bool some_cross = !hn::AllFalse(di, crosses);
+    if (some_cross) {
+      if (!find_kept(top.tile + tile_column(x1), top.texel + texel_column(x1), &right[0])) return false;
+      if (!find_kept(bottom.tile + tile_column(x1), bottom.texel + texel_column(x1), &right[1])) return false;
+    }
+    for (size_t k = 0; k < 2; ++k) {
+      const TileRow& row = k == 0 ? top : bottom;
+      hn::Store(index[k], di, stream_.index[2 * k] + at);
+      mark_read(row.tile + column);
+      if (!some_cross) continue;
+      mark_read(row.tile + tile_column(x1));
+      copy_pairs(e, at, k, hn::IfThenElse(crosses, right[k], hn::Set(di, -1)));
+    }
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
+    return true;
+  }
+
+  /// Copies the pairs of row k whose right texel is at `right`, if it is not negative.
+  HWY_INLINE void copy_pairs(size_t e, size_t at, size_t k, VI right) {
+    alignas(64) int32_t texel[kMaxLanes];
+    hn::Store(right, DI(), texel);
+    const size_t lanes = hn::Lanes(DI());
+    for (size_t lane = 0; lane < lanes; ++lane) {
+      if (texel[lane] < 0) continue;
+      int32_t& index = stream_.index[2 * k][at + lane];
+      const size_t pair = 2 * (k * lanes + lane);
+      uint8_t* const to = spare_of(e) + pair * texel_size_;
+      std::memcpy(to, lease_.origin + static_cast<size_t>(index) * texel_size_, texel_size_);
+      std::memcpy(to + texel_size_, lease_.origin + static_cast<size_t>(texel[lane]) * texel_size_, texel_size_);
+      index = lease_.spare + static_cast<int32_t>(4 * at + pair);
+    }
+  }
+
+  /// Places the four texels of quads one by one. Returns false if tiles are not at hand.
+  HWY_INLINE bool place_texels(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0, VI x1) {
+    VI index[4];
+    for (size_t k = 0; k < 4; ++k) {
+      const TileRow& row = k < 2 ? top : bottom;
+      const VI x = k % 2 ? x1 : x0;
+      if (!find_kept(row.tile + tile_column(x), row.texel + texel_column(x), &index[k])) return false;
+    }
+    for (size_t k = 0; k < 4; ++k) {
+      const TileRow& row = k < 2 ? top : bottom;
+      hn::Store(index[k], DI(), stream_.index[k] + at);
+      mark_read(row.tile + tile_column(k % 2 ? x1 : x0));
+    }
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
     return true;
   }
 
@@ -184,7 +322,7 @@ class TilePlacer {
         return true;
       }
     }
-    for (size_t k = 0; k < 4; ++k) wait_for_bordered(k, at, row, load(stream_.index[k] + at), y);
+    for (size_t k = 0; k < 4; ++k) wait_for(k, at, row, load(stream_.index[k] + at), y);
     return false;
   }
 
@@ -199,7 +337,7 @@ class TilePlacer {
       hn::Store(index, di, stream_.index[0] + at);
       return true;
     }
-    wait_for_bordered(0, at, row, x, y);
+    wait_for(0, at, row, x, y);
     return false;
   }
 
@@ -207,6 +345,7 @@ class TilePlacer {
   Stream& stream_;
   const TileShape shape_;
   const int32_t last_x_, last_y_;  // of a tile [texels]
+  const size_t texel_size_;
 };
 
 }  // namespace

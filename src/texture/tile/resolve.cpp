@@ -80,7 +80,7 @@ class Resolver {
       return;
     }
     const uint32_t slot = lease_.needed ? set_.cache->read(set_.key_of(tile)) : set_.cache->read_or_load(set_, tile);
-    const size_t size = texel_size(*lease_.texture), copy = k * Stream::kCapacity + at;
+    const size_t size = texel_size(*lease_.texture), copy = (4 * element + k) * lanes_ + at % lanes_;
     uint8_t* const to = lease_.spare_bytes + copy * size;
     if (slot == TileTable::kNone) {
       std::memset(to, 0, size);

@@ -8,10 +8,12 @@
 
 namespace shd::texture {
 
-/// Elements of a stream that wait for tiles.
+/// Some elements of a stream.
 struct WaitingElements {
   size_t count = 0;
   uint16_t element[Stream::kMaxElements];
+
+  void add(size_t e) { element[count++] = static_cast<uint16_t>(e); }
 };
 
 /// Places the texels of `waiting`, whose tiles are in TileLease::wanted and whose places within the tiles are in
