@@ -58,7 +58,8 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   for (auto _ : state) sampling.run(columns, &out);
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()) * columns.count);
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns.count));
-  if (format.name == std::string(kRgba8.name)) record_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge), rate);
+  if (format.name == std::string(kRgba8.name))
+    record_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge), rate);
   const double texels = recorded_rate(row_name(filter.name, kRgba8.name, target.name, pattern, edge));
   const bool is_variant = format.in_tiles || shd_format_block_size(format.format) != 0;
   if (is_variant && texels > 0.0) state.counters["ratio_rgba8"] = rate / texels;

@@ -130,7 +130,7 @@ class Sampling {
 
   shd_texture* texture_ = nullptr;
   shd_sampler* sampler_ = nullptr;
-  std::vector<std::vector<uint8_t>> levels_;  // of a texture in tiles
+  std::vector<std::vector<uint8_t>> levels_;  // source of a texture in tiles
 };
 
 /// The columns that `filter` reads, with one lookup in filter.every.

@@ -48,6 +48,8 @@
 #include <shd/solid.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
+#include <shd/tile_cache.h>
+#include <shd/tiles.h>
 #include <shd/transform.h>
 #include <shd/vertices.h>
 #include <shd/view.h>
@@ -96,6 +98,8 @@ using scene = owner<shd_scene, shd_scene_retain, shd_scene_release>;
 using shadow = owner<shd_shadow, shd_shadow_retain, shd_shadow_release>;
 /// A two-dimensional texture, an array of them, a 3D texture or a texture of directions, with its tables.
 using texture = owner<shd_texture, shd_texture_retain, shd_texture_release>;
+/// Memory for the tiles of textures.
+using tile_cache = owner<shd_tile_cache, shd_tile_cache_retain, shd_tile_cache_release>;
 /// A density field with its transfer function.
 using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 
@@ -310,6 +314,17 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   shd_texture* handle = nullptr;
   const shd_result result = shd_texture_create(context_, desc, &handle);
   out_texture.reset(handle);
+  return result;
+}
+
+/// Make a tile cache. See shd_tile_cache_create().
+[[nodiscard]] inline shd_result tile_cache_create(
+    shd_context* context_,
+    const shd_tile_cache_desc* desc,
+    shd::tile_cache& out_cache) noexcept {
+  shd_tile_cache* handle = nullptr;
+  const shd_result result = shd_tile_cache_create(context_, desc, &handle);
+  out_cache.reset(handle);
   return result;
 }
 
@@ -992,6 +1007,51 @@ inline void texture_update(
     uint32_t y,
     const shd_image* texels) {
   check(shd_texture_update(texture_, layer, x, y, texels));
+}
+
+/// Make a tile cache. See shd_tile_cache_create().
+inline shd::tile_cache tile_cache_create(shd_context* context_, const shd_tile_cache_desc* desc) {
+  shd::tile_cache made;
+  check(tile_cache_create(context_, desc, made));
+  return made;
+}
+
+/// Get the counters of a cache. See shd_tile_cache_get_stats().
+inline shd_tile_cache_stats tile_cache_get_stats(const shd_tile_cache* cache) {
+  shd_tile_cache_stats made = shd_tile_cache_stats_default();
+  check(shd_tile_cache_get_stats(cache, &made));
+  return made;
+}
+
+/// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. The cache remembers
+/// the latest 4096 requests. An engine calls this on the threads that stream. See shd_tile_cache_load_requested().
+inline void tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles, uint32_t* out_loaded) {
+  check(shd_tile_cache_load_requested(cache, max_tiles, out_loaded));
+}
+
+/// Load the tiles of a region that are not resident. They may be evicted again, also by later tiles of the region if it
+/// is larger than the cache. See shd_texture_load_tiles().
+inline void texture_load_tiles(const shd_texture* texture_, const shd_tile_region* region) {
+  check(shd_texture_load_tiles(texture_, region));
+}
+
+/// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
+/// cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call. See shd_texture_pin_tiles().
+inline void texture_pin_tiles(const shd_texture* texture_, const shd_tile_region* region) {
+  check(shd_texture_pin_tiles(texture_, region));
+}
+
+/// Undo one shd_texture_pin_tiles() of the same region. A region with a tile that is not pinned gives
+/// SHD_ERROR_INVALID_ARGUMENT, and nothing changes. See shd_texture_unpin_tiles().
+inline void texture_unpin_tiles(const shd_texture* texture_, const shd_tile_region* region) {
+  check(shd_texture_unpin_tiles(texture_, region));
+}
+
+/// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
+/// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
+/// again by this call and stay pinned, unless the load fails. See shd_texture_drop_tiles().
+inline void texture_drop_tiles(const shd_texture* texture_, const shd_tile_region* region) {
+  check(shd_texture_drop_tiles(texture_, region));
 }
 
 /// Perspective projection, view to clip space. With SHD_DEPTH_ORDER_FORWARD and a finite far plane it has the bits of

@@ -8,7 +8,7 @@ KEYWORDS = {"in", "out", "object", "base", "params", "ref", "lock", "event", "fi
 # Structs of a callback and its user_data, and columns: the handwritten layer has classes for them.
 HANDWRITTEN = {"shd_f32_in", "shd_f32_out", "shd_u32_in", "shd_u32_out", "shd_u16_in", "shd_allocator", "shd_executor",
                "shd_log", "shd_display", "shd_tracer", "shd_present", "shd_progress", "shd_material_program",
-               "shd_color_view", "shd_plane_view", "shd_present_tile", "shd_explanation"}
+               "shd_color_view", "shd_plane_view", "shd_present_tile", "shd_explanation", "shd_tile", "shd_tile_source"}
 # Structs that callbacks get: their columns are spans.
 VIEWS = ["shd_fragments", "shd_radiance", "shd_vertices", "shd_vertex_outputs", "shd_rays"]
 COLUMNS = {"shd_f32_in": "float", "shd_f32_out": "float", "shd_u32_in": "uint", "shd_u32_out": "uint",

@@ -28,6 +28,10 @@ __attribute__((import_module("shd"), import_name("progress_report")))
 extern int32_t shd_js_progress_report(void *user_data, float fraction);
 __attribute__((import_module("shd"), import_name("slot_fn")))
 extern void shd_js_slot_fn(const shd_fragments *in, float *const *out, void *user_data);
+__attribute__((import_module("shd"), import_name("load_tiles_fn")))
+extern shd_result shd_js_load_tiles_fn(void *user_data, const shd_tile *tiles, size_t count);
+__attribute__((import_module("shd"), import_name("tile_source_release")))
+extern void shd_js_tile_source_release(void *user_data);
 __attribute__((import_module("shd"), import_name("vertex_fn")))
 extern void shd_js_vertex_fn(const shd_vertices *in, shd_vertex_outputs *out, void *user_data);
 
@@ -47,7 +51,9 @@ __attribute__((export_name("shd_js_callback"))) void *shd_js_callback(uint32_t i
     case 9: return (void *)shd_js_present_tile;
     case 10: return (void *)shd_js_progress_report;
     case 11: return (void *)shd_js_slot_fn;
-    case 12: return (void *)shd_js_vertex_fn;
+    case 12: return (void *)shd_js_load_tiles_fn;
+    case 13: return (void *)shd_js_tile_source_release;
+    case 14: return (void *)shd_js_vertex_fn;
     default: return NULL;
     }
 }

@@ -13,7 +13,7 @@ import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, 
 """
 # Structs that the library writes: every field is there.
 WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step)$")
-SKIPPED = re.compile(r"^shd_([fu]\d+_(in|out)|fragments|radiance|vertices|vertex_outputs|rays|present_tile)$")
+SKIPPED = re.compile(r"^shd_([fu]\d+_(in|out)|fragments|radiance|vertices|vertex_outputs|rays|present_tile|tile)$")
 FUNCTIONS = {"fragment_fn": "(fragments: Fragments, out: Radiance) => void",
              "vertex_fn": "(vertices: Vertices, out: VertexOutputs) => void",
              "slot_fn": "(fragments: Fragments, out: (Float32Array | null)[]) => void",

@@ -206,7 +206,7 @@ typedef enum shd_stochastic {
     SHD_STOCHASTIC_MAX_ENUM = 0x7fffffff
 } shd_stochastic;
 
-/** What a lookup does where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures. */
+/** Lookups where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures. */
 typedef enum shd_missing_tiles {
     SHD_MISSING_TILES_WAIT = 0, /**< load the tile; the result does not depend on the content of the cache */
     /**

@@ -8,8 +8,8 @@
  * budget. It is shared by any number of textures of any contexts.
  *
  * A tile has `tile_bytes` bytes. It is as wide as high, or twice as wide: with 64 KiB a tile has 256 x 256 texels of 1
- * byte, 256 x 128 of 2, 128 x 128 of 4, 128 x 64 of 8 and 64 x 64 of 16 bytes. These are the block shapes of sparse
- * images (Vulkan 1.3 specification, "Standard Sparse Image Block Shapes").
+ * byte, 256 x 128 of 2, 128 x 128 of 4, 128 x 64 of 8 and 64 x 64 of 16 bytes. Sparse images have blocks of the same
+ * shapes (Vulkan 1.3 specification, "Standard Sparse Image Block Shapes").
  *
  * Lookups have the same bits as those of a texture that keeps the same levels in memory, for any budget, with
  * SHD_MISSING_TILES_WAIT (shd/sampler.h). A lookup finds the tiles of many texels first, and loads those that are

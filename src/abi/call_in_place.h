@@ -33,8 +33,7 @@ class CallInPlace {
       out.channel[c] = use(texels->channel[c], &written_);
       out.du[c] = out.dv[c] = out.dw[c] = nullptr;
     }
-    return sound_ && !wants_more(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 &&
-           are_apart();
+    return sound_ && !wants_more(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 && are_apart();
   }
 
  private:
@@ -66,7 +65,7 @@ class CallInPlace {
     return column.data;
   }
 
-  /// Whether a call wants derivatives, or the column that textures in tiles have.
+  /// Whether derivatives are wanted, or the column that textures in tiles have.
   static bool wants_more(const shd_texels& texels) {
     uintptr_t any = 0;
     for (size_t c = 0; c < 4; ++c) {

@@ -57,6 +57,8 @@
 /// | footprint/ray_footprint.h                    | derivatives from ray differentials and ray cones           |
 /// | filter/filters-inl.h                         | table of filters                                           |
 /// | filter/runner-inl.h                          | loop of a filter over a batch; sinks of its elements       |
+/// | filter/emitter-inl.h                         | elements of streams, as filters emit them to sinks         |
+/// | filter/gathered.h                            | packed copies of some lookups of a block                   |
 /// | filter/prefetch.h                            | prefetches for scattered lookups                           |
 /// | filter/bases-inl.h                           | bases of filters on level 0 and on mip levels              |
 /// | filter/level-inl.h                           | levels of a texture; addresses of texels                   |

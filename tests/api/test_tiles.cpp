@@ -11,8 +11,8 @@ namespace shd::tests
 namespace
 {
 
-constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8,     SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB,
-                                   SHD_FORMAT_R16,     SHD_FORMAT_RGBA16F, SHD_FORMAT_R32F,  SHD_FORMAT_RGBA32F};
+constexpr shd_format kFormats[] = {SHD_FORMAT_R8,  SHD_FORMAT_RG8,     SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB,
+                                   SHD_FORMAT_R16, SHD_FORMAT_RGBA16F, SHD_FORMAT_R32F,  SHD_FORMAT_RGBA32F};
 constexpr shd_filter kFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_BICUBIC,
                                    SHD_FILTER_NEAREST_MIP,  SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
                                    SHD_FILTER_BILINEAR_MIP, SHD_FILTER_EWA,       SHD_FILTER_STOCHASTIC};
@@ -214,8 +214,8 @@ void test_levels(void **)
     shd_tile_cache_release(cache);
 }
 
-} // namespace
-} // namespace shd::tests
+}  // namespace
+}  // namespace shd::tests
 
 int main(void)
 {

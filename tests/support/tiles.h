@@ -20,11 +20,11 @@ struct TileSource {
         uint32_t width, height;
         std::vector<unsigned char> texels;
     };
-    size_t size; // bytes of a texel
+    size_t size;  // bytes of a texel
     uint32_t layers, levels;
-    std::vector<Level> level; // [layers][levels]
+    std::vector<Level> level;  // [layers][levels]
     std::atomic<int> calls{0}, tiles{0};
-    std::atomic<int> fail_at{-1}; // number of the call that fails; -1 = none
+    std::atomic<int> fail_at{-1};  // number of the call that fails; -1 = none
     std::atomic<int> released{0};
     shd_result failure = SHD_ERROR_IO;
 
@@ -131,4 +131,4 @@ struct TileLookups {
     }
 };
 
-} // namespace shd::tests
+}  // namespace shd::tests

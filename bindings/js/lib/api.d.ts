@@ -1139,6 +1139,20 @@ export type Stochastic =
   ;
 
 /**
+ * Lookups where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures.
+ * - `wait`: load the tile; the result does not depend on the content of the cache
+ * - `coarser`: Never load and never wait: filter from the finest levels whose tiles are resident, and request the
+ * missing ones
+ * (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
+ * detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
+ * If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
+ */
+export type MissingTiles =
+  | "wait"
+  | "coarser"
+  ;
+
+/**
  * Computation of visibility from depths.
  * - `hard`: the nearest texel, 0 or 1
  * - `pcf`: The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased
@@ -1395,10 +1409,15 @@ export type Channel =
  * because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same
  * bits
  * as for copied texels.
+ * - `borrow_levels`: With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one
+ * another without gaps
+ * from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
+ * not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
  */
 export type TextureFlag =
   | "none"
   | "borrow"
+  | "borrow_levels"
   ;
 
 /**
@@ -1959,6 +1978,12 @@ export interface Texels {
    * SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0
    */
   dw?: OutColumns;
+  /**
+   * 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is
+   * missing
+   * and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+   */
+  coarser?: OutColumn;
 }
 
 /** Columns for levels of detail; NULL = not wanted. */
@@ -2732,6 +2757,8 @@ export interface SamplerDesc {
   stochastic?: Stochastic | number;
   /** across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
   wrapW?: Wrap | number;
+  /** default SHD_MISSING_TILES_WAIT */
+  missingTiles?: MissingTiles | number;
 }
 
 /** Options of a shadow. */
@@ -3050,7 +3077,7 @@ export interface TextureDesc {
    * and the caller gives its levels
    */
   format: Format | number;
-  /** texels, 1..65536; width * height * layers at most 2^28 */
+  /** texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
   width?: number;
   /** texels, 1..65536 */
   height?: number;
@@ -3106,6 +3133,19 @@ export interface TextureDesc {
    * `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
    */
   projection?: Projection | number;
+  /**
+   * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the
+   * format
+   * has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
+   * `projection`
+   * is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
+   * The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
+   * Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
+   * texel.
+   * SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
+   * SHD_ERROR_UNSUPPORTED.
+   */
+  tiles?: TileSource;
 }
 
 /** Size, format and memory of a texture. */
@@ -3136,6 +3176,76 @@ export interface TextureInfo {
   depth: number;
   /** as in its desc */
   projection: Projection | number;
+}
+
+/** Size of a tile cache. */
+export interface TileCacheDesc {
+  /** bytes of a tile, a power of two from 1024 to 2^20; default 65536 */
+  tileBytes?: number;
+  /**
+   * All memory of the cache: tiles, their table, and places for copies of texels; from 4 tiles plus 64 KiB to 2^31
+   * bytes; default 2^28. It is allocated once. A small budget makes lookups slower, because tiles are loaded
+   * again.
+   * Half of the tiles can be pinned.
+   */
+  budgetBytes?: number;
+}
+
+/** Source of the tiles of a texture. Frozen. */
+export interface TileSource {
+  /** retained; NULL = the texture has its texels in memory */
+  cache?: TileCache | null;
+  /** required with `cache` */
+  load?: number;
+  /**
+   * called once, after the last `load`, when the texture is destroyed; may be
+   * NULL. It is not called if shd_texture_create() fails
+   */
+  release?: number;
+}
+
+/** Counters of a tile cache since its creation. */
+export interface TileCacheStats {
+  /** bytes of a tile */
+  tileBytes: number;
+  /** as in its desc */
+  budgetBytes: number;
+  /** memory of the cache, at most the budget; it does not change */
+  allocatedBytes: number;
+  /** tiles that fit */
+  tileCount: number;
+  /** tiles in memory now */
+  residentTiles: number;
+  /** tiles that are pinned now */
+  pinnedTiles: number;
+  /** tiles that shd_tile_cache_load_requested() would load now */
+  requestedTiles: number;
+  /** calls of load callbacks */
+  loads: number;
+  /** tiles that callbacks wrote */
+  loadedTiles: number;
+  /** tiles of calls that failed */
+  failedTiles: number;
+  /** tiles that gave their place to others */
+  evictedTiles: number;
+  /** lookups that waited for a tile that another thread loaded */
+  waits: number;
+}
+
+/** A rectangle of a level. Required: width, height. */
+export interface TileRegion {
+  /** 0..layers - 1; default 0 */
+  layer?: number;
+  /** 0..level_count - 1; default 0 */
+  level?: number;
+  /** first column, in texels of the level; default 0 */
+  x?: number;
+  /** first row; default 0 */
+  y?: number;
+  /** 1 or more; x + width is at most the width of the level */
+  width?: number;
+  /** 1 or more; y + height is at most the height of the level */
+  height?: number;
 }
 
 /**
@@ -3935,6 +4045,55 @@ export interface Raw {
    * for the call
    */
   shd_texture_update(texture: number, layer: number, x: number, y: number, texels: number): number;
+  /**
+   * Make a tile cache.
+   * @param context retained; its allocator gives the memory
+   * @param desc borrowed for the call; NULL = all defaults
+   * @param outCache owned; NULL on failure
+   */
+  shd_tile_cache_create(context: number, desc: number, outCache: number): number;
+  /** Add a reference; NULL is ignored. Any thread. */
+  shd_tile_cache_retain(cache: number): void;
+  /** Drop a reference; NULL is ignored. Any thread. */
+  shd_tile_cache_release(cache: number): void;
+  /**
+   * Get the counters of a cache.
+   * @param outStats its struct_size is read; the rest is written, all zero on failure
+   */
+  shd_tile_cache_get_stats(cache: number, outStats: number): number;
+  /**
+   * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. The cache
+   * remembers
+   * the latest 4096 requests. An engine calls this on the threads that stream.
+   * @param maxTiles most tiles to load; 0 = all that are requested
+   * @param outLoaded number of tiles that were loaded; may be NULL; 0 on failure
+   */
+  shd_tile_cache_load_requested(cache: number, maxTiles: number, outLoaded: number): number;
+  /**
+   * Load the tiles of a region that are not resident. They may be evicted again, also by later tiles of the region
+   * if it
+   * is larger than the cache.
+   */
+  shd_texture_load_tiles(texture: number, region: number): number;
+  /**
+   * Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles
+   * of a
+   * cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call.
+   */
+  shd_texture_pin_tiles(texture: number, region: number): number;
+  /**
+   * Undo one shd_texture_pin_tiles() of the same region. A region with a tile that is not pinned gives
+   * SHD_ERROR_INVALID_ARGUMENT, and nothing changes.
+   */
+  shd_texture_unpin_tiles(texture: number, region: number): number;
+  /**
+   * Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has
+   * changed.
+   * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are
+   * loaded
+   * again by this call and stay pinned, unless the load fails.
+   */
+  shd_texture_drop_tiles(texture: number, region: number): number;
   /**
    * Perspective projection, view to clip space. With SHD_DEPTH_ORDER_FORWARD and a finite far plane it has the
    * bits of

@@ -15,6 +15,7 @@ typedef struct shd_sampler shd_sampler;
 typedef struct shd_scene shd_scene;
 typedef struct shd_shadow shd_shadow;
 typedef struct shd_texture shd_texture;
+typedef struct shd_tile_cache shd_tile_cache;
 typedef struct shd_volume shd_volume;
 typedef enum shd_texel_state {
   SHD_TEXEL_STATE_EMPTY = 0,
@@ -551,6 +552,11 @@ typedef enum shd_stochastic {
   SHD_STOCHASTIC_QUAD = 1,
   SHD_STOCHASTIC_MAX_ENUM = 2147483647
 } shd_stochastic;
+typedef enum shd_missing_tiles {
+  SHD_MISSING_TILES_WAIT = 0,
+  SHD_MISSING_TILES_COARSER = 1,
+  SHD_MISSING_TILES_MAX_ENUM = 2147483647
+} shd_missing_tiles;
 typedef enum shd_scene_flag {
   SHD_SCENE_NONE = 0,
   SHD_SCENE_REQUIRE_TEXTURES = 1,
@@ -674,6 +680,7 @@ typedef enum shd_channel {
 typedef enum shd_texture_flag {
   SHD_TEXTURE_NONE = 0,
   SHD_TEXTURE_BORROW = 1,
+  SHD_TEXTURE_BORROW_LEVELS = 2,
   SHD_TEXTURE_FLAG_MAX_ENUM = 2147483647
 } shd_texture_flag;
 typedef enum shd_depth_order {
@@ -819,6 +826,11 @@ typedef struct shd_solid_values shd_solid_values;
 typedef struct shd_tessellation_desc shd_tessellation_desc;
 typedef struct shd_texture_desc shd_texture_desc;
 typedef struct shd_texture_info shd_texture_info;
+typedef struct shd_tile_cache_desc shd_tile_cache_desc;
+typedef struct shd_tile shd_tile;
+typedef struct shd_tile_source shd_tile_source;
+typedef struct shd_tile_cache_stats shd_tile_cache_stats;
+typedef struct shd_tile_region shd_tile_region;
 typedef struct shd_vertices shd_vertices;
 typedef struct shd_vertex_outputs shd_vertex_outputs;
 typedef struct shd_view shd_view;
@@ -841,6 +853,8 @@ typedef void (*shd_trace_fn)(const shd_rays *rays, uint32_t *blocked, void *user
 typedef shd_result (*shd_present_tile_fn)(void *user_data, const shd_present_tile *tile);
 typedef int32_t (*shd_progress_report_fn)(void *user_data, float fraction);
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const *out, void *user_data);
+typedef shd_result (*shd_load_tiles_fn)(void *user_data, const shd_tile *tiles, size_t count);
+typedef void (*shd_tile_source_release_fn)(void *user_data);
 typedef void (*shd_vertex_fn)(const shd_vertices *in, shd_vertex_outputs *out, void *user_data);
 struct shd_bake_stats {
   uint32_t struct_size;
@@ -1177,6 +1191,7 @@ struct shd_texels {
   shd_f32_out dv[4];
   size_t nonfinite_count;
   shd_f32_out dw[4];
+  shd_u32_out coarser;
 };
 struct shd_levels {
   uint32_t struct_size;
@@ -1493,6 +1508,7 @@ struct shd_sampler_desc {
   float level_blend;
   shd_stochastic stochastic;
   shd_wrap wrap_w;
+  shd_missing_tiles missing_tiles;
 };
 struct shd_scene_desc {
   uint32_t struct_size;
@@ -1640,6 +1656,12 @@ struct shd_tessellation_desc {
   float offset;
   shd_displaced_normals normals;
 };
+struct shd_tile_source {
+  shd_tile_cache *cache;
+  shd_load_tiles_fn load;
+  shd_tile_source_release_fn release;
+  void *user_data;
+};
 struct shd_texture_desc {
   uint32_t struct_size;
   shd_format format;
@@ -1657,6 +1679,7 @@ struct shd_texture_desc {
   const shd_image *levels;
   uint32_t depth;
   shd_projection projection;
+  shd_tile_source tiles;
 };
 struct shd_texture_info {
   uint32_t struct_size;
@@ -1670,6 +1693,45 @@ struct shd_texture_info {
   size_t byte_size;
   uint32_t depth;
   shd_projection projection;
+};
+struct shd_tile_cache_desc {
+  uint32_t struct_size;
+  uint32_t tile_bytes;
+  uint64_t budget_bytes;
+};
+struct shd_tile {
+  uint32_t layer;
+  uint32_t level;
+  uint32_t x;
+  uint32_t y;
+  uint32_t width;
+  uint32_t height;
+  void *texels;
+  size_t row_stride;
+};
+struct shd_tile_cache_stats {
+  uint32_t struct_size;
+  uint32_t tile_bytes;
+  uint64_t budget_bytes;
+  uint64_t allocated_bytes;
+  uint32_t tile_count;
+  uint32_t resident_tiles;
+  uint32_t pinned_tiles;
+  uint32_t requested_tiles;
+  uint64_t loads;
+  uint64_t loaded_tiles;
+  uint64_t failed_tiles;
+  uint64_t evicted_tiles;
+  uint64_t waits;
+};
+struct shd_tile_region {
+  uint32_t struct_size;
+  uint32_t layer;
+  uint32_t level;
+  uint32_t x;
+  uint32_t y;
+  uint32_t width;
+  uint32_t height;
 };
 struct shd_vertices {
   uint32_t struct_size;
@@ -1923,6 +1985,15 @@ void shd_texture_release(shd_texture *texture);
 shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level, const shd_image *out);
 shd_result shd_texture_update(shd_texture *texture, uint32_t layer, uint32_t x, uint32_t y, const shd_image *texels);
+shd_result shd_tile_cache_create(shd_context *context, const shd_tile_cache_desc *desc, shd_tile_cache **out_cache);
+void shd_tile_cache_retain(shd_tile_cache *cache);
+void shd_tile_cache_release(shd_tile_cache *cache);
+shd_result shd_tile_cache_get_stats(const shd_tile_cache *cache, shd_tile_cache_stats *out_stats);
+shd_result shd_tile_cache_load_requested(shd_tile_cache *cache, uint32_t max_tiles, uint32_t *out_loaded);
+shd_result shd_texture_load_tiles(const shd_texture *texture, const shd_tile_region *region);
+shd_result shd_texture_pin_tiles(const shd_texture *texture, const shd_tile_region *region);
+shd_result shd_texture_unpin_tiles(const shd_texture *texture, const shd_tile_region *region);
+shd_result shd_texture_drop_tiles(const shd_texture *texture, const shd_tile_region *region);
 shd_result shd_matrix_perspective(float fov_y, float aspect, float near_plane, float far_plane, shd_depth_order order, float *out_matrix);
 shd_result shd_matrix_orthographic(const float *rectangle, float near_plane, float far_plane, shd_depth_order order, float *out_matrix);
 shd_result shd_matrix_look_at(const float *eye, const float *target, const float *up, float *out_matrix);

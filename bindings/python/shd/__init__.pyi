@@ -511,6 +511,10 @@ class Stochastic(enum.IntEnum):
     TEXEL = 0
     QUAD = 1
 
+class MissingTiles(enum.IntEnum):
+    WAIT = 0
+    COARSER = 1
+
 class SceneFlag(enum.IntFlag):
     NONE = 0
     REQUIRE_TEXTURES = 1
@@ -618,6 +622,7 @@ class Channel(enum.IntEnum):
 class TextureFlag(enum.IntFlag):
     NONE = 0
     BORROW = 1
+    BORROW_LEVELS = 2
 
 class DepthOrder(enum.IntEnum):
     FORWARD = 0
@@ -1268,12 +1273,14 @@ class Texels(Desc):
     dv: _Array
     nonfinite_count: int
     dw: _Array
+    coarser: _Array
     def __init__(self, *,
                  channel: _Array = ...,
                  du: _Array = ...,
                  dv: _Array = ...,
                  nonfinite_count: int = ...,
                  dw: _Array = ...,
+                 coarser: _Array = ...,
                  ) -> None: ...
 
 class Levels(Desc):
@@ -1825,6 +1832,7 @@ class SamplerDesc(Desc):
     level_blend: float
     stochastic: Union[int, str]
     wrap_w: Union[int, str]
+    missing_tiles: Union[int, str]
     def __init__(self, *,
                  filter: Union[int, str] = ...,
                  magnification: Union[int, str] = ...,
@@ -1852,6 +1860,7 @@ class SamplerDesc(Desc):
                  level_blend: float = ...,
                  stochastic: Union[int, str] = ...,
                  wrap_w: Union[int, str] = ...,
+                 missing_tiles: Union[int, str] = ...,
                  ) -> None: ...
 
 class SceneDesc(Desc):
@@ -2136,6 +2145,7 @@ class TextureDesc(Desc):
     levels: Union[Image, Sequence[Union[Image, Mapping[str, Any]]]]
     depth: int
     projection: Union[int, str]
+    tiles: Union[TileSource, Mapping[str, Any]]
     def __init__(self, *,
                  format: Union[int, str] = ...,
                  width: int = ...,
@@ -2152,6 +2162,7 @@ class TextureDesc(Desc):
                  levels: Union[Image, Sequence[Union[Image, Mapping[str, Any]]]] = ...,
                  depth: int = ...,
                  projection: Union[int, str] = ...,
+                 tiles: Union[TileSource, Mapping[str, Any]] = ...,
                  ) -> None: ...
 
 class TextureInfo(Desc):
@@ -2176,6 +2187,90 @@ class TextureInfo(Desc):
                  byte_size: int = ...,
                  depth: int = ...,
                  projection: Union[int, str] = ...,
+                 ) -> None: ...
+
+class TileCacheDesc(Desc):
+    tile_bytes: int
+    budget_bytes: int
+    def __init__(self, *,
+                 tile_bytes: int = ...,
+                 budget_bytes: int = ...,
+                 ) -> None: ...
+
+class Tile(Desc):
+    layer: int
+    level: int
+    x: int
+    y: int
+    width: int
+    height: int
+    texels: _Array
+    row_stride: int
+    def __init__(self, *,
+                 layer: int = ...,
+                 level: int = ...,
+                 x: int = ...,
+                 y: int = ...,
+                 width: int = ...,
+                 height: int = ...,
+                 texels: _Array = ...,
+                 row_stride: int = ...,
+                 ) -> None: ...
+
+class TileSource(Desc):
+    cache: _Array
+    load: Callable[..., object]
+    release: Callable[..., object]
+    user_data: _Array
+    def __init__(self, *,
+                 cache: _Array = ...,
+                 load: Callable[..., object] = ...,
+                 release: Callable[..., object] = ...,
+                 user_data: _Array = ...,
+                 ) -> None: ...
+
+class TileCacheStats(Desc):
+    tile_bytes: int
+    budget_bytes: int
+    allocated_bytes: int
+    tile_count: int
+    resident_tiles: int
+    pinned_tiles: int
+    requested_tiles: int
+    loads: int
+    loaded_tiles: int
+    failed_tiles: int
+    evicted_tiles: int
+    waits: int
+    def __init__(self, *,
+                 tile_bytes: int = ...,
+                 budget_bytes: int = ...,
+                 allocated_bytes: int = ...,
+                 tile_count: int = ...,
+                 resident_tiles: int = ...,
+                 pinned_tiles: int = ...,
+                 requested_tiles: int = ...,
+                 loads: int = ...,
+                 loaded_tiles: int = ...,
+                 failed_tiles: int = ...,
+                 evicted_tiles: int = ...,
+                 waits: int = ...,
+                 ) -> None: ...
+
+class TileRegion(Desc):
+    layer: int
+    level: int
+    x: int
+    y: int
+    width: int
+    height: int
+    def __init__(self, *,
+                 layer: int = ...,
+                 level: int = ...,
+                 x: int = ...,
+                 y: int = ...,
+                 width: int = ...,
+                 height: int = ...,
                  ) -> None: ...
 
 class Vertices(Desc):

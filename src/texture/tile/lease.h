@@ -10,8 +10,8 @@
 
 namespace shd::texture {
 
-/// What one call knows of a cache: the tiles that it keeps, and the texels of the stream that it places. It stays with
-/// its texture between calls, so that the next call finds the tiles of the previous one.
+/// Tiles that one call keeps, and the texels of its stream. A lease stays with its texture between calls, so that the
+/// next call finds the tiles of the previous one.
 struct TileLease {
   static constexpr uint32_t kKept = 1024, kNoTile = 0xffffffff;
   static constexpr size_t kColumn = Stream::kColumn;
@@ -27,8 +27,9 @@ struct TileLease {
 
   // Texels of the stream, from the filter: columns are in Stream::index, -1 on the border.
   alignas(64) int32_t y[2][kColumn];
-  alignas(64) int32_t first_tile[kColumn];  // of the level
-  alignas(64) int32_t width[kColumn];       // of the level [texels]
+  alignas(64) int32_t first_tile[kColumn];  // first tile of the level
+  alignas(64) int32_t width[kColumn];       // width of the level [texels]
+
   // Tiles of texels that wait for resolve(); Stream::index then has the texels within the tiles.
   alignas(64) int32_t wanted[4][kColumn];
   uint32_t missing[kSpares];
@@ -39,10 +40,10 @@ struct TileLease {
   uint32_t tile_texels;   // texels of a slot
   int32_t spare;          // index of the first copy of a texel
   uint8_t* spare_bytes;
-  uint32_t number;            // of the texture; 0 = none yet
+  uint32_t number;            // number of the texture; 0 = none yet
   uint32_t version;           // number of drops when the call began
   uint32_t kept;              // tiles that are kept
-  uint32_t spare_offset;      // of spare_bytes in the memory of the cache
+  uint32_t spare_offset;      // place of spare_bytes in the memory of the cache
   size_t lookup, lookup_end;  // first lookup of the stream that is not finished; end of the lookups
   uint8_t* needed;            // [lookups] finest levels that lookups can use, if they must not wait; else null
   std::atomic<bool> used;

@@ -344,7 +344,7 @@ class TilePlacer {
   TileLease& lease_;
   Stream& stream_;
   const TileShape shape_;
-  const int32_t last_x_, last_y_;  // of a tile [texels]
+  const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
   const size_t texel_size_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace shd::texture {
 
-/// States of a slot. A reader counts itself in `readers` first and then looks whether the slot is ready with the key
-/// that it wants; whoever takes the slot sets the state first and then looks for readers. All four accesses are
-/// sequentially consistent, so one of the two sees the other (Dekker's algorithm).
+/// States of a slot. A reader is counted in `readers` first; then it checks that the slot is ready and has its key. A
+/// thread that takes the slot sets the state first; then it checks that there are no readers. All four accesses are
+/// sequentially consistent, so one of the two threads finds the other (Dekker's algorithm).
 enum SlotState : uint32_t {
   kSlotFree = 0,
   kSlotLoading = 1,  // a callback writes the tile; readers wait
   kSlotReady = 2,
-  kSlotTaken = 3,    // for a moment: somebody looks whether the slot has readers
+  kSlotTaken = 3,    // for a moment: a thread checks whether the slot has readers
   kSlotDropped = 4,  // its source has changed; free when the last reader has gone
 };
 

@@ -19,7 +19,7 @@
 /// | slot.h                | states of a slot                                                    |
 /// | cache.h, .cpp         | slots, eviction, loading                                            |
 /// | budget.h, .cpp        | sizes of the parts of a cache                                       |
-/// | lease.h, .cpp         | what a call knows of the cache: tiles that it keeps, texels to place |
+/// | lease.h, .cpp         | tiles that a call keeps, and the texels that it places              |
 /// | requests.h, .cpp      | tiles that lookups did not find                                     |
 /// | regions.h, .cpp       | rectangles of tiles: load, pin, drop, copy out                      |
 /// | place-inl.h, place.cpp | texels of a stream to places in memory                             |
@@ -54,10 +54,10 @@ struct TileSet {
   TileCache* cache;
   core::Object* cache_handle;  // retained
   shd_tile_source source;
-  const core::Allocator* allocator;  // of the texture
+  const core::Allocator* allocator;  // allocator of the texture's context
   const Texture* texture;
   TileShape shape;
-  uint32_t number;          // of the texture among those of the cache; never 0
+  uint32_t number;          // number of the texture in the cache; never 0
   uint32_t loading = 0;     // loads that no lookup does; guarded by the cache
   TileSet* next = nullptr;  // in the cache's list
 

@@ -736,6 +736,11 @@ namespace Shd
         /// Result.ErrorUnsupported. Not read if struct_size is 0
         /// </summary>
         public readonly Column<float>[] Dw = new Column<float>[4];
+        /// <summary>
+        /// 0 for lookups that found all their tiles. With MissingTiles.Coarser, l + 1 if a tile of level l is missing
+        /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+        /// </summary>
+        public Column<uint> Coarser;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Texels Build(Call call, string name, long rows = -1)
@@ -745,6 +750,7 @@ namespace Shd
             for (int i = 0; i < 4; ++i) made.Du[i] = call.F32Out(Du[i], name, "Du", ref rows);
             for (int i = 0; i < 4; ++i) made.Dv[i] = call.F32Out(Dv[i], name, "Dv", ref rows);
             for (int i = 0; i < 4; ++i) made.Dw[i] = call.F32Out(Dw[i], name, "Dw", ref rows);
+            made.Coarser = call.U32Out(Coarser, name, "Coarser", ref rows);
             return made;
         }
         internal static Native.Texels* BuildAll(Call call, string name, IList<Texels> list)
@@ -2129,7 +2135,7 @@ namespace Shd
         /// and the caller gives its levels
         /// </summary>
         public Format Format { get { return Raw.Format; } set { Raw.Format = value; } }
-        /// <summary>texels, 1..65536; width * height * layers at most 2^28</summary>
+        /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>
         public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
         /// <summary>texels, 1..65536</summary>
         public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
@@ -2162,6 +2168,16 @@ namespace Shd
         /// `tables` has TableFlags.Mipmap at most. Mip levels are averages of texels of one image, unweighted.
         /// </summary>
         public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        /// <summary>
+        /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
+        /// has one, two or four channels and no blocks, TableFlags.Mipmap is the only table, `depth` is 0, and `projection`
+        /// is Projection.None. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
+        /// The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
+        /// Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
+        /// Precision.Fast has no effect, and shd_texture_explain(), shd_texture_bounds() and Filter.Exact give
+        /// Result.ErrorUnsupported.
+        /// </summary>
+        public TileSource Tiles { get { return Raw.Tiles; } set { Raw.Tiles = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TextureDesc Build(Call call, string name, long rows = -1)

@@ -1249,6 +1249,20 @@ namespace Shd
         Quad = 1,
     }
 
+    /// <summary>Lookups where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures.</summary>
+    public enum MissingTiles
+    {
+        /// <summary>load the tile; the result does not depend on the content of the cache</summary>
+        Wait = 0,
+        /// <summary>
+        /// Never load and never wait: filter from the finest levels whose tiles are resident, and request the missing ones
+        /// (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
+        /// detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
+        /// If no tile of any level is resident, the result is 0. Texels has the column `coarser`.
+        /// </summary>
+        Coarser = 1,
+    }
+
     /// <summary>Options of a load; combine with |.</summary>
     [Flags]
     public enum SceneFlags : uint
@@ -1530,6 +1544,12 @@ namespace Shd
         /// as for copied texels.
         /// </summary>
         Borrow = 1,
+        /// <summary>
+        /// With TextureFlags.Borrow: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one another without gaps
+        /// from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
+        /// not for blocks. shd_texture_update() gives Result.ErrorUnsupported.
+        /// </summary>
+        BorrowLevels = 2,
     }
 
     /// <summary>Depths of the near and far plane.</summary>

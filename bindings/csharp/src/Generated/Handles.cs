@@ -84,6 +84,12 @@ namespace Shd
         protected override void Drop(IntPtr reference) { Native.LibShd.TextureRelease(reference); }
     }
 
+    /// <summary>One reference to: Memory for the tiles of textures.</summary>
+    internal sealed class TileCacheHandle : ObjectHandle
+    {
+        protected override void Drop(IntPtr reference) { Native.LibShd.TileCacheRelease(reference); }
+    }
+
     /// <summary>One reference to: A density field with its transfer function.</summary>
     internal sealed class VolumeHandle : ObjectHandle
     {

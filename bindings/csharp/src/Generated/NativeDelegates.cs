@@ -88,6 +88,23 @@ namespace Shd.Native
     public unsafe delegate void SlotFn(Fragments* @in, float** @out, void* userData);
 
     /// <summary>
+    /// Writes the texels of tiles, in the format of the texture. It is called without a lock, from any thread that looks
+    /// texels up, and by several threads at once for different tiles. It may call shd, except for lookups that need the same
+    /// tiles: they are refused.
+    /// @return  Result.Ok, or the reason of a failure. Then no tile of the call is kept, the lookup returns Result.ErrorCallback,
+    ///          or Result.ErrorCancelled for Result.ErrorCancelled, and the next lookup calls again
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate Result LoadTilesFn(void* userData, Tile* tiles, UIntPtr count);
+
+    /// <summary>
+    /// called once, after the last `load`, when the texture is destroyed; may be
+    /// NULL. It is not called if shd_texture_create() fails
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void TileSourceReleaseFn(void* userData);
+
+    /// <summary>
     /// A vertex program: reads and writes in-&gt;count rows.
     ///
     /// Each row must depend on its own inputs alone. Otherwise the frame depends on the grouping of vertices.

@@ -595,6 +595,58 @@ namespace Shd.Native
         [DllImport("shd", EntryPoint = "shd_texture_update", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureUpdate(IntPtr texture, uint layer, uint x, uint y, Image* texels);
 
+        /// <summary>Make a tile cache.</summary>
+        [DllImport("shd", EntryPoint = "shd_tile_cache_create", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TileCacheCreate(IntPtr context, TileCacheDesc* desc, IntPtr* outCache);
+
+        /// <summary>Add a reference; NULL is ignored. Any thread.</summary>
+        [DllImport("shd", EntryPoint = "shd_tile_cache_retain", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void TileCacheRetain(IntPtr cache);
+
+        /// <summary>Drop a reference; NULL is ignored. Any thread.</summary>
+        [DllImport("shd", EntryPoint = "shd_tile_cache_release", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void TileCacheRelease(IntPtr cache);
+
+        /// <summary>Get the counters of a cache.</summary>
+        [DllImport("shd", EntryPoint = "shd_tile_cache_get_stats", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TileCacheGetStats(IntPtr cache, TileCacheStats* outStats);
+
+        /// <summary>
+        /// Load tiles that lookups with MissingTiles.Coarser did not find, the latest request first. The cache remembers
+        /// the latest 4096 requests. An engine calls this on the threads that stream.
+        /// </summary>
+        [DllImport("shd", EntryPoint = "shd_tile_cache_load_requested", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TileCacheLoadRequested(IntPtr cache, uint maxTiles, uint* outLoaded);
+
+        /// <summary>
+        /// Load the tiles of a region that are not resident. They may be evicted again, also by later tiles of the region if it
+        /// is larger than the cache.
+        /// </summary>
+        [DllImport("shd", EntryPoint = "shd_texture_load_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureLoadTiles(IntPtr texture, TileRegion* region);
+
+        /// <summary>
+        /// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
+        /// cache can be pinned; more give Result.ErrorLimit, and then no tile is pinned by the call.
+        /// </summary>
+        [DllImport("shd", EntryPoint = "shd_texture_pin_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TexturePinTiles(IntPtr texture, TileRegion* region);
+
+        /// <summary>
+        /// Undo one shd_texture_pin_tiles() of the same region. A region with a tile that is not pinned gives
+        /// Result.ErrorInvalidArgument, and nothing changes.
+        /// </summary>
+        [DllImport("shd", EntryPoint = "shd_texture_unpin_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureUnpinTiles(IntPtr texture, TileRegion* region);
+
+        /// <summary>
+        /// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
+        /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
+        /// again by this call and stay pinned, unless the load fails.
+        /// </summary>
+        [DllImport("shd", EntryPoint = "shd_texture_drop_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureDropTiles(IntPtr texture, TileRegion* region);
+
         /// <summary>
         /// Perspective projection, view to clip space. With DepthOrder.Forward and a finite far plane it has the bits of
         /// shd_view_from_camera().

@@ -913,6 +913,11 @@ namespace Shd.Native
         /// Result.ErrorUnsupported. Not read if struct_size is 0
         /// </summary>
         public F32Out4 Dw;
+        /// <summary>
+        /// 0 for lookups that found all their tiles. With MissingTiles.Coarser, l + 1 if a tile of level l is missing
+        /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+        /// </summary>
+        public U32Out Coarser;
 
         /// <summary>The defaults of the library.</summary>
         public static Texels Default
@@ -2161,7 +2166,7 @@ namespace Shd.Native
         /// and the caller gives its levels
         /// </summary>
         public Format Format;
-        /// <summary>texels, 1..65536; width * height * layers at most 2^28</summary>
+        /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>
         public uint Width;
         /// <summary>texels, 1..65536</summary>
         public uint Height;
@@ -2214,6 +2219,16 @@ namespace Shd.Native
         /// `tables` has TableFlags.Mipmap at most. Mip levels are averages of texels of one image, unweighted.
         /// </summary>
         public Projection Projection;
+        /// <summary>
+        /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
+        /// has one, two or four channels and no blocks, TableFlags.Mipmap is the only table, `depth` is 0, and `projection`
+        /// is Projection.None. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
+        /// The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
+        /// Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
+        /// Precision.Fast has no effect, and shd_texture_explain(), shd_texture_bounds() and Filter.Exact give
+        /// Result.ErrorUnsupported.
+        /// </summary>
+        public TileSource Tiles;
 
         /// <summary>The defaults of the library.</summary>
         public static TextureDesc Default
@@ -2225,6 +2240,46 @@ namespace Shd.Native
                 return made;
             }
         }
+    }
+
+    /// <summary>A tile that a callback fills. Frozen.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Tile
+    {
+        /// <summary>layer of the texture</summary>
+        public uint Layer;
+        /// <summary>0 = the base level</summary>
+        public uint Level;
+        /// <summary>first column of the level, a multiple of the width of whole tiles</summary>
+        public uint X;
+        /// <summary>first row of the level, a multiple of the height of whole tiles</summary>
+        public uint Y;
+        /// <summary>texels to write in a row: the width of a tile, less at the right edge of the level</summary>
+        public uint Width;
+        /// <summary>rows to write; fewer at the lower edge</summary>
+        public uint Height;
+        /// <summary>[height] rows, `row_stride` apart; aligned to 64 bytes; content undefined</summary>
+        public void* Texels;
+        /// <summary>bytes between rows</summary>
+        public long RowStride { get { return (long)rowStrideWord; } set { rowStrideWord = (UIntPtr)checked((ulong)value); } }
+        private UIntPtr rowStrideWord;
+    }
+
+    /// <summary>Source of the tiles of a texture. Frozen.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileSource
+    {
+        /// <summary>retained; NULL = the texture has its texels in memory</summary>
+        public IntPtr Cache;
+        /// <summary>required with `cache`</summary>
+        public IntPtr Load;
+        /// <summary>
+        /// called once, after the last `load`, when the texture is destroyed; may be
+        /// NULL. It is not called if shd_texture_create() fails
+        /// </summary>
+        public IntPtr Release;
+        /// <summary>passed to both; borrowed until release of the texture</summary>
+        public void* UserData;
     }
 
     /// <summary>

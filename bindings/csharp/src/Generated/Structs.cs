@@ -509,6 +509,8 @@ namespace Shd
         public Stochastic Stochastic;
         /// <summary>across the slices of a 3D texture; no effect for others; default Wrap.Repeat</summary>
         public Wrap WrapW;
+        /// <summary>default MissingTiles.Wait</summary>
+        public MissingTiles MissingTiles;
 
         /// <summary>The defaults of the library.</summary>
         public static SamplerDesc Default
@@ -783,6 +785,74 @@ namespace Shd
                 return made;
             }
         }
+    }
+
+    /// <summary>Size of a tile cache.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileCacheDesc
+    {
+        /// <summary>set by shd_tile_cache_desc_default()</summary>
+        public uint StructSize;
+        /// <summary>bytes of a tile, a power of two from 1024 to 2^20; default 65536</summary>
+        public uint TileBytes;
+        /// <summary>
+        /// All memory of the cache: tiles, their table, and places for copies of texels; from 4 tiles plus 64 KiB to 2^31
+        /// bytes; default 2^28. It is allocated once. A small budget makes lookups slower, because tiles are loaded again.
+        /// Half of the tiles can be pinned.
+        /// </summary>
+        public ulong BudgetBytes;
+    }
+
+    /// <summary>Counters of a tile cache since its creation.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileCacheStats
+    {
+        /// <summary>set by shd_tile_cache_stats_default()</summary>
+        public uint StructSize;
+        /// <summary>bytes of a tile</summary>
+        public uint TileBytes;
+        /// <summary>as in its desc</summary>
+        public ulong BudgetBytes;
+        /// <summary>memory of the cache, at most the budget; it does not change</summary>
+        public ulong AllocatedBytes;
+        /// <summary>tiles that fit</summary>
+        public uint TileCount;
+        /// <summary>tiles in memory now</summary>
+        public uint ResidentTiles;
+        /// <summary>tiles that are pinned now</summary>
+        public uint PinnedTiles;
+        /// <summary>tiles that shd_tile_cache_load_requested() would load now</summary>
+        public uint RequestedTiles;
+        /// <summary>calls of load callbacks</summary>
+        public ulong Loads;
+        /// <summary>tiles that callbacks wrote</summary>
+        public ulong LoadedTiles;
+        /// <summary>tiles of calls that failed</summary>
+        public ulong FailedTiles;
+        /// <summary>tiles that gave their place to others</summary>
+        public ulong EvictedTiles;
+        /// <summary>lookups that waited for a tile that another thread loaded</summary>
+        public ulong Waits;
+    }
+
+    /// <summary>A rectangle of a level. Required: width, height.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileRegion
+    {
+        /// <summary>set by shd_tile_region_default()</summary>
+        public uint StructSize;
+        /// <summary>0..layers - 1; default 0</summary>
+        public uint Layer;
+        /// <summary>0..level_count - 1; default 0</summary>
+        public uint Level;
+        /// <summary>first column, in texels of the level; default 0</summary>
+        public uint X;
+        /// <summary>first row; default 0</summary>
+        public uint Y;
+        /// <summary>1 or more; x + width is at most the width of the level</summary>
+        public uint Width;
+        /// <summary>1 or more; y + height is at most the height of the level</summary>
+        public uint Height;
     }
 
     /// <summary>

@@ -1680,6 +1680,23 @@ pub const SHD_STOCHASTIC_TEXEL: shd_stochastic = shd_stochastic::TEXEL;
 pub const SHD_STOCHASTIC_QUAD: shd_stochastic = shd_stochastic::QUAD;
 names!(shd_stochastic: TEXEL, QUAD);
 
+/// Lookups where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_missing_tiles(pub u32);
+impl shd_missing_tiles {
+    /// load the tile; the result does not depend on the content of the cache
+    pub const WAIT: Self = Self(0);
+    /// Never load and never wait: filter from the finest levels whose tiles are resident, and request the missing ones
+    /// (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
+    /// detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
+    /// If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
+    pub const COARSER: Self = Self(1);
+}
+pub const SHD_MISSING_TILES_WAIT: shd_missing_tiles = shd_missing_tiles::WAIT;
+pub const SHD_MISSING_TILES_COARSER: shd_missing_tiles = shd_missing_tiles::COARSER;
+names!(shd_missing_tiles: WAIT, COARSER);
+
 /// Options of a load; combine with |.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -2052,9 +2069,14 @@ impl shd_texture_flag {
     /// because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
     /// as for copied texels.
     pub const BORROW: Self = Self(1);
+    /// With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one another without gaps
+    /// from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
+    /// not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
+    pub const BORROW_LEVELS: Self = Self(2);
 }
 pub const SHD_TEXTURE_NONE: shd_texture_flag = shd_texture_flag::NONE;
 pub const SHD_TEXTURE_BORROW: shd_texture_flag = shd_texture_flag::BORROW;
+pub const SHD_TEXTURE_BORROW_LEVELS: shd_texture_flag = shd_texture_flag::BORROW_LEVELS;
 flags!(shd_texture_flag);
 
 /// Depths of the near and far plane.
@@ -2333,6 +2355,13 @@ pub struct shd_texture {
     _marker: Opaque,
 }
 
+/// Memory for the tiles of textures.
+#[repr(C)]
+pub struct shd_tile_cache {
+    _data: [u8; 0],
+    _marker: Opaque,
+}
+
 /// A density field with its transfer function.
 #[repr(C)]
 pub struct shd_volume {
@@ -2392,6 +2421,17 @@ pub type shd_progress_report_fn = Option<unsafe extern "C" fn(user_data: *mut c_
 /// @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
 /// scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
+
+/// Writes the texels of tiles, in the format of the texture. It is called without a lock, from any thread that looks
+/// texels up, and by several threads at once for different tiles. It may call shd, except for lookups that need the same
+/// tiles: they are refused.
+/// @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
+/// or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
+pub type shd_load_tiles_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, tiles: *const shd_tile, count: usize) -> shd_result>;
+
+/// called once, after the last `load`, when the texture is destroyed; may be
+/// NULL. It is not called if shd_texture_create() fails
+pub type shd_tile_source_release_fn = Option<unsafe extern "C" fn(user_data: *mut c_void)>;
 
 /// A vertex program: reads and writes in->count rows.
 ///
@@ -3399,9 +3439,12 @@ pub struct shd_texels {
     /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
     /// SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0
     pub dw: [shd_f32_out; 4],
+    /// 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
+    /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+    pub coarser: shd_u32_out,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_texels>() == 272);
+const _: () = assert!(core::mem::size_of::<shd_texels>() == 288);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_texels>() == 8);
 init!(shd_texels, SHD_DESC_KIND_TEXELS);
@@ -4324,9 +4367,11 @@ pub struct shd_sampler_desc {
     pub stochastic: shd_stochastic,
     /// across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT
     pub wrap_w: shd_wrap,
+    /// default SHD_MISSING_TILES_WAIT
+    pub missing_tiles: shd_missing_tiles,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_sampler_desc>() == 120);
+const _: () = assert!(core::mem::size_of::<shd_sampler_desc>() == 124);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_sampler_desc>() == 4);
 init!(shd_sampler_desc, SHD_DESC_KIND_SAMPLER_DESC);
@@ -4771,7 +4816,7 @@ pub struct shd_texture_desc {
     /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
     /// and the caller gives its levels
     pub format: shd_format,
-    /// texels, 1..65536; width * height * layers at most 2^28
+    /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
     /// texels, 1..65536
     pub height: u32,
@@ -4810,9 +4855,17 @@ pub struct shd_texture_desc {
     /// `height` are equal unless it is LAT_LONG; `layers` of CUBE are the 6 faces +X, -X, +Y, -Y, +Z, -Z; `depth` is 0;
     /// `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
     pub projection: shd_projection,
+    /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
+    /// has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and `projection`
+    /// is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
+    /// The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
+    /// Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
+    /// SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
+    /// SHD_ERROR_UNSUPPORTED.
+    pub tiles: shd_tile_source,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_texture_desc>() == 104);
+const _: () = assert!(core::mem::size_of::<shd_texture_desc>() == 136);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_texture_desc>() == 8);
 init!(shd_texture_desc, SHD_DESC_KIND_TEXTURE_DESC);
@@ -4851,6 +4904,134 @@ const _: () = assert!(core::mem::size_of::<shd_texture_info>() == 48);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_texture_info>() == 8);
 init!(shd_texture_info, SHD_DESC_KIND_TEXTURE_INFO);
+
+/// Size of a tile cache.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_cache_desc {
+    /// set by shd_tile_cache_desc_default()
+    pub struct_size: u32,
+    /// bytes of a tile, a power of two from 1024 to 2^20; default 65536
+    pub tile_bytes: u32,
+    /// All memory of the cache: tiles, their table, and places for copies of texels; from 4 tiles plus 64 KiB to 2^31
+    /// bytes; default 2^28. It is allocated once. A small budget makes lookups slower, because tiles are loaded again.
+    /// Half of the tiles can be pinned.
+    pub budget_bytes: u64,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_cache_desc>() == 16);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_cache_desc>() == 8);
+init!(shd_tile_cache_desc);
+
+/// A tile that a callback fills. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile {
+    /// layer of the texture
+    pub layer: u32,
+    /// 0 = the base level
+    pub level: u32,
+    /// first column of the level, a multiple of the width of whole tiles
+    pub x: u32,
+    /// first row of the level, a multiple of the height of whole tiles
+    pub y: u32,
+    /// texels to write in a row: the width of a tile, less at the right edge of the level
+    pub width: u32,
+    /// rows to write; fewer at the lower edge
+    pub height: u32,
+    /// \[height\] rows, `row_stride` apart; aligned to 64 bytes; content undefined
+    pub texels: *mut c_void,
+    /// bytes between rows
+    pub row_stride: usize,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile>() == 40);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile>() == 8);
+init!(shd_tile);
+
+/// Source of the tiles of a texture. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_source {
+    /// retained; NULL = the texture has its texels in memory
+    pub cache: *mut shd_tile_cache,
+    /// required with `cache`
+    pub load: shd_load_tiles_fn,
+    /// called once, after the last `load`, when the texture is destroyed; may be
+    /// NULL. It is not called if shd_texture_create() fails
+    pub release: shd_tile_source_release_fn,
+    /// passed to both; borrowed until release of the texture
+    pub user_data: *mut c_void,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_source>() == 32);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_source>() == 8);
+init!(shd_tile_source);
+
+/// Counters of a tile cache since its creation.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_cache_stats {
+    /// set by shd_tile_cache_stats_default()
+    pub struct_size: u32,
+    /// bytes of a tile
+    pub tile_bytes: u32,
+    /// as in its desc
+    pub budget_bytes: u64,
+    /// memory of the cache, at most the budget; it does not change
+    pub allocated_bytes: u64,
+    /// tiles that fit
+    pub tile_count: u32,
+    /// tiles in memory now
+    pub resident_tiles: u32,
+    /// tiles that are pinned now
+    pub pinned_tiles: u32,
+    /// tiles that shd_tile_cache_load_requested() would load now
+    pub requested_tiles: u32,
+    /// calls of load callbacks
+    pub loads: u64,
+    /// tiles that callbacks wrote
+    pub loaded_tiles: u64,
+    /// tiles of calls that failed
+    pub failed_tiles: u64,
+    /// tiles that gave their place to others
+    pub evicted_tiles: u64,
+    /// lookups that waited for a tile that another thread loaded
+    pub waits: u64,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_cache_stats>() == 80);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_cache_stats>() == 8);
+init!(shd_tile_cache_stats);
+
+/// A rectangle of a level. Required: width, height.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_region {
+    /// set by shd_tile_region_default()
+    pub struct_size: u32,
+    /// 0..layers - 1; default 0
+    pub layer: u32,
+    /// 0..level_count - 1; default 0
+    pub level: u32,
+    /// first column, in texels of the level; default 0
+    pub x: u32,
+    /// first row; default 0
+    pub y: u32,
+    /// 1 or more; x + width is at most the width of the level
+    pub width: u32,
+    /// 1 or more; y + height is at most the height of the level
+    pub height: u32,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_region>() == 28);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_region>() == 4);
+init!(shd_tile_region);
 
 /// Neighbouring vertices of one draw, one row each, as packed columns of `count` elements; borrowed for the call.
 ///
@@ -5730,6 +5911,39 @@ extern "C" {
     /// - `texels`: size and texels of the rectangle, in the format of shd_texture_desc or of shd_texture_info; borrowed
     /// for the call
     pub fn shd_texture_update(texture: *mut shd_texture, layer: u32, x: u32, y: u32, texels: *const shd_image) -> shd_result;
+    /// Make a tile cache.
+    ///
+    /// - `context`: retained; its allocator gives the memory
+    /// - `desc`: borrowed for the call; NULL = all defaults
+    /// - `out_cache`: owned; NULL on failure
+    pub fn shd_tile_cache_create(context: *mut shd_context, desc: *const shd_tile_cache_desc, out_cache: *mut *mut shd_tile_cache) -> shd_result;
+    /// Add a reference; NULL is ignored. Any thread.
+    pub fn shd_tile_cache_retain(cache: *mut shd_tile_cache);
+    /// Drop a reference; NULL is ignored. Any thread.
+    pub fn shd_tile_cache_release(cache: *mut shd_tile_cache);
+    /// Get the counters of a cache.
+    ///
+    /// - `out_stats`: its struct_size is read; the rest is written, all zero on failure
+    pub fn shd_tile_cache_get_stats(cache: *const shd_tile_cache, out_stats: *mut shd_tile_cache_stats) -> shd_result;
+    /// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. The cache remembers
+    /// the latest 4096 requests. An engine calls this on the threads that stream.
+    ///
+    /// - `max_tiles`: most tiles to load; 0 = all that are requested
+    /// - `out_loaded`: number of tiles that were loaded; may be NULL; 0 on failure
+    pub fn shd_tile_cache_load_requested(cache: *mut shd_tile_cache, max_tiles: u32, out_loaded: *mut u32) -> shd_result;
+    /// Load the tiles of a region that are not resident. They may be evicted again, also by later tiles of the region if it
+    /// is larger than the cache.
+    pub fn shd_texture_load_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
+    /// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
+    /// cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call.
+    pub fn shd_texture_pin_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
+    /// Undo one shd_texture_pin_tiles() of the same region. A region with a tile that is not pinned gives
+    /// SHD_ERROR_INVALID_ARGUMENT, and nothing changes.
+    pub fn shd_texture_unpin_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
+    /// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
+    /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
+    /// again by this call and stay pinned, unless the load fails.
+    pub fn shd_texture_drop_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
     /// Perspective projection, view to clip space. With SHD_DEPTH_ORDER_FORWARD and a finite far plane it has the bits of
     /// shd_view_from_camera().
     ///

@@ -428,6 +428,7 @@ fn shd_texels_offsets() {
     offset!(shd_texels, dv, 136);
     offset!(shd_texels, nonfinite_count, 200);
     offset!(shd_texels, dw, 208);
+    offset!(shd_texels, coarser, 272);
 }
 
 #[test]
@@ -793,6 +794,7 @@ fn shd_sampler_desc_offsets() {
     offset!(shd_sampler_desc, level_blend, 108);
     offset!(shd_sampler_desc, stochastic, 112);
     offset!(shd_sampler_desc, wrap_w, 116);
+    offset!(shd_sampler_desc, missing_tiles, 120);
 }
 
 #[test]
@@ -985,6 +987,7 @@ fn shd_texture_desc_offsets() {
     offset!(shd_texture_desc, levels, 88);
     offset!(shd_texture_desc, depth, 96);
     offset!(shd_texture_desc, projection, 100);
+    offset!(shd_texture_desc, tiles, 104);
 }
 
 #[test]
@@ -1000,6 +1003,61 @@ fn shd_texture_info_offsets() {
     offset!(shd_texture_info, byte_size, 32);
     offset!(shd_texture_info, depth, 40);
     offset!(shd_texture_info, projection, 44);
+}
+
+#[test]
+fn shd_tile_cache_desc_offsets() {
+    offset!(shd_tile_cache_desc, struct_size, 0);
+    offset!(shd_tile_cache_desc, tile_bytes, 4);
+    offset!(shd_tile_cache_desc, budget_bytes, 8);
+}
+
+#[test]
+fn shd_tile_offsets() {
+    offset!(shd_tile, layer, 0);
+    offset!(shd_tile, level, 4);
+    offset!(shd_tile, x, 8);
+    offset!(shd_tile, y, 12);
+    offset!(shd_tile, width, 16);
+    offset!(shd_tile, height, 20);
+    offset!(shd_tile, texels, 24);
+    offset!(shd_tile, row_stride, 32);
+}
+
+#[test]
+fn shd_tile_source_offsets() {
+    offset!(shd_tile_source, cache, 0);
+    offset!(shd_tile_source, load, 8);
+    offset!(shd_tile_source, release, 16);
+    offset!(shd_tile_source, user_data, 24);
+}
+
+#[test]
+fn shd_tile_cache_stats_offsets() {
+    offset!(shd_tile_cache_stats, struct_size, 0);
+    offset!(shd_tile_cache_stats, tile_bytes, 4);
+    offset!(shd_tile_cache_stats, budget_bytes, 8);
+    offset!(shd_tile_cache_stats, allocated_bytes, 16);
+    offset!(shd_tile_cache_stats, tile_count, 24);
+    offset!(shd_tile_cache_stats, resident_tiles, 28);
+    offset!(shd_tile_cache_stats, pinned_tiles, 32);
+    offset!(shd_tile_cache_stats, requested_tiles, 36);
+    offset!(shd_tile_cache_stats, loads, 40);
+    offset!(shd_tile_cache_stats, loaded_tiles, 48);
+    offset!(shd_tile_cache_stats, failed_tiles, 56);
+    offset!(shd_tile_cache_stats, evicted_tiles, 64);
+    offset!(shd_tile_cache_stats, waits, 72);
+}
+
+#[test]
+fn shd_tile_region_offsets() {
+    offset!(shd_tile_region, struct_size, 0);
+    offset!(shd_tile_region, layer, 4);
+    offset!(shd_tile_region, level, 8);
+    offset!(shd_tile_region, x, 12);
+    offset!(shd_tile_region, y, 16);
+    offset!(shd_tile_region, width, 20);
+    offset!(shd_tile_region, height, 24);
 }
 
 #[test]

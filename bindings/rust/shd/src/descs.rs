@@ -81,6 +81,8 @@ pub use sys::shd_mip_kernel as MipKernel;
 #[doc(inline)]
 pub use sys::shd_mip_source as MipSource;
 #[doc(inline)]
+pub use sys::shd_missing_tiles as MissingTiles;
+#[doc(inline)]
 pub use sys::shd_model as Model;
 #[doc(inline)]
 pub use sys::shd_normal_encoding as NormalEncoding;
@@ -196,7 +198,7 @@ pub struct TextureDesc {
     /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
     /// and the caller gives its levels
     pub format: Format,
-    /// texels, 1..65536; width * height * layers at most 2^28
+    /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
     /// texels, 1..65536
     pub height: u32,
@@ -393,6 +395,8 @@ pub struct SamplerDesc {
     pub stochastic: Stochastic,
     /// across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT
     pub wrap_w: Wrap,
+    /// default SHD_MISSING_TILES_WAIT
+    pub missing_tiles: MissingTiles,
 }
 impl SamplerDesc {
     #[allow(dead_code)]
@@ -424,6 +428,7 @@ impl SamplerDesc {
         raw.level_blend = self.level_blend;
         raw.stochastic = self.stochastic;
         raw.wrap_w = self.wrap_w;
+        raw.missing_tiles = self.missing_tiles;
         raw
     }
     #[allow(dead_code)]
@@ -455,6 +460,7 @@ impl SamplerDesc {
             level_blend: raw.level_blend,
             stochastic: raw.stochastic,
             wrap_w: raw.wrap_w,
+            missing_tiles: raw.missing_tiles,
         }
     }
 }

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Elements of a stream, as filters emit them to sinks.
+
+#if defined(SHD_TEXTURE_EMITTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_EMITTER_INL_H_
+#undef SHD_TEXTURE_EMITTER_INL_H_
+#else
+#define SHD_TEXTURE_EMITTER_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/level-inl.h"
+#include "texture/stream.h"
+#include "texture/tile/lease.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A share in a running average that depends on the point, with its derivatives in u and v.
+template <class D>
+struct Share {
+  hn::Vec<D> value, rate_u, rate_v;
+};
+
+/// A share in a running average that depends on w, with its derivative in w.
+template <class D>
+struct DeepShare {
+  hn::Vec<D> value, rate;
+};
+
+/// Four texels of a row of a level around a point, in the order of columns 1, 2, 0, 3.
+template <class D>
+struct Row {
+  Ints<D> first, column[4];  // index of a texel of the texture, and the distances of the four texels from it
+  Ints<D> y;                 // row of `level`, whose columns are `column`
+  const Level<D>* level;     // null: the texture is not in tiles, and y is not set
+  MaskOf<D> in[4];
+  hn::Vec<D> share[3], rate[3];  // shares of the last three texels in their running average, and their derivatives
+  bool neighbours;               // columns are adjacent
+};
+
+/// Base of sinks, to which filters emit elements. A Sink has these members:
+///
+///   add(d)         returns the position of a new element in elements()
+///   commit(d, op)  completes the new element
+///   finish()       marks the latest element as the last one of its vector of lookups
+///   sampler()      the sampler
+///   bordered()     texels may be the border colour
+///   tiles()        null, or the lease of a texture in tiles, which takes rows and levels beside the columns
+///   kTakesLines    takes whole lines of probes with equal weights
+///   has_rates()    shares need their derivatives
+///
+/// Sinks of Run() also have begin() and flush() for each block of lookups, and kBuffered.
+///
+/// A share is a vector, a Share or a DeepShare. Elements that start an average have no share.
+template <class Sink>
+class Emitter {
+ public:
+  Emitter() = default;
+  static constexpr bool kTakesLines = false;
+  static constexpr TileLease* tiles() { return nullptr; }
+  Emitter(const Emitter&) = delete;
+  Emitter& operator=(const Emitter&) = delete;
+
+  /// Emits the quad of a level around reduced coordinates.
+  template <class D, class... AnyShare>
+  HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, const AnyShare&... share) {
+    const Sampler& sampler = self().sampler();
+    LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
+    LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
+    if (HWY_UNLIKELY(sampler.rounded_weights)) {
+      RoundWeights(d, &x);
+      RoundWeights(d, &y);
+    }
+    quad(d, op, level, x, y, share...);
+  }
+
+  /// Emits the quad of columns x and rows y of a level.
+  template <class D, class... AnyShare>
+  HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y,
+                       const AnyShare&... share) {
+    const hn::RebindToSigned<D> di;
+    const size_t at = self().add(d);
+    auto& to = self().elements();
+    hn::Store(x.s, d, to.s + at);
+    hn::Store(y.s, d, to.t + at);
+    if (HWY_UNLIKELY(self().has_rates())) {
+      hn::Store(x.rate, d, to.rate_s + at);
+      hn::Store(y.rate, d, to.rate_t + at);
+    }
+    op |= kQuad | write_share(d, at, share...);
+    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
+      write_place(d, 0, at, x.i0, x.in0);
+      write_place(d, 1, at, x.i1, x.in1);
+      write_rows(d, at, level, y.i0, y.in0);
+      write_row(d, 1, at, y.i1, y.in1);
+      return self().commit(d, op);
+    }
+    const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
+    if (HWY_UNLIKELY(self().bordered())) {
+      write_texel(d, 0, at, top + x.i0, hn::And(x.in0, y.in0));
+      write_texel(d, 1, at, top + x.i1, hn::And(x.in1, y.in0));
+      write_texel(d, 2, at, bottom + x.i0, hn::And(x.in0, y.in1));
+      write_texel(d, 3, at, bottom + x.i1, hn::And(x.in1, y.in1));
+      return self().commit(d, op);
+    }
+    hn::Store(top + x.i0, di, to.index[0] + at);
+    hn::Store(bottom + x.i0, di, to.index[2] + at);
+    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(x.i1, x.i0 + hn::Set(di, 1))))) return self().commit(d, op | kNeighbours);
+    hn::Store(top + x.i1, di, to.index[1] + at);
+    hn::Store(bottom + x.i1, di, to.index[3] + at);
+    self().commit(d, op);
+  }
+
+  /// Emits the quad of four given texels, none of which is the border.
+  template <class D, class... AnyShare>
+  HWY_INLINE void quad_of(D d, uint32_t op, const Ints<D> (&index)[4], hn::Vec<D> s, hn::Vec<D> t,
+                          const AnyShare&... share) {
+    const size_t at = self().add(d);
+    auto& to = self().elements();
+    hn::Store(s, d, to.s + at);
+    hn::Store(t, d, to.t + at);
+    for (size_t k = 0; k < 4; ++k) hn::Store(index[k], hn::RebindToSigned<D>(), to.index[k] + at);
+    self().commit(d, op | kQuad | write_share(d, at, share...));
+  }
+
+  template <class D, class AnyShare>
+  HWY_INLINE void row(D d, uint32_t op, const Row<D>& row, const AnyShare& share) {
+    const size_t at = self().add(d);
+    auto& to = self().elements();
+    float* const shares[3] = {to.s, to.t, to.r};
+    float* const rates[3] = {to.rate_s, to.rate_t, to.rate_r};
+    for (size_t k = 0; k < 3; ++k) {
+      hn::Store(row.share[k], d, shares[k] + at);
+      if (HWY_UNLIKELY(self().has_rates())) hn::Store(row.rate[k], d, rates[k] + at);
+    }
+    op |= kRow | write_share(d, at, share);
+    const bool neighbours = row.neighbours && !self().bordered();
+    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
+      for (size_t k = 0; k < 4; ++k) write_place(d, k, at, row.column[k], row.in[k]);
+      write_rows(d, at, *row.level, row.y, hn::Eq(row.share[0], row.share[0]));
+      return self().commit(d, neighbours ? op | kNeighbours : op);
+    }
+    if (HWY_LIKELY(neighbours)) {
+      hn::Store(row.first + row.column[2], hn::RebindToSigned<D>(), to.index[2] + at);
+      return self().commit(d, op | kNeighbours);
+    }
+    for (size_t k = 0; k < 4; ++k) write_texel(d, k, at, row.first + row.column[k], row.in[k]);
+    self().commit(d, op);
+  }
+
+  /// Emits the texel of a level.
+  template <class D, class... AnyShare>
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, Ints<D> x, Ints<D> y, MaskOf<D> in,
+                        const AnyShare&... share) {
+    if (HWY_LIKELY(self().tiles() == nullptr)) return texel(d, op, RowIndex(d, level, y) + x, in, share...);
+    const size_t at = self().add(d);
+    write_place(d, 0, at, x, in);
+    write_rows(d, at, level, y, in);
+    self().commit(d, op | write_share(d, at, share...));
+  }
+
+  template <class D, class... AnyShare>
+  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const AnyShare&... share) {
+    const size_t at = self().add(d);
+    write_texel(d, 0, at, index, in);
+    self().commit(d, op | write_share(d, at, share...));
+  }
+
+  /// Emits the merge of the second average into the first.
+  template <class D, class AnyShare>
+  HWY_INLINE void merge(D d, const AnyShare& share) {
+    const size_t at = self().add(d);
+    self().commit(d, kMerge | write_share(d, at, share));
+  }
+
+ private:
+  HWY_INLINE Sink& self() { return static_cast<Sink&>(*this); }
+
+  template <class D>
+  HWY_INLINE void write_texel(D d, size_t k, size_t at, Ints<D> index, MaskOf<D> in) {
+    const Ints<D> texel = HWY_UNLIKELY(self().bordered()) ? TexelOrBorder(d, index, in) : index;
+    hn::Store(texel, hn::RebindToSigned<D>(), self().elements().index[k] + at);
+  }
+
+  /// Write the place of a texel in its level, for a texture in tiles: -1 on the border.
+  template <class D>
+  HWY_INLINE void write_place(D, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), column, hn::Set(di, -1)), di, self().elements().index[k] + at);
+  }
+  template <class D>
+  HWY_INLINE void write_row(D, size_t k, size_t at, Ints<D> y, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), y, hn::Set(di, -1)), di, self().tiles()->y[k] + at);
+  }
+  /// Writes the first row of an element, and its level.
+  template <class D>
+  HWY_INLINE void write_rows(D d, size_t at, const Level<D>& level, Ints<D> y, MaskOf<D> in) {
+    const hn::RebindToSigned<D> di;
+    write_row(d, 0, at, y, in);
+    hn::Store(level.offset, di, self().tiles()->first_tile + at);
+    hn::Store(level.across.whole, di, self().tiles()->width + at);
+  }
+
+  /// Writes the share of an element. Returns its flags.
+  template <class D>
+  HWY_INLINE uint32_t write_share(D, size_t) {
+    return 0;
+  }
+  template <class D>
+  HWY_INLINE uint32_t write_share(D d, size_t at, hn::Vec<D> share) {
+    hn::Store(share, d, self().elements().share + at);
+    return 0;
+  }
+  template <class D>
+  HWY_INLINE uint32_t write_share(D d, size_t at, const Share<D>& share) {
+    auto& to = self().elements();
+    hn::Store(share.value, d, to.share + at);
+    if (HWY_LIKELY(!self().has_rates())) return 0;
+    hn::Store(share.rate_u, d, to.share_rate_u + at);
+    hn::Store(share.rate_v, d, to.share_rate_v + at);
+    return kRated;
+  }
+  template <class D>
+  HWY_INLINE uint32_t write_share(D d, size_t at, const DeepShare<D>& share) {
+    hn::Store(share.value, d, self().elements().share + at);
+    if (HWY_LIKELY(!self().has_rates())) return 0;
+    hn::Store(share.rate, d, self().elements().share_rate_u + at);
+    return kDeep;
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_EMITTER_INL_H_
