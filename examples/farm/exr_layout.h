@@ -11,34 +11,33 @@
 
 #include "stage.h"
 
-namespace farm
-{
+namespace farm {
 
 struct Layout {
-    uint32_t width, height, edge;  // of the picture, and of a tile
-    uint32_t columns, rows;        // of tiles
-    std::vector<char> header;      // up to the table of offsets
+  uint32_t width, height, edge;  // of the picture, and of a tile
+  uint32_t columns, rows;        // of tiles
+  std::vector<char> header;      // up to the table of offsets
 };
 
 /// `identity` becomes an attribute of the file, so that a finished file is recognised.
-Layout make_layout(uint32_t width, uint32_t height, uint32_t edge, const std::string &identity);
+Layout make_layout(uint32_t width, uint32_t height, uint32_t edge, const std::string& identity);
 
-uint32_t window_count(const Layout &layout);
-Window window_at(const Layout &layout, uint32_t index);
+uint32_t window_count(const Layout& layout);
+Window window_at(const Layout& layout, uint32_t index);
 
 /// Place and size of a tile with its head of 20 bytes.
-uint64_t chunk_offset(const Layout &layout, uint32_t index);
-uint64_t chunk_size(const Layout &layout, uint32_t index);
-uint64_t file_size(const Layout &layout);
+uint64_t chunk_offset(const Layout& layout, uint32_t index);
+uint64_t chunk_size(const Layout& layout, uint32_t index);
+uint64_t file_size(const Layout& layout);
 
 /// Header and table of offsets: the beginning of the file.
-std::vector<char> file_head(const Layout &layout);
+std::vector<char> file_head(const Layout& layout);
 
 /// The bytes of a tile. `chunk` is resized.
-void encode_chunk(const Layout &layout, uint32_t index, const Pixels &pixels, std::vector<char> *chunk);
+void encode_chunk(const Layout& layout, uint32_t index, const Pixels& pixels, std::vector<char>* chunk);
 
 /// A checksum against damage of files.
-uint64_t checksum(const void *data, size_t size, uint64_t seed = 0);
+uint64_t checksum(const void* data, size_t size, uint64_t seed = 0);
 
 }  // namespace farm
 

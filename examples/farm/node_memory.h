@@ -10,25 +10,24 @@
 
 #include "options.h"
 
-namespace farm
-{
+namespace farm {
 
 struct NodeMemory {
-    MPI_Comm node = MPI_COMM_NULL;
-    MPI_Win window = MPI_WIN_NULL;
-    const char *block = nullptr;
-    uint64_t bytes = 0;
-    uint64_t sum = 0;   // checksum of the block
-    std::string error;  // of the rank that loads
+  MPI_Comm node = MPI_COMM_NULL;
+  MPI_Win window = MPI_WIN_NULL;
+  const char* block = nullptr;
+  uint64_t bytes = 0;
+  uint64_t sum = 0;   // checksum of the block
+  std::string error;  // of the rank that loads
 };
 
 /// Collective. All ranks fail together: see agree().
-NodeMemory load_on_node(const Options &options);
+NodeMemory load_on_node(const Options& options);
 
 /// Whether no rank has an error and all nodes have the same scene. Prints the errors. Collective.
-bool agree(const NodeMemory &memory, const std::string &error);
+bool agree(const NodeMemory& memory, const std::string& error);
 
-void release(NodeMemory *memory);
+void release(NodeMemory* memory);
 
 }  // namespace farm
 

@@ -6,17 +6,16 @@
 #include "options.h"
 #include "stage.h"
 
-namespace farm
-{
+namespace farm {
 
 constexpr int kExitFailed = 1, kExitUsage = 2, kExitSilent = 4;
 
 /// Returns the exit status of the job.
-int serve(const Options &options, uint64_t scene_sum, Stage *stage);
-int work(const Options &options, Stage *stage);
+int serve(const Options& options, uint64_t scene_sum, Stage* stage);
+int work(const Options& options, Stage* stage);
 
 /// One process without MPI: bands of the picture in as few calls of shd_render() as the options allow.
-int render_alone(const Options &options);
+int render_alone(const Options& options);
 
 }  // namespace farm
 
