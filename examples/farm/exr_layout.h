@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The layout of an uncompressed tiled OpenEXR file of four half channels. Without compression the place of each tile
-// follows from its number, so tiles can be written in any order, by any process, and the file always has the same bytes.
+// follows from its number, so tiles can be written in any order, by any process, and the file always has the same
+// bytes.
 // The format: "OpenEXR File Layout" (openexr.com, version 2, single part, tiled, one level).
 #ifndef SHD_FARM_EXR_LAYOUT_H
 #define SHD_FARM_EXR_LAYOUT_H
@@ -14,8 +15,8 @@
 namespace farm {
 
 struct Layout {
-  uint32_t width, height, edge;  // of the picture, and of a tile
-  uint32_t columns, rows;        // of tiles
+  uint32_t width, height, edge;  // pixels of the picture; edge length of a tile
+  uint32_t columns, rows;        // numbers of tiles
   std::vector<char> header;      // up to the table of offsets
 };
 

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin);
 
-/// What a picture depends on: the scene, and the options that change its bits.
+/// A hash of the scene and of the options that change the bits of a picture.
 std::string make_identity(const Options& options, uint64_t scene_sum, uint32_t frame);
 
 struct FrameFile {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ranks send to each other: one message of constant size, and the tiles of --through-root. All machines of a job
+// The messages of ranks: one struct of constant size, and the tiles of --through-root. All machines of a job
 // have the same architecture.
 #ifndef SHD_FARM_MESSAGES_H
 #define SHD_FARM_MESSAGES_H

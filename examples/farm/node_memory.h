@@ -18,7 +18,7 @@ struct NodeMemory {
   const char* block = nullptr;
   uint64_t bytes = 0;
   uint64_t sum = 0;   // checksum of the block
-  std::string error;  // of the rank that loads
+  std::string error;  // message of the rank that loads
 };
 
 /// Collective. All ranks fail together: see agree().

@@ -15,7 +15,7 @@ struct Options {
   uint32_t supersampling = 1;            // n x n pixels are averaged, 1..16
   uint32_t frames = 1;                   // the camera turns once around the scene
   int64_t frame = -1;                    // the only frame to render; -1 = all
-  uint32_t threads = 1;                  // of one rank
+  uint32_t threads = 1;                  // number of each rank
   uint32_t copies = 3;                   // the model stands in copies x copies places
   uint32_t single = 0;                   // rows of a band of the single process; 0 = windows on all ranks
   float azimuth = 35.0f, elevation = 30.0f;

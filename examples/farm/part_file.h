@@ -19,7 +19,7 @@ struct File {
   int fd = -1;
 
   File() = default;
-  File(const std::string& path, int flags);  // of open(); throws Failure
+  File(const std::string& path, int flags);  // flags of open(); throws Failure
   File(File&& other) noexcept;
   File& operator=(File&& other) noexcept;
   ~File();

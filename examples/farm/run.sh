@@ -3,7 +3,7 @@
 # Renders a picture on local ranks, kills one of them half-way, resumes, and compares the file with that of one process.
 # Usage: run.sh [--build FOLDER] [--ranks N] [--folder FOLDER] [EDGE]
 #   EDGE    pixels of each side of the picture, default 16384; the three files take 8 bytes for each of its pixels
-#   FOLDER  of the build, default build/farm, which is built if it is not there; folder of the pictures, default out/farm
+#   FOLDER  of the build, default build/farm, which is built if it is absent; folder of the pictures, default out/farm
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -31,8 +31,9 @@ window=256
 [ "$edge" -ge 4096 ] || window=64
 picture=(--size "${edge}x$edge" --supersampling 2 --window "$window")
 spider=/usr/share/assimp/models/OBJ/spider.obj  # Debian: assimp-testmodels
-if [ -e "$spider" ] && "$farm" --single 16 --size 16x16 --window 16 --model "$spider" -o "$folder/farm.exr" >/dev/null 2>&1
-then
+# A build without libshd_scene has no models.
+if [ -e "$spider" ] &&
+  "$farm" --single 16 --size 16x16 --window 16 --model "$spider" -o "$folder/farm.exr" >/dev/null 2>&1; then
   picture+=(--model "$spider")
   echo "== The spiders of the gallery, $edge x $edge pixels, $ranks ranks"
 else

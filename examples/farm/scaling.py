@@ -25,8 +25,8 @@ def read_times(path):
 
 
 def frame_times(times, windows, generator):
-    """Times of the windows of a frame. Neighbours stay beside each other: a picture with fewer windows is stretched, and
-    each time is changed by up to a fifth so that frames differ."""
+    """Times of the windows of a frame. Neighbours stay beside each other: fewer measured windows are stretched.
+    Each time is changed by up to a fifth so that frames differ."""
     return [times[i * len(times) // windows] * generator.uniform(0.8, 1.2) for i in range(windows)]
 
 
@@ -107,8 +107,8 @@ def simulate(o, times):
     work = []
     for _ in range(o.frames):
         work += [t * o.scale for t in frame_times(times, windows, generator)]
-    print(f"{o.frames} frames of {o.size} x {o.size}, {windows} windows each, {sum(work) / o.frames:.1f} s of rendering a "
-          f"frame, {windows * o.tile_bytes / 2**30:.1f} GiB a frame{', through rank 0' if o.through_root else ''}")
+    print(f"{o.frames} frames of {o.size} x {o.size}, {windows} windows each, {sum(work) / o.frames:.1f} s of rendering "
+          f"and {windows * o.tile_bytes / 2**30:.1f} GiB a frame{', through rank 0' if o.through_root else ''}")
     print(" ranks   seconds   speed-up  efficiency  busiest part")
     efficiencies = {}
     for ranks in o.ranks:

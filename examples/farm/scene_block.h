@@ -37,7 +37,7 @@ struct BlockDraw {
 struct BlockHead {
   uint64_t bytes, meshes, textures, materials, draws;  // offsets of the tables
   uint32_t mesh_count, texture_count, material_count, draw_count;
-  float bounds_min[3], bounds_max[3];  // of the models, without the floor
+  float bounds_min[3], bounds_max[3];  // box of the models without the floor
 };
 
 /// Grows a block. Tables are kept apart until finish() appends them.

@@ -21,7 +21,7 @@ struct Stage {
   shd::light lights[2];
   shd::shadow shadow;
   shd::framebuffer framebuffer;
-  uint32_t width = 0, height = 0;  // of the framebuffer
+  uint32_t width = 0, height = 0;  // size of the framebuffer
 };
 
 void StageDeleter::operator()(Stage* stage) const noexcept {
