@@ -47,7 +47,8 @@ class Worker {
   void render_jobs();
   void render_job(const Message& job);
   void write_tiles();
-  void write_tile(Tile* tile);
+  void write_tile(Tile* tile, std::vector<Message>* written);
+  void make_durable(std::vector<Message>* written);
   bool is_there(const Message& job);
   void emit(const Message& message, std::vector<char> tile = {});
   void fail(Message message, const char* text);
@@ -63,7 +64,7 @@ class Worker {
   std::deque<Event> events_;
   std::map<uint32_t, std::shared_ptr<File>> files_;
   Statistics statistics_{};
-  bool stopping_ = false, rendering_ended_ = false;
+  bool stopping_ = false, rendering_ended_ = false, idle_ = false;
   std::thread renderer_, writer_;
 };
 
