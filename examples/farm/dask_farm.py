@@ -5,8 +5,8 @@
     dask_farm.py [--scheduler ADDRESS] [--size N] [--kill]
 
 Without an address two local processes start. --kill ends one of them with SIGKILL while the picture is rendered.
-Dask starts it again and repeats its windows. Prints the hashes of one process and of the workers, and exits 1 if they differ.
-PYTHONPATH holds bindings/python, SHD_LIBRARY names libshd.so.
+Dask starts another one and repeats the windows of the first. Prints the hashes of one process and of the workers,
+and exits 1 if they differ. PYTHONPATH holds bindings/python, SHD_LIBRARY names libshd.so.
 """
 import argparse
 import functools

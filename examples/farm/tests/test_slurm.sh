@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The two batch scripts on a Slurm cluster of this machine: a job of ranks whose rank is killed, which Slurm starts again,
-# and an array of frames.
+# The two batch scripts on a Slurm cluster of this machine: a job whose rank is killed, which Slurm starts again, and an
+# array of frames.
 # Usage: test_slurm.sh FARM FOLDER
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 farm=$1 folder=$2
-for tool in mpirun:openmpi-bin pgrep:procps slurmctld:slurmctld slurmd:slurmd sbatch:slurm-client munged:munge; do
-  PATH=$PATH:/usr/sbin command -v "${tool%:*}" >/dev/null || { echo "skipped: ${tool%:*} is absent, ${tool#*:}"; exit 77; }
+tools=(mpirun:openmpi-bin pgrep:procps slurmctld:slurmctld slurmd:slurmd sbatch:slurm-client munged:munge)
+for tool in "${tools[@]}"; do
+  PATH=$PATH:/usr/sbin command -v "${tool%:*}" >/dev/null && continue
+  echo "skipped: ${tool%:*} is absent, ${tool#*:}"
+  exit 77
 done
 [ "$(id -u)" = 0 ] || { echo "skipped: the daemons of Slurm need root"; exit 77; }
 PATH=$PATH:/usr/sbin
