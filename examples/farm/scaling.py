@@ -107,8 +107,9 @@ def simulate(o, times):
     work = []
     for _ in range(o.frames):
         work += [t * o.scale for t in frame_times(times, windows, generator)]
-    print(f"{o.frames} frames of {o.size} x {o.size}, {windows} windows each, "
-          f"{sum(work) / o.frames:.1f} s of rendering and {windows * o.tile_bytes / 2**30:.1f} GiB a frame{', through rank 0' if o.through_root else ''}")
+    way = ", through rank 0" if o.through_root else ""
+    print(f"{o.frames} frames of {o.size} x {o.size}, {windows} windows each, {sum(work) / o.frames:.1f} s of rendering "
+          f"and {windows * o.tile_bytes / 2**30:.1f} GiB a frame{way}")
     print(" ranks   seconds   speed-up  efficiency  busiest part")
     efficiencies = {}
     for ranks in o.ranks:
