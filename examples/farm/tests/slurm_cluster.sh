@@ -75,6 +75,7 @@ start_cluster() {
 wait_for_job() {
   for _ in $(seq 300); do
     [ -n "$(squeue -h -j "$1" 2>/dev/null)" ] || return 0
+    scontrol update JobId="$1" StartTime=now 2>/dev/null || true  # a requeued job waits for minutes
     sleep 0.2
   done
   squeue

@@ -24,13 +24,13 @@ trap 'stop_cluster; rm -rf "$cluster"' EXIT
 start_cluster
 export FARM=$farm FARM_MPIRUN_FLAGS="--oversubscribe"
 
-picture=(--size 500x300 --window 32 --supersampling 12 --samples 16)
+picture=(--size 1500x900 --window 96 --supersampling 12 --samples 16)
 "$farm" "${picture[@]}" --single 16384 -o alone.exr
 
 echo "== A job of ranks, one of them killed"
 number=$(sbatch --parsable --ntasks=2 "$here/../farm.sbatch" "${picture[@]}" -o job.exr)
 for _ in $(seq 300); do
-  [ ! -e job.exr.journal ] || [ "$(wc -l <job.exr.journal)" -le 40 ] || break
+  [ ! -e job.exr.journal ] || [ "$(wc -l <job.exr.journal)" -le 20 ] || break
   sleep 0.1
 done
 for process in $(pgrep -x shd-farm); do  # of this job only
