@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/failure.h"
+#include "image/format.h"
 #include "io/ktx2.h"
 #include "io/printable.h"
 
@@ -17,12 +18,17 @@ void read_swizzle(const std::string& value, TextureFile* parsed) {
     core::refuse(SHD_ERROR_CORRUPT, "KTX2: KTXswizzle \"%s\" is not four of r, g, b, a, 0, 1",
                  printable(value).c_str());
   }
+  const shd_format format = parsed->storage.format;
+  const size_t channels = image::block_info(format).channels + image::format_info(format).channels;
   for (size_t k = 0; k < 4; ++k) {
-    constexpr char kChannels[] = "rgba";
-    const char* const channel = std::strchr(kChannels, value[k]);
-    parsed->swizzle[k] =
-        channel ? static_cast<shd_channel>(SHD_CHANNEL_R + (channel - kChannels)) : SHD_CHANNEL_FILL;
-    if (!channel) parsed->fill[k] = value[k] == '1' ? 1.0f : 0.0f;
+    const size_t channel = std::string("rgba").find(value[k]);
+    if (channel < channels) {
+      parsed->swizzle[k] = static_cast<shd_channel>(SHD_CHANNEL_R + channel);
+    } else {
+      // A number, or a channel that the format lacks: 0, and 1 for alpha (Vulkan 1.3, "Component Substitution").
+      parsed->swizzle[k] = SHD_CHANNEL_FILL;
+      parsed->fill[k] = value[k] == '1' || value[k] == 'a' ? 1.0f : 0.0f;
+    }
   }
 }
 
