@@ -53,8 +53,7 @@ void AstcDecoder::decode(const unsigned char* blocks, uint32_t width, uint32_t h
   const size_t columns = (size_t{width} + storage_.block_width - 1) / storage_.block_width;
   const size_t rows = (size_t{height} + storage_.block_height - 1) / storage_.block_height;
   auto* const context = static_cast<astcenc_context*>(context_);
-  require_astc(
-      astcenc_decompress_image(context, blocks, columns * rows * storage_.unit_size, &image, &kSwizzle, 0));
+  require_astc(astcenc_decompress_image(context, blocks, columns * rows * storage_.unit_size, &image, &kSwizzle, 0));
   require_astc(astcenc_decompress_reset(context));
 }
 

@@ -36,8 +36,9 @@ struct NumberRow {
   uint32_t code;
   shd_format format;
 };
-constexpr NumberRow kNumbers[] = {  // D3DFORMAT
-    {36, SHD_FORMAT_RGBA16}, {111, SHD_FORMAT_R16F}, {112, SHD_FORMAT_RG16F},  {113, SHD_FORMAT_RGBA16F},
+constexpr NumberRow kNumbers[] = {
+    // D3DFORMAT
+    {36, SHD_FORMAT_RGBA16}, {111, SHD_FORMAT_R16F},  {112, SHD_FORMAT_RG16F},   {113, SHD_FORMAT_RGBA16F},
     {114, SHD_FORMAT_R32F},  {115, SHD_FORMAT_RG32F}, {116, SHD_FORMAT_RGBA32F},
 };
 
@@ -197,9 +198,7 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   const bool code = (in.u32(80) & kFourCc) != 0;
   const bool dx10 = code && in.is(84, "DX10", 4);
   if (!dx10) read_caps(in, &parsed);
-  const Declared declared = dx10   ? read_dx10(in, &parsed)
-                            : code ? read_code(in, &parsed)
-                                   : read_masks(in, &parsed);
+  const Declared declared = dx10 ? read_dx10(in, &parsed) : code ? read_code(in, &parsed) : read_masks(in, &parsed);
   check_sizes(kName, limits, &parsed);
   place_levels(in, dx10 ? kHeaderDx10 : kHeader, &parsed);
   parsed.storage.format = choose_curve(kName, parsed.storage.format, declared, encoding);

@@ -88,8 +88,8 @@ void inflate_zlib(const unsigned char* in, size_t in_size, unsigned char* out, s
   z_stream stream = {};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
   size_t out_left = out_size;
-  const int result =
-      run_zlib(&stream, [&](int flush) { return inflate(&stream, flush); }, in, &in_size, out, &out_left);
+  const int result = run_zlib(
+      &stream, [&](int flush) { return inflate(&stream, flush); }, in, &in_size, out, &out_left);
   inflateEnd(&stream);
   if (result == Z_MEM_ERROR) throw std::bad_alloc();
   if (result == Z_STREAM_END && out_left == 0) return;
@@ -104,8 +104,8 @@ Bytes deflate_zlib(int32_t effort, const Bytes& in) {
   z_stream stream = {};
   if (deflateInit(&stream, effort == 0 ? Z_DEFAULT_COMPRESSION : effort) != Z_OK) throw std::bad_alloc();
   size_t in_left = in.size(), left = out.size();
-  const int result =
-      run_zlib(&stream, [&](int flush) { return deflate(&stream, flush); }, in.data(), &in_left, out.data(), &left);
+  const int result = run_zlib(
+      &stream, [&](int flush) { return deflate(&stream, flush); }, in.data(), &in_left, out.data(), &left);
   deflateEnd(&stream);
   if (result != Z_STREAM_END) core::refuse(SHD_ERROR_INTERNAL, "zlib: deflate returned %d", result);
   out.resize(out.size() - left);

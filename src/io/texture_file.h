@@ -111,7 +111,7 @@ struct Selection {
 
 /// Decompresses and unpacks levels. The file's bytes are used in place where they are the texels and are aligned.
 /// Throws Failure.
-TextureTexels unpack_levels(const TextureFile& parsed, const unsigned char* bytes,
-                            const Selection& selection, const Limits& limits, const Memory& memory);
+TextureTexels unpack_levels(const TextureFile& parsed, const unsigned char* bytes, const Selection& selection,
+                            const Limits& limits, const Memory& memory);
 
 }  // namespace shd::io

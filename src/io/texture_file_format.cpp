@@ -97,8 +97,8 @@ constexpr FormatRow kDxgi[] = {
 constexpr uint32_t kAstcLdr = 157;         // VK_FORMAT_ASTC_4x4_UNORM_BLOCK; the sRGB format of a size follows it
 constexpr uint32_t kAstcHdr = 1000066000;  // VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK
 constexpr uint32_t kAstcSizes = 14;
-constexpr unsigned char kAstcBlock[kAstcSizes][2] = {{4, 4},  {5, 4},  {5, 5},  {6, 5},  {6, 6},   {8, 5},   {8, 6},
-                                                     {8, 8},  {10, 5}, {10, 6}, {10, 8}, {10, 10}, {12, 10}, {12, 12}};
+constexpr unsigned char kAstcBlock[kAstcSizes][2] = {{4, 4}, {5, 4},  {5, 5},  {6, 5},  {6, 6},   {8, 5},   {8, 6},
+                                                     {8, 8}, {10, 5}, {10, 6}, {10, 8}, {10, 10}, {12, 10}, {12, 12}};
 
 Storage astc_storage(shd_format format, uint32_t size) {
   Storage storage;
@@ -125,14 +125,10 @@ struct CurvePair {
   shd_format linear, srgb;
 };
 constexpr CurvePair kCurves[] = {
-    {SHD_FORMAT_R8, SHD_FORMAT_R8_SRGB},
-    {SHD_FORMAT_RG8, SHD_FORMAT_RG8_SRGB},
-    {SHD_FORMAT_RGB8, SHD_FORMAT_RGB8_SRGB},
-    {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB},
-    {SHD_FORMAT_BC1_RGB, SHD_FORMAT_BC1_RGB_SRGB},
-    {SHD_FORMAT_BC1_RGBA, SHD_FORMAT_BC1_RGBA_SRGB},
-    {SHD_FORMAT_BC2, SHD_FORMAT_BC2_SRGB},
-    {SHD_FORMAT_BC3, SHD_FORMAT_BC3_SRGB},
+    {SHD_FORMAT_R8, SHD_FORMAT_R8_SRGB},           {SHD_FORMAT_RG8, SHD_FORMAT_RG8_SRGB},
+    {SHD_FORMAT_RGB8, SHD_FORMAT_RGB8_SRGB},       {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB},
+    {SHD_FORMAT_BC1_RGB, SHD_FORMAT_BC1_RGB_SRGB}, {SHD_FORMAT_BC1_RGBA, SHD_FORMAT_BC1_RGBA_SRGB},
+    {SHD_FORMAT_BC2, SHD_FORMAT_BC2_SRGB},         {SHD_FORMAT_BC3, SHD_FORMAT_BC3_SRGB},
     {SHD_FORMAT_BC7, SHD_FORMAT_BC7_SRGB},
 };
 
@@ -187,8 +183,10 @@ shd_format choose_curve(const char* file, shd_format stored, Declared declared, 
     case Declared::kNothing: return srgb != SHD_FORMAT_NONE ? srgb : stored;
     case Declared::kSrgb:
       if (srgb != SHD_FORMAT_NONE) return srgb;
-      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: the sRGB curve with format %d, which has no _SRGB format: set "
-                   "load.color_space", file, static_cast<int>(stored));
+      core::refuse(SHD_ERROR_UNSUPPORTED,
+                   "%s: the sRGB curve with format %d, which has no _SRGB format: set "
+                   "load.color_space",
+                   file, static_cast<int>(stored));
     default:
       core::refuse(SHD_ERROR_UNSUPPORTED, "%s: a transfer curve that is neither sRGB nor linear: set load.color_space",
                    file);

@@ -167,8 +167,10 @@ shd_format three_channels(shd_format format) {
     case SHD_FORMAT_RGBA16F: return SHD_FORMAT_RGB16F;
     case SHD_FORMAT_RGBA32F: return SHD_FORMAT_RGB32F;
     default:
-      refuse(SHD_ERROR_INVALID_ARGUMENT, "ktx2.channels: 3, but format %d of the texture has no four channels of "
-             "pixels", static_cast<int>(format));
+      refuse(SHD_ERROR_INVALID_ARGUMENT,
+             "ktx2.channels: 3, but format %d of the texture has no four channels of "
+             "pixels",
+             static_cast<int>(format));
   }
 }
 
@@ -244,9 +246,8 @@ shd_result shd_texture_load_file(shd_context* context, const char* path, const s
   });
 }
 
-shd_result shd_texture_load_file_memory(shd_context* context, const void* bytes, size_t size,
-                                        const shd_load_desc* load, shd_texture_file_info* out_info,
-                                        shd_texture** out_texture) {
+shd_result shd_texture_load_file_memory(shd_context* context, const void* bytes, size_t size, const shd_load_desc* load,
+                                        shd_texture_file_info* out_info, shd_texture** out_texture) {
   return guard([&]() -> shd_result {
     const LoadRequest request = begin_load(context, load, out_info, out_texture);
     if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
