@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* KTX2 and DDS files that are cut off, contradict themselves or exceed budgets; wrong arguments; every allocation that
  * fails. A file lies in memory of exactly its size, so that a sanitizer sees reads beyond it. */
+#define _GNU_SOURCE
 #include "support/fault_allocator.h"
 #include "support/rows.h"
 #include "support/texture_files.h"
