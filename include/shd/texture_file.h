@@ -30,12 +30,12 @@
 SHD_BEGIN_DECLS
 
 /** File formats of textures. */
-typedef enum shd_texture_file {
-    SHD_TEXTURE_FILE_NONE = 0,
-    SHD_TEXTURE_FILE_KTX2 = 1,
-    SHD_TEXTURE_FILE_DDS = 2,
-    SHD_TEXTURE_FILE_MAX_ENUM = 0x7fffffff
-} shd_texture_file;
+typedef enum shd_texture_file_kind {
+    SHD_TEXTURE_FILE_KIND_NONE = 0,
+    SHD_TEXTURE_FILE_KIND_KTX2 = 1,
+    SHD_TEXTURE_FILE_KIND_DDS = 2,
+    SHD_TEXTURE_FILE_KIND_MAX_ENUM = 0x7fffffff
+} shd_texture_file_kind;
 
 /** Compression of the levels of a KTX2 file, around its blocks or pixels. The values are those of the file format. */
 typedef enum shd_supercompression {
@@ -48,27 +48,27 @@ typedef enum shd_supercompression {
 
 /** Properties of a texture file; combine with |. */
 typedef enum shd_texture_file_flag {
-    SHD_TEXTURE_FILE_DEFAULT = 0,
+    SHD_TEXTURE_FILE_NONE = 0,
     SHD_TEXTURE_FILE_PREMULTIPLIED = 1, /**< r, g, b are multiplied by alpha */
     SHD_TEXTURE_FILE_ARRAY = 2,         /**< declared as an array, even of one layer */
     /**
-     * KTXorientation of KTX2 says that the first row is the bottom one. The texture has the rows in the order of the
+     * The first row is the bottom one (KTXorientation of KTX2). The texture has the rows in the order of the
      * file, so the picture is upside down, unless SHD_LOAD_FLIP_V reverses it.
      */
     SHD_TEXTURE_FILE_BOTTOM_UP = 4,
-    SHD_TEXTURE_FILE_RIGHT_TO_LEFT = 8, /**< KTXorientation says that the first column is the right one */
+    SHD_TEXTURE_FILE_RIGHT_TO_LEFT = 8, /**< the first column is the right one (KTXorientation) */
     SHD_TEXTURE_FILE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_texture_file_flag;
 typedef uint32_t shd_texture_file_flags; /**< shd_texture_file_flag bits */
 
 /** Contents of a texture file. */
 typedef struct shd_texture_file_info {
-    uint32_t struct_size;  /**< set by shd_texture_file_info_default() */
-    shd_texture_file file; /**< file format */
-    uint32_t file_code;    /**< storage in the file: VkFormat of KTX2; DXGI_FORMAT of DDS, 0 without such a number */
-    shd_supercompression supercompression; /**< of the levels of a KTX2 file */
+    uint32_t struct_size;       /**< set by shd_texture_file_info_default() */
+    shd_texture_file_kind kind; /**< file format */
+    uint32_t file_code; /**< storage in the file: VkFormat of KTX2; DXGI_FORMAT of DDS, 0 without such a number */
+    shd_supercompression supercompression; /**< compression around the levels; NONE for DDS */
     shd_texture_file_flags flags;          /**< properties */
-    shd_format format;                     /**< of the texture */
+    shd_format format;                     /**< storage in the texture */
     uint32_t width;                        /**< texels of level 0 */
     uint32_t height;                       /**< texels of level 0; 1 for a 1D texture */
     uint32_t depth;                        /**< slices of level 0; 0 = not a 3D texture */
@@ -93,8 +93,8 @@ static inline shd_texture_file_info shd_texture_file_info_default(void)
  * with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
  * SHD_TABLE_MIPMAP the texture has the base level.
  *
- * Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). Of an array of cube maps,
- * shd_load_desc.subimage chooses one. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
+ * Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). shd_load_desc.subimage chooses one
+ * cube map of an array of cube maps. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
  *
  * Colour: SHD_COLOR_ENCODING_AUTO takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
  * BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;

@@ -190,7 +190,7 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   }
   TextureFile parsed;
   shd_texture_file_info& info = parsed.info;
-  info.file = SHD_TEXTURE_FILE_DDS;
+  info.kind = SHD_TEXTURE_FILE_KIND_DDS;
   info.height = in.u32(12);
   info.width = in.u32(16);
   info.layers = info.faces = 1;

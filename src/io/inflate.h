@@ -9,8 +9,8 @@
 
 namespace shd::io {
 
-/// Decompresses a whole stream of Zstandard or zlib into exactly `out_size` bytes. Throws Failure: SHD_ERROR_CORRUPT for
-/// damaged streams and those of another size, SHD_ERROR_UNSUPPORTED if this build lacks the library.
+/// Decompresses a whole stream of Zstandard or zlib into exactly `out_size` bytes. Throws Failure: SHD_ERROR_CORRUPT
+/// for damaged streams and those of another size, SHD_ERROR_UNSUPPORTED if this build lacks the library.
 void inflate_level(shd_supercompression scheme, const unsigned char* in, size_t in_size, unsigned char* out,
                    size_t out_size);
 

@@ -37,14 +37,14 @@ Span read_part(const ByteReader& in, const char* name, uint64_t offset, uint64_t
 /// Sizes and counts of the header.
 void read_header(ByteReader& in, TextureFile* parsed) {
   shd_texture_file_info& info = parsed->info;
-  info.file = SHD_TEXTURE_FILE_KTX2;
+  info.kind = SHD_TEXTURE_FILE_KIND_KTX2;
   info.file_code = in.u32(12);
   info.width = in.u32(20);
   info.height = in.u32(24);
   info.depth = in.u32(28);
   info.layers = in.u32(32);
   info.faces = in.u32(36);
-  info.level_count = std::max(in.u32(40), 1u);  // 0 asks the reader to build levels
+  info.level_count = std::max(in.u32(40), 1u);  // 0 leaves the levels to the reader
   const uint32_t scheme = in.u32(44);
   if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu bytes end within the header", in.size);
   if (scheme > SHD_SUPERCOMPRESSION_ZLIB) {

@@ -6,8 +6,8 @@
 #include "io/byte_reader.h"
 #include "io/texture_file.h"
 
-/// Parts of a KTX 2.0 file. The numbers are those of Khronos, "KTX File Format Specification 2.0" (2021), section 3, and
-/// "Data Format Specification 1.3" (2020), section 5.
+/// Parts of a KTX 2.0 file. The numbers are those of Khronos, "KTX File Format Specification 2.0" (2021), section 3,
+/// and "Data Format Specification 1.3" (2020), section 5.
 namespace shd::io {
 
 constexpr unsigned char kKtx2Identifier[12] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n'};
@@ -28,7 +28,7 @@ constexpr uint32_t kTransferSrgb = 2;
 constexpr uint32_t kPrimariesBt709 = 1;
 constexpr uint32_t kFlagPremultiplied = 1;
 
-/// What a load reads from a data format descriptor.
+/// Fields of a data format descriptor.
 struct Descriptor {
   uint32_t model = 0, transfer = 0, flags = 0;
   uint32_t block_width = 1, block_height = 1, block_depth = 1;

@@ -14,7 +14,7 @@ namespace shd::io {
 /// Levels below a base of kMaxSide, the base included.
 constexpr uint32_t kMaxFileLevels = 17;
 
-/// How the texels of a file become those of the texture.
+/// Conversion of the texels of a file to those of the texture.
 enum class Unpack : uint32_t {
   kNone,      // as they are
   kSwapRgba,  // four channels of 8 bits: b, g, r, a
@@ -26,11 +26,11 @@ enum class Unpack : uint32_t {
 
 /// Storage of the texels of a file. A "unit" is a pixel, or a block of block_width x block_height texels.
 struct Storage {
-  shd_format format = SHD_FORMAT_NONE;  // of the texture
+  shd_format format = SHD_FORMAT_NONE;  // storage in the texture
   Unpack unpack = Unpack::kNone;
   uint32_t unit_size = 0;  // bytes
   uint32_t block_width = 1, block_height = 1;
-  uint32_t masks[4] = {};  // of r, g, b, a with Unpack::kMasks
+  uint32_t masks[4] = {};  // bits of r, g, b, a with Unpack::kMasks
 };
 
 /// A part of the file, or of unpacked memory.
@@ -92,7 +92,7 @@ TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_colo
 
 /// Where the texels of the texture are.
 struct LevelTexels {
-  const unsigned char* texels = nullptr;  // of the first image that is read
+  const unsigned char* texels = nullptr;  // the first image that is read
   size_t image_stride = 0;                // bytes
 };
 
@@ -102,7 +102,7 @@ struct TextureTexels {
   Buffer memory;
 };
 
-/// Which part of a parsed file is read.
+/// The part of a parsed file that is read.
 struct Selection {
   uint32_t first_image = 0, image_count = 1;
   uint32_t level_count = 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* KTX2 and DDS files that are cut off, contradict themselves or exceed budgets; wrong arguments; every allocation that
- * fails. A file lies in memory of exactly its size, so that a sanitizer sees reads beyond it. */
+ * fails. A file lies in memory of exactly its size, so that a sanitizer reports reads beyond it. */
 #define _GNU_SOURCE
 #include "support/fault_allocator.h"
 #include "support/rows.h"
@@ -16,6 +16,7 @@ static shd_context *g_context;
 /* The files that are changed: KTX2 of RGBA8 and of BC7 with Zstandard and zlib, DDS of BC1 and BC7 with 4 levels. */
 enum { KTX2, KTX2_ZSTD, KTX2_ZLIB, KTX2_CUBE, DDS, DDS_DX10, FILES };
 static io_bytes g_files[FILES];
+static int g_absent[FILES]; /* whether libshd_io lacks the decoder of the file */
 
 static void make_files(void)
 {
@@ -58,9 +59,9 @@ struct bad_case {
     size_t at, size;
     uint64_t value;
     size_t at2;
-    uint64_t value2; /* of 4 bytes */
+    uint64_t value2; /* four bytes */
 };
-/* Offsets: level l of the index at 80 + 24 l, the descriptor at 176 for four levels, and the entries behind it at 220. */
+/* Offsets in files of four levels: level l of the index at 80 + 24 l, the descriptor at 176, its entries at 220. */
 enum { INDEX = FILE_KTX2_INDEX, DFD = INDEX + 4 * 24, KVD = DFD + 44 };
 static const struct bad_case k_bad[] = {
     {"unchanged", KTX2, SHD_OK, "", 0, 0, 0, 0, 0},
@@ -144,6 +145,10 @@ static void test_bad(void **state)
     unsigned char *changed = (unsigned char *)malloc(file->size);
     io_bytes edit = {changed, file->size};
     shd_texture *texture;
+    if (g_absent[c->file]) {
+        free(changed);
+        skip();
+    }
     memcpy(changed, file->data, file->size);
     file_set(&edit, c->at, c->value, c->size);
     if (c->at2) file_set(&edit, c->at2, c->value2, 4);
@@ -159,6 +164,7 @@ static void test_truncations(void **state)
     int f;
     (void)state;
     for (f = 0; f < FILES; ++f) {
+        if (g_absent[f]) continue;
         shd_fault_allocator faults = {0};
         const shd_context_desc desc = shd_fault_context_desc(&faults);
         shd_context *context = NULL;
@@ -187,6 +193,7 @@ static void test_bits(void **state)
     size_t loaded = 0, refused = 0;
     (void)state;
     for (f = 0; f < FILES; ++f) {
+        if (g_absent[f]) continue;
         size_t bit;
         for (bit = 0; bit < 8 * g_files[f].size; ++bit) {
             shd_texture *texture;
@@ -210,6 +217,7 @@ static void test_allocations(void **state)
     int f;
     (void)state;
     for (f = 0; f < FILES; ++f) {
+        if (g_absent[f]) continue;
         shd_fault_allocator faults = {0};
         const shd_context_desc desc = shd_fault_context_desc(&faults);
         shd_context *context = NULL;
@@ -332,6 +340,12 @@ int main(void)
     int failed, f;
     if (io_make_folder(&state) != 0 || shd_context_create(NULL, &g_context) != SHD_OK) return 1;
     make_files();
+    for (f = 0; f < FILES; ++f) {
+        shd_texture *texture = NULL;
+        g_absent[f] = file_is_absent(
+            shd_texture_load_file_memory(g_context, g_files[f].data, g_files[f].size, NULL, NULL, &texture));
+        shd_texture_release(texture);
+    }
     ADD_ROWS(k_bad, test_bad);
     ADD_ROWS(k_budgets, test_budget);
     add("truncations", test_truncations, NULL);

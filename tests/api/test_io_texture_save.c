@@ -22,6 +22,7 @@ static void test_save(void **state)
             shd_load_desc desc = shd_load_desc_default();
             shd_texture_file_info info;
             shd_texture *first, *second = NULL;
+            shd_result result;
             if (f->order != SAME || !f->vulkan || (f->block == 4 && !c->blocks) || (c->layers > 1 && c->faces == 6))
                 continue;
             t.depth = c->depth, t.layers = c->layers, t.faces = c->faces;
@@ -31,10 +32,15 @@ static void test_save(void **state)
             if (save.supercompression == 0) save.effort = 0;
             if (f->format != stored_format(f->format)) save.channels = 3;
             first = load(file_make_ktx2(&t, &k, NULL), &desc, 0, &info);
-            shd_assert_ok(shd_texture_save_ktx2(first, io_path("saved.ktx2"), &save));
+            result = shd_texture_save_ktx2(first, io_path("saved.ktx2"), &save);
+            if (file_is_absent(result)) {
+                shd_texture_release(first);
+                skip();
+            }
+            shd_assert_ok(result);
             shd_assert_ok(shd_texture_load_file(g_context, io_path("saved.ktx2"), &desc, &info, &second));
             if (t.layers == 1) t.layers = 0;
-            check_info(&info, SHD_TEXTURE_FILE_KTX2, &t, f->format);
+            check_info(&info, SHD_TEXTURE_FILE_KIND_KTX2, &t, f->format);
             assert_int_equal(info.supercompression, save.supercompression);
             assert_int_equal(info.file_code, f->vulkan);
             check_images(f->name, second, &t, 0, f->format, SAME);

@@ -9,6 +9,14 @@
 
 #include <shd/texture_file.h>
 
+/** Whether a load was refused because its decoder was absent when libshd_io was built. Prints the package. */
+static inline int file_is_absent(shd_result result)
+{
+    if (result != SHD_ERROR_UNSUPPORTED || !strstr(shd_last_error(), "was built without")) return 0;
+    print_message("skipped: %s\n", shd_last_error());
+    return 1;
+}
+
 /** A texture: its storage, and the bytes of all images. */
 typedef struct file_texture {
     uint32_t width, height, depth, layers; /**< as in the header of KTX2: 0 = no such dimension */
@@ -20,7 +28,7 @@ typedef struct file_texture {
 /** Fields of a KTX2 file beside its texture. */
 typedef struct file_ktx2 {
     uint32_t format, type_size;        /**< VkFormat */
-    uint32_t model, transfer;          /**< of the descriptor */
+    uint32_t model, transfer;          /**< fields of the descriptor */
     uint32_t scheme;                   /**< supercompression 0, 2 or 3; streams of stored blocks */
     const char *swizzle, *orientation; /**< NULL = none */
 } file_ktx2;

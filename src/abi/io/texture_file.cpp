@@ -146,8 +146,10 @@ shd_ktx2_desc read_ktx2_desc(const shd_ktx2_desc* in) {
   }
   const int32_t most = io::most_effort(desc.supercompression);
   if (desc.supercompression != SHD_SUPERCOMPRESSION_NONE && most == 0) {
-    refuse(SHD_ERROR_UNSUPPORTED,
-           "ktx2.supercompression: %u is not written by this libshd_io (Debian: libzstd-dev and zlib1g-dev)", scheme);
+    refuse(
+        SHD_ERROR_UNSUPPORTED,
+        "ktx2.supercompression: %u, but this libshd_io was built without its library (Debian: libzstd-dev, zlib1g-dev)",
+        scheme);
   }
   if (desc.effort < 0 || desc.effort > most) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "ktx2.effort: %d is not in 0..%d", desc.effort, most);
