@@ -30,7 +30,7 @@ OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITI
 TEST = re.compile(r"`((?:abi|api|consumer|fuzz|tool|unit)\.[\w.-]*\w)(?: ([^`]+))?`")
 # Names of tests in CMake files; `${...}` in a name is any word.
 CMAKE_TEST = re.compile(r"(?:add_test\(NAME|shd_script_test\(|shd_test\() *([\w.${}-]+)")
-FUZZ_TEST = re.compile(r"shd_fuzz_target\((\w+) \d+\)")
+FUZZ_TEST = re.compile(r"shd_fuzz_target\((\w+) \d+[ )]")
 EXAMPLE = re.compile(r"^```c\n(.*?)^```$", re.S | re.M)
 # Headers, handles and a result for examples without functions.
 HANDLES = """#include <shd/color.h>
