@@ -101,6 +101,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_OCCLUSION_POINTS = 66,    /**< shd_occlusion_points */
     SHD_DESC_KIND_OCCLUSION_ATLAS = 67,     /**< shd_occlusion_atlas */
     SHD_DESC_KIND_BOUNDS_DESC = 68,         /**< shd_bounds_desc */
+    SHD_DESC_KIND_TEXTURE_FILE_INFO = 80,   /**< shd_texture_file_info, of shd/texture_file.h */
+    SHD_DESC_KIND_KTX2_DESC = 81,           /**< shd_ktx2_desc, of shd/texture_file.h */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -2,7 +2,7 @@
 /**
  * @file
  * @brief All headers of libshd. libshd_color, libshd_io, libshd_scene and libshd_embree have headers of their own:
- *        shd/color.h, shd/io.h, shd/volume_file.h, shd/scene.h and shd/embree.h.
+ *        shd/color.h, shd/io.h, shd/texture_file.h, shd/volume_file.h, shd/scene.h and shd/embree.h.
  *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,

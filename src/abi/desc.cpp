@@ -8,6 +8,7 @@
 #include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 
 #include "image/read_image.h"
@@ -166,6 +167,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_STACK_DESC: return write_defaults(shd_stack_desc_default(), ptr, size);
     case SHD_DESC_KIND_VDB_DESC: return write_defaults(shd_vdb_desc_default(), ptr, size);
     case SHD_DESC_KIND_VDB_INFO: return write_defaults(shd_vdb_info_default(), ptr, size);
+    case SHD_DESC_KIND_TEXTURE_FILE_INFO: return write_defaults(shd_texture_file_info_default(), ptr, size);
+    case SHD_DESC_KIND_KTX2_DESC: return write_defaults(shd_ktx2_desc_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_DESC: return write_defaults(shd_shape_desc_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);

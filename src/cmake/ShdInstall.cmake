@@ -40,7 +40,7 @@ function(shd_pkg_config name description private_requires requires)
   if(NOT SHD_BUILD_SHARED)
     # A static archive carries no dependencies of its own: name them for every link.
     string(JOIN " " PC_REQUIRES ${requires} ${private_requires})
-    set(PC_LIBS_EXTRA "${ARGN} -lstdc++ -lm -pthread")
+    string(JOIN " " PC_LIBS_EXTRA "" ${ARGN} -lstdc++ -lm -pthread)
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
@@ -55,11 +55,16 @@ if(SHD_WITH_OCIO)
   shd_pkg_config(shd_color "Colour management for shd through OpenColorIO" "OpenColorIO" "shd")
 endif()
 if(SHD_WITH_OIIO)
+  set(io_libs "")
+  if(shd_has_astcenc)
+    set(io_libs -lastcenc)  # no pkg-config file
+  endif()
   if(TARGET shd_openvdb)
-    shd_pkg_config(shd_io "Image and volume files for shd through OpenImageIO and OpenVDB" "OpenImageIO tbb Imath" "shd"
-                   -lopenvdb)
+    shd_pkg_config(shd_io "Image and volume files for shd through OpenImageIO and OpenVDB"
+                   "OpenImageIO tbb Imath ${shd_texture_modules}" "shd" -lopenvdb ${io_libs})
   else()
-    shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO" "shd")
+    shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO ${shd_texture_modules}" "shd"
+                   ${io_libs})
   endif()
 endif()
 if(SHD_WITH_ASSIMP)
@@ -69,7 +74,7 @@ endif()
 if(TARGET shd_embree)
   # Embree has no pkg-config file: the line of a static link names its library.
   get_filename_component(embree_name ${SHD_EMBREE_LIBRARY} NAME_WE)
-  string(REGEX REPLACE "^lib" " -l" shd_embree_libs ${embree_name})
+  string(REGEX REPLACE "^lib" "-l" shd_embree_libs ${embree_name})
   shd_pkg_config(shd_embree "Ray tracer for shd through Embree" "" "shd" ${shd_embree_libs})
 endif()
 

@@ -17,6 +17,7 @@
 #include <shd/scene.h>
 #include <shd/shadow.h>
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 
 namespace shd::core {
@@ -88,6 +89,8 @@ SHD_SIZED(shd_raw_desc, depth, header_bytes, 40);
 SHD_SIZED(shd_stack_desc, pattern, last, 32);
 SHD_SIZED(shd_vdb_desc, flags, box_max, 40);
 SHD_SIZED(shd_vdb_info, background, grid, 160);
+SHD_SIZED(shd_texture_file_info, level_count, level_count, 48);
+SHD_SIZED(shd_ktx2_desc, supercompression, channels, 16);
 SHD_SIZED(shd_shape_desc, shape, segments, 40);
 SHD_SIZED(shd_shape_columns, position, indices, 160);
 SHD_SIZED(shd_scene_desc, flags, time_limit, 88);

@@ -26,6 +26,11 @@
 /// | levels.h         | sizes of mip levels                                                  |
 /// | raw_voxels.h     | numbers of a file of voxels in this machine's byte order             |
 /// | numbered_path.h  | paths of a numbered series of files                                  |
+/// | texture_file.h   | KTX2 and DDS files as textures: formats, parsing, unpacking           |
+/// | ktx2.h           | parts of a KTX2 file (ktx2*.cpp); dds_file.cpp parses DDS            |
+/// | ktx2_write.h     | a KTX2 file from texels                                              |
+/// | inflate.h        | Zstandard and zlib                                                   |
+/// | astc.h           | ASTC blocks, the only user of libastcenc                             |
 /// | tiff_pages.h     | the chain of pages of a TIFF                                         |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>
@@ -459,6 +460,27 @@ static void use_volume_files(const char *path)
     expect(shd_texture_load_vdb(g_context, path, vdb, NULL, info, &texture) == SHD_ERROR_UNSUPPORTED, "vdb");
     EXPECT_WRITTEN(info, info->active_voxels == 0);
 }
+
+/* A texture of one pixel as KTX2 file. */
+static void use_texture_files(const char *path)
+{
+    static const unsigned char k_pixel[4] = {1, 2, 3, 4};
+    shd_texture *texture = NULL, *loaded = NULL;
+    MAKE(shd_texture_desc, desc);
+    MAKE(shd_ktx2_desc, ktx2);
+    MAKE(shd_texture_file_info, info);
+    desc->format = SHD_FORMAT_RGBA8;
+    desc->width = desc->height = 1;
+    desc->texels = k_pixel;
+    expect(shd_texture_create(g_context, desc, &texture) == SHD_OK, "texture of a file");
+    EXPECT_READ(ktx2, shd_texture_save_ktx2(texture, path, ktx2));
+    expect(shd_texture_save_ktx2(texture, path, ktx2) == SHD_OK, "ktx2");
+    SPOIL(info);
+    expect(shd_texture_load_file(g_context, path, NULL, info, &loaded) == SHD_OK, "texture file");
+    EXPECT_WRITTEN(info, info->level_count == 1);
+    shd_texture_release(loaded);
+    shd_texture_release(texture);
+}
 #endif
 
 static void use_io(const char *path)
@@ -487,6 +509,7 @@ static void use_io(const char *path)
     EXPECT_WRITTEN(loaded, loaded->width == 2 && loaded->pixels);
     shd_bitmap_release(bitmap);
     use_volume_files(path);
+    use_texture_files(path);
     remove(path);
 #else
     (void)path;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>

@@ -7,6 +7,7 @@
 #include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 
 enum { LARGEST = 4096 };
@@ -79,6 +80,8 @@ DEFAULTS(shd_raw_desc)
 DEFAULTS(shd_stack_desc)
 DEFAULTS(shd_vdb_desc)
 DEFAULTS(shd_vdb_info)
+DEFAULTS(shd_texture_file_info)
+DEFAULTS(shd_ktx2_desc)
 DEFAULTS(shd_shape_desc)
 DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
@@ -191,6 +194,10 @@ static const struct kind_case k_kinds[] = {
     {"vdb_desc", SHD_DESC_KIND_VDB_DESC, sizeof(shd_vdb_desc), REQUIRED(shd_vdb_desc, flags), defaults_shd_vdb_desc},
     {"vdb_info", SHD_DESC_KIND_VDB_INFO, sizeof(shd_vdb_info), REQUIRED(shd_vdb_info, background),
      defaults_shd_vdb_info},
+    {"texture_file_info", SHD_DESC_KIND_TEXTURE_FILE_INFO, sizeof(shd_texture_file_info),
+     REQUIRED(shd_texture_file_info, level_count), defaults_shd_texture_file_info},
+    {"ktx2_desc", SHD_DESC_KIND_KTX2_DESC, sizeof(shd_ktx2_desc), REQUIRED(shd_ktx2_desc, supercompression),
+     defaults_shd_ktx2_desc},
     {"shape_desc", SHD_DESC_KIND_SHAPE_DESC, sizeof(shd_shape_desc), REQUIRED(shd_shape_desc, shape),
      defaults_shd_shape_desc},
     {"shape_columns", SHD_DESC_KIND_SHAPE_COLUMNS, sizeof(shd_shape_columns), REQUIRED(shd_shape_columns, position),

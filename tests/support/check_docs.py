@@ -30,13 +30,14 @@ OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITI
 TEST = re.compile(r"`((?:abi|api|consumer|fuzz|tool|unit)\.[\w.-]*\w)(?: ([^`]+))?`")
 # Names of tests in CMake files; `${...}` in a name is any word.
 CMAKE_TEST = re.compile(r"(?:add_test\(NAME|shd_script_test\(|shd_test\() *([\w.${}-]+)")
-FUZZ_TEST = re.compile(r"shd_fuzz_target\((\w+) \d+\)")
+FUZZ_TEST = re.compile(r"shd_fuzz_target\((\w+) \d+[ )]")
 EXAMPLE = re.compile(r"^```c\n(.*?)^```$", re.S | re.M)
 # Headers, handles and a result for examples without functions.
 HANDLES = """#include <shd/color.h>
 #include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
+#include <shd/texture_file.h>
 #include <shd/volume_file.h>
 void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material);
 void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material)
