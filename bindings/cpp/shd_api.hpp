@@ -48,6 +48,9 @@
 #include <shd/solid.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
+#if __has_include(<shd/texture_file.h>)
+#include <shd/texture_file.h>
+#endif
 #include <shd/tile_cache.h>
 #include <shd/tiles.h>
 #include <shd/transform.h>
@@ -317,6 +320,36 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/texture_file.h>)
+/// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file. See shd_texture_load_file().
+[[nodiscard]] inline shd_result texture_load_file(
+    shd_context* context_,
+    const char* path,
+    const shd_load_desc* load,
+    shd_texture_file_info* out_info,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_file(context_, path, load, out_info, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+/// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does. See
+/// shd_texture_load_file_memory().
+[[nodiscard]] inline shd_result texture_load_file_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* load,
+    shd_texture_file_info* out_info,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_file_memory(context_, bytes, size, load, out_info, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+#endif
 /// Make a tile cache. See shd_tile_cache_create().
 [[nodiscard]] inline shd_result tile_cache_create(
     shd_context* context_,
@@ -1009,6 +1042,38 @@ inline void texture_update(
   check(shd_texture_update(texture_, layer, x, y, texels));
 }
 
+#if __has_include(<shd/texture_file.h>)
+/// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file. See shd_texture_load_file().
+inline shd::texture texture_load_file(
+    shd_context* context_,
+    const char* path,
+    const shd_load_desc* load,
+    shd_texture_file_info* out_info) {
+  shd::texture made;
+  check(texture_load_file(context_, path, load, out_info, made));
+  return made;
+}
+
+/// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does. See
+/// shd_texture_load_file_memory().
+inline shd::texture texture_load_file_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* load,
+    shd_texture_file_info* out_info) {
+  shd::texture made;
+  check(texture_load_file_memory(context_, bytes, size, load, out_info, made));
+  return made;
+}
+
+/// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
+/// swizzle of the texture is not written. See shd_texture_save_ktx2().
+inline void texture_save_ktx2(const shd_texture* texture_, const char* path, const shd_ktx2_desc* desc) {
+  check(shd_texture_save_ktx2(texture_, path, desc));
+}
+
+#endif
 /// Make a tile cache. See shd_tile_cache_create().
 inline shd::tile_cache tile_cache_create(shd_context* context_, const shd_tile_cache_desc* desc) {
   shd::tile_cache made;

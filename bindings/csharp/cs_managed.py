@@ -4,7 +4,7 @@ from cs_native import field_name, is_size
 from cs_types import COLUMNS, VIEWS, camel
 
 # Fields that the partial class of src/ has.
-BY_HAND = {("shd_context_desc", "allocator"), ("shd_context_desc", "executor"), ("shd_context_desc", "log"),
+BY_HAND = {("shd_texture_desc", "tiles"), ("shd_context_desc", "allocator"), ("shd_context_desc", "executor"), ("shd_context_desc", "log"),
            ("shd_texture_desc", "texels"), ("shd_texture_desc", "levels"), ("shd_texture_desc", "level_count"),
            ("shd_image", "pixels"), ("shd_draw", "uniforms"), ("shd_slot", "procedure"), ("shd_slot", "user_data"),
            ("shd_material_desc", "program"), ("shd_render_desc", "stats"), ("shd_render_desc", "progress"),

@@ -167,6 +167,8 @@ export type ContextFlag =
  * - `occlusion_points`: shd_occlusion_points
  * - `occlusion_atlas`: shd_occlusion_atlas
  * - `bounds_desc`: shd_bounds_desc
+ * - `texture_file_info`: shd_texture_file_info, of shd/texture_file.h
+ * - `ktx2_desc`: shd_ktx2_desc, of shd/texture_file.h
  */
 export type DescKind =
   | "none"
@@ -237,6 +239,8 @@ export type DescKind =
   | "occlusion_points"
   | "occlusion_atlas"
   | "bounds_desc"
+  | "texture_file_info"
+  | "ktx2_desc"
   ;
 
 /**

@@ -138,6 +138,8 @@ typedef enum shd_desc_kind {
   SHD_DESC_KIND_OCCLUSION_POINTS = 66,
   SHD_DESC_KIND_OCCLUSION_ATLAS = 67,
   SHD_DESC_KIND_BOUNDS_DESC = 68,
+  SHD_DESC_KIND_TEXTURE_FILE_INFO = 80,
+  SHD_DESC_KIND_KTX2_DESC = 81,
   SHD_DESC_KIND_MAX_ENUM = 2147483647
 } shd_desc_kind;
 typedef enum shd_edge {
@@ -683,6 +685,27 @@ typedef enum shd_texture_flag {
   SHD_TEXTURE_BORROW_LEVELS = 2,
   SHD_TEXTURE_FLAG_MAX_ENUM = 2147483647
 } shd_texture_flag;
+typedef enum shd_texture_file_kind {
+  SHD_TEXTURE_FILE_KIND_NONE = 0,
+  SHD_TEXTURE_FILE_KIND_KTX2 = 1,
+  SHD_TEXTURE_FILE_KIND_DDS = 2,
+  SHD_TEXTURE_FILE_KIND_MAX_ENUM = 2147483647
+} shd_texture_file_kind;
+typedef enum shd_supercompression {
+  SHD_SUPERCOMPRESSION_NONE = 0,
+  SHD_SUPERCOMPRESSION_BASIS_LZ = 1,
+  SHD_SUPERCOMPRESSION_ZSTD = 2,
+  SHD_SUPERCOMPRESSION_ZLIB = 3,
+  SHD_SUPERCOMPRESSION_MAX_ENUM = 2147483647
+} shd_supercompression;
+typedef enum shd_texture_file_flag {
+  SHD_TEXTURE_FILE_NONE = 0,
+  SHD_TEXTURE_FILE_PREMULTIPLIED = 1,
+  SHD_TEXTURE_FILE_ARRAY = 2,
+  SHD_TEXTURE_FILE_BOTTOM_UP = 4,
+  SHD_TEXTURE_FILE_RIGHT_TO_LEFT = 8,
+  SHD_TEXTURE_FILE_FLAG_MAX_ENUM = 2147483647
+} shd_texture_file_flag;
 typedef enum shd_depth_order {
   SHD_DEPTH_ORDER_FORWARD = 0,
   SHD_DEPTH_ORDER_REVERSED = 1,
@@ -744,6 +767,7 @@ typedef uint32_t shd_render_flags;
 typedef uint32_t shd_scene_flags;
 typedef uint32_t shd_table_flags;
 typedef uint32_t shd_texture_flags;
+typedef uint32_t shd_texture_file_flags;
 typedef uint32_t shd_vdb_flags;
 typedef struct shd_bake_stats shd_bake_stats;
 typedef struct shd_bake_desc shd_bake_desc;
@@ -826,6 +850,8 @@ typedef struct shd_solid_values shd_solid_values;
 typedef struct shd_tessellation_desc shd_tessellation_desc;
 typedef struct shd_texture_desc shd_texture_desc;
 typedef struct shd_texture_info shd_texture_info;
+typedef struct shd_texture_file_info shd_texture_file_info;
+typedef struct shd_ktx2_desc shd_ktx2_desc;
 typedef struct shd_tile_cache_desc shd_tile_cache_desc;
 typedef struct shd_tile shd_tile;
 typedef struct shd_tile_source shd_tile_source;
@@ -1694,6 +1720,26 @@ struct shd_texture_info {
   uint32_t depth;
   shd_projection projection;
 };
+struct shd_texture_file_info {
+  uint32_t struct_size;
+  shd_texture_file_kind kind;
+  uint32_t file_code;
+  shd_supercompression supercompression;
+  shd_texture_file_flags flags;
+  shd_format format;
+  uint32_t width;
+  uint32_t height;
+  uint32_t depth;
+  uint32_t layers;
+  uint32_t faces;
+  uint32_t level_count;
+};
+struct shd_ktx2_desc {
+  uint32_t struct_size;
+  shd_supercompression supercompression;
+  int32_t effort;
+  uint32_t channels;
+};
 struct shd_tile_cache_desc {
   uint32_t struct_size;
   uint32_t tile_bytes;
@@ -1985,6 +2031,9 @@ void shd_texture_release(shd_texture *texture);
 shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level, const shd_image *out);
 shd_result shd_texture_update(shd_texture *texture, uint32_t layer, uint32_t x, uint32_t y, const shd_image *texels);
+shd_result shd_texture_load_file(shd_context *context, const char *path, const shd_load_desc *load, shd_texture_file_info *out_info, shd_texture **out_texture);
+shd_result shd_texture_load_file_memory(shd_context *context, const void *bytes, size_t size, const shd_load_desc *load, shd_texture_file_info *out_info, shd_texture **out_texture);
+shd_result shd_texture_save_ktx2(const shd_texture *texture, const char *path, const shd_ktx2_desc *desc);
 shd_result shd_tile_cache_create(shd_context *context, const shd_tile_cache_desc *desc, shd_tile_cache **out_cache);
 void shd_tile_cache_retain(shd_tile_cache *cache);
 void shd_tile_cache_release(shd_tile_cache *cache);

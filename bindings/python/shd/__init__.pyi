@@ -142,6 +142,8 @@ class DescKind(enum.IntEnum):
     OCCLUSION_POINTS = 66
     OCCLUSION_ATLAS = 67
     BOUNDS_DESC = 68
+    TEXTURE_FILE_INFO = 80
+    KTX2_DESC = 81
 
 class Edge(enum.IntFlag):
     NONE = 0
@@ -623,6 +625,24 @@ class TextureFlag(enum.IntFlag):
     NONE = 0
     BORROW = 1
     BORROW_LEVELS = 2
+
+class TextureFileKind(enum.IntEnum):
+    NONE = 0
+    KTX2 = 1
+    DDS = 2
+
+class Supercompression(enum.IntEnum):
+    NONE = 0
+    BASIS_LZ = 1
+    ZSTD = 2
+    ZLIB = 3
+
+class TextureFileFlag(enum.IntFlag):
+    NONE = 0
+    PREMULTIPLIED = 1
+    ARRAY = 2
+    BOTTOM_UP = 4
+    RIGHT_TO_LEFT = 8
 
 class DepthOrder(enum.IntEnum):
     FORWARD = 0
@@ -2187,6 +2207,42 @@ class TextureInfo(Desc):
                  byte_size: int = ...,
                  depth: int = ...,
                  projection: Union[int, str] = ...,
+                 ) -> None: ...
+
+class TextureFileInfo(Desc):
+    kind: Union[int, str]
+    file_code: int
+    supercompression: Union[int, str]
+    flags: Union[int, str]
+    format: Union[int, str]
+    width: int
+    height: int
+    depth: int
+    layers: int
+    faces: int
+    level_count: int
+    def __init__(self, *,
+                 kind: Union[int, str] = ...,
+                 file_code: int = ...,
+                 supercompression: Union[int, str] = ...,
+                 flags: Union[int, str] = ...,
+                 format: Union[int, str] = ...,
+                 width: int = ...,
+                 height: int = ...,
+                 depth: int = ...,
+                 layers: int = ...,
+                 faces: int = ...,
+                 level_count: int = ...,
+                 ) -> None: ...
+
+class Ktx2Desc(Desc):
+    supercompression: Union[int, str]
+    effort: int
+    channels: int
+    def __init__(self, *,
+                 supercompression: Union[int, str] = ...,
+                 effort: int = ...,
+                 channels: int = ...,
                  ) -> None: ...
 
 class TileCacheDesc(Desc):

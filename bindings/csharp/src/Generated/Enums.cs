@@ -253,6 +253,10 @@ namespace Shd
         OcclusionAtlas = 67,
         /// <summary>BoundsDesc</summary>
         BoundsDesc = 68,
+        /// <summary>TextureFileInfo, of shd/texture_file.h</summary>
+        TextureFileInfo = 80,
+        /// <summary>Ktx2Desc, of shd/texture_file.h</summary>
+        Ktx2Desc = 81,
     }
 
     /// <summary>
@@ -1550,6 +1554,44 @@ namespace Shd
         /// not for blocks. shd_texture_update() gives Result.ErrorUnsupported.
         /// </summary>
         BorrowLevels = 2,
+    }
+
+    /// <summary>File formats of textures.</summary>
+    public enum TextureFileKind
+    {
+        None = 0,
+        Ktx2 = 1,
+        Dds = 2,
+    }
+
+    /// <summary>Compression of the levels of a KTX2 file, around its blocks or pixels. The values are those of the file format.</summary>
+    public enum Supercompression
+    {
+        None = 0,
+        /// <summary>Result.ErrorUnsupported</summary>
+        BasisLz = 1,
+        /// <summary>Zstandard (RFC 8878); optional when libshd_io is built</summary>
+        Zstd = 2,
+        /// <summary>zlib (RFC 1950); optional when libshd_io is built</summary>
+        Zlib = 3,
+    }
+
+    /// <summary>Properties of a texture file; combine with |.</summary>
+    [Flags]
+    public enum TextureFileFlags : uint
+    {
+        None = 0,
+        /// <summary>r, g, b are multiplied by alpha</summary>
+        Premultiplied = 1,
+        /// <summary>declared as an array, even of one layer</summary>
+        Array = 2,
+        /// <summary>
+        /// The first row is the bottom one (KTXorientation of KTX2). The texture has the rows in the order of the
+        /// file, so the picture is upside down, unless LoadFlags.FlipV reverses it.
+        /// </summary>
+        BottomUp = 4,
+        /// <summary>the first column is the right one (KTXorientation)</summary>
+        RightToLeft = 8,
     }
 
     /// <summary>Depths of the near and far plane.</summary>

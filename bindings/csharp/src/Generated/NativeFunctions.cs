@@ -950,6 +950,49 @@ namespace Shd.Native
         public static extern Result ImageSave(Image* image, byte* path, SaveDesc* desc);
 
         /// <summary>
+        /// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file.
+        ///
+        /// Levels: with TableFlags.Mipmap in LoadDesc.tables, the texture has the levels of the file, and its mipmap ends
+        /// with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
+        /// TableFlags.Mipmap the texture has the base level.
+        ///
+        /// Kinds: 1D, 2D and 3D textures, arrays, and cube maps (Projection.Cube). LoadDesc.subimage chooses one
+        /// cube map of an array of cube maps. 3D textures of blocks are Result.ErrorUnsupported.
+        ///
+        /// Colour: ColorEncoding.Auto takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
+        /// BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;
+        /// LINEAR and DATA take the other one. A format without an _SRGB format is Result.ErrorUnsupported with SRGB, and if the
+        /// file declares the sRGB curve for it.
+        ///
+        /// Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become TextureDesc.swizzle and
+        /// `fill`. BGRA becomes RGBA.
+        ///
+        /// ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
+        /// error colour of ASTC: magenta, or NaN in HDR.
+        ///
+        /// Result.ErrorCorrupt: a file that is cut off, or that contradicts itself. Result.ErrorUnsupported: Basis Universal
+        /// (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message names it.
+        /// Result.ErrorLimit: a budget, or a size above those of TextureDesc.
+        /// </summary>
+        [DllImport("shd_io", EntryPoint = "shd_texture_load_file", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureLoadFile(
+            IntPtr context, byte* path, LoadDesc* load, TextureFileInfo* outInfo, IntPtr* outTexture);
+
+        /// <summary>Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does.</summary>
+        [DllImport("shd_io", EntryPoint = "shd_texture_load_file_memory", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureLoadFileMemory(
+            IntPtr context, void* bytes, UIntPtr size, LoadDesc* load, TextureFileInfo* outInfo, IntPtr* outTexture);
+
+        /// <summary>
+        /// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
+        /// swizzle of the texture is not written.
+        ///
+        /// The file appears whole or not at all, as described for shd_framebuffer_save().
+        /// </summary>
+        [DllImport("shd_io", EntryPoint = "shd_texture_save_ktx2", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureSaveKtx2(IntPtr texture, byte* path, Ktx2Desc* desc);
+
+        /// <summary>
         /// Make a 3D texture from a file of voxels.
         ///
         /// The size of the file must be that of the header and all voxels: a shorter or longer file is Result.ErrorCorrupt, with

@@ -787,6 +787,75 @@ namespace Shd
         }
     }
 
+    /// <summary>Contents of a texture file.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TextureFileInfo
+    {
+        /// <summary>set by shd_texture_file_info_default()</summary>
+        public uint StructSize;
+        /// <summary>file format</summary>
+        public TextureFileKind Kind;
+        /// <summary>storage in the file: VkFormat of KTX2; DXGI_FORMAT of DDS, 0 without such a number</summary>
+        public uint FileCode;
+        /// <summary>compression around the levels; NONE for DDS</summary>
+        public Supercompression Supercompression;
+        /// <summary>properties</summary>
+        public TextureFileFlags Flags;
+        /// <summary>storage in the texture</summary>
+        public Format Format;
+        /// <summary>texels of level 0</summary>
+        public uint Width;
+        /// <summary>texels of level 0; 1 for a 1D texture</summary>
+        public uint Height;
+        /// <summary>slices of level 0; 0 = not a 3D texture</summary>
+        public uint Depth;
+        /// <summary>images of the array, or cube maps of an array of cube maps</summary>
+        public uint Layers;
+        /// <summary>6 for cube maps, otherwise 1</summary>
+        public uint Faces;
+        /// <summary>levels in the file</summary>
+        public uint LevelCount;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TextureFileInfo Default
+        {
+            get
+            {
+                TextureFileInfo made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TextureFileInfo, &made, (UIntPtr)sizeof(TextureFileInfo)));
+                return made;
+            }
+        }
+    }
+
+    /// <summary>Options of a KTX2 file that is written.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Ktx2Desc
+    {
+        /// <summary>set by shd_ktx2_desc_default()</summary>
+        public uint StructSize;
+        /// <summary>NONE, ZSTD or ZLIB; default NONE</summary>
+        public Supercompression Supercompression;
+        /// <summary>1..19 for ZSTD, 1..9 for ZLIB; default 0 = that of the library</summary>
+        public int Effort;
+        /// <summary>
+        /// 3 = write r, g and b of a texture of four channels. Textures that are made of three channels have four, and the
+        /// fourth is 0. Default 0 = all channels.
+        /// </summary>
+        public uint Channels;
+
+        /// <summary>The defaults of the library.</summary>
+        public static Ktx2Desc Default
+        {
+            get
+            {
+                Ktx2Desc made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.Ktx2Desc, &made, (UIntPtr)sizeof(Ktx2Desc)));
+                return made;
+            }
+        }
+    }
+
     /// <summary>Size of a tile cache.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TileCacheDesc

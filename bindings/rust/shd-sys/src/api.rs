@@ -319,6 +319,10 @@ impl shd_desc_kind {
     pub const OCCLUSION_ATLAS: Self = Self(67);
     /// shd_bounds_desc
     pub const BOUNDS_DESC: Self = Self(68);
+    /// shd_texture_file_info, of shd/texture_file.h
+    pub const TEXTURE_FILE_INFO: Self = Self(80);
+    /// shd_ktx2_desc, of shd/texture_file.h
+    pub const KTX2_DESC: Self = Self(81);
 }
 pub const SHD_DESC_KIND_NONE: shd_desc_kind = shd_desc_kind::NONE;
 pub const SHD_DESC_KIND_CONTEXT_DESC: shd_desc_kind = shd_desc_kind::CONTEXT_DESC;
@@ -388,7 +392,9 @@ pub const SHD_DESC_KIND_OCCLUSION_DESC: shd_desc_kind = shd_desc_kind::OCCLUSION
 pub const SHD_DESC_KIND_OCCLUSION_POINTS: shd_desc_kind = shd_desc_kind::OCCLUSION_POINTS;
 pub const SHD_DESC_KIND_OCCLUSION_ATLAS: shd_desc_kind = shd_desc_kind::OCCLUSION_ATLAS;
 pub const SHD_DESC_KIND_BOUNDS_DESC: shd_desc_kind = shd_desc_kind::BOUNDS_DESC;
-names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS, BOUNDS_DESC);
+pub const SHD_DESC_KIND_TEXTURE_FILE_INFO: shd_desc_kind = shd_desc_kind::TEXTURE_FILE_INFO;
+pub const SHD_DESC_KIND_KTX2_DESC: shd_desc_kind = shd_desc_kind::KTX2_DESC;
+names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS, BOUNDS_DESC, TEXTURE_FILE_INFO, KTX2_DESC);
 
 /// Kinds of edges; combine with |.
 ///
@@ -2079,6 +2085,62 @@ pub const SHD_TEXTURE_BORROW: shd_texture_flag = shd_texture_flag::BORROW;
 pub const SHD_TEXTURE_BORROW_LEVELS: shd_texture_flag = shd_texture_flag::BORROW_LEVELS;
 flags!(shd_texture_flag);
 
+/// File formats of textures.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_texture_file_kind(pub u32);
+impl shd_texture_file_kind {
+    pub const NONE: Self = Self(0);
+    pub const KTX2: Self = Self(1);
+    pub const DDS: Self = Self(2);
+}
+pub const SHD_TEXTURE_FILE_KIND_NONE: shd_texture_file_kind = shd_texture_file_kind::NONE;
+pub const SHD_TEXTURE_FILE_KIND_KTX2: shd_texture_file_kind = shd_texture_file_kind::KTX2;
+pub const SHD_TEXTURE_FILE_KIND_DDS: shd_texture_file_kind = shd_texture_file_kind::DDS;
+names!(shd_texture_file_kind: NONE, KTX2, DDS);
+
+/// Compression of the levels of a KTX2 file, around its blocks or pixels. The values are those of the file format.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_supercompression(pub u32);
+impl shd_supercompression {
+    pub const NONE: Self = Self(0);
+    /// SHD_ERROR_UNSUPPORTED
+    pub const BASIS_LZ: Self = Self(1);
+    /// Zstandard (RFC 8878); optional when libshd_io is built
+    pub const ZSTD: Self = Self(2);
+    /// zlib (RFC 1950); optional when libshd_io is built
+    pub const ZLIB: Self = Self(3);
+}
+pub const SHD_SUPERCOMPRESSION_NONE: shd_supercompression = shd_supercompression::NONE;
+pub const SHD_SUPERCOMPRESSION_BASIS_LZ: shd_supercompression = shd_supercompression::BASIS_LZ;
+pub const SHD_SUPERCOMPRESSION_ZSTD: shd_supercompression = shd_supercompression::ZSTD;
+pub const SHD_SUPERCOMPRESSION_ZLIB: shd_supercompression = shd_supercompression::ZLIB;
+names!(shd_supercompression: NONE, BASIS_LZ, ZSTD, ZLIB);
+
+/// Properties of a texture file; combine with |.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_texture_file_flag(pub u32);
+impl shd_texture_file_flag {
+    pub const NONE: Self = Self(0);
+    /// r, g, b are multiplied by alpha
+    pub const PREMULTIPLIED: Self = Self(1);
+    /// declared as an array, even of one layer
+    pub const ARRAY: Self = Self(2);
+    /// The first row is the bottom one (KTXorientation of KTX2). The texture has the rows in the order of the
+    /// file, so the picture is upside down, unless SHD_LOAD_FLIP_V reverses it.
+    pub const BOTTOM_UP: Self = Self(4);
+    /// the first column is the right one (KTXorientation)
+    pub const RIGHT_TO_LEFT: Self = Self(8);
+}
+pub const SHD_TEXTURE_FILE_NONE: shd_texture_file_flag = shd_texture_file_flag::NONE;
+pub const SHD_TEXTURE_FILE_PREMULTIPLIED: shd_texture_file_flag = shd_texture_file_flag::PREMULTIPLIED;
+pub const SHD_TEXTURE_FILE_ARRAY: shd_texture_file_flag = shd_texture_file_flag::ARRAY;
+pub const SHD_TEXTURE_FILE_BOTTOM_UP: shd_texture_file_flag = shd_texture_file_flag::BOTTOM_UP;
+pub const SHD_TEXTURE_FILE_RIGHT_TO_LEFT: shd_texture_file_flag = shd_texture_file_flag::RIGHT_TO_LEFT;
+flags!(shd_texture_file_flag);
+
 /// Depths of the near and far plane.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -2253,6 +2315,9 @@ pub type shd_table_flags = u32;
 
 /// Word of shd_texture_flag bits.
 pub type shd_texture_flags = u32;
+
+/// Word of shd_texture_file_flag bits.
+pub type shd_texture_file_flags = u32;
 
 /// Word of shd_vdb_flag bits.
 pub type shd_vdb_flags = u32;
@@ -4905,6 +4970,61 @@ const _: () = assert!(core::mem::size_of::<shd_texture_info>() == 48);
 const _: () = assert!(core::mem::align_of::<shd_texture_info>() == 8);
 init!(shd_texture_info, SHD_DESC_KIND_TEXTURE_INFO);
 
+/// Contents of a texture file.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_texture_file_info {
+    /// set by shd_texture_file_info_default()
+    pub struct_size: u32,
+    /// file format
+    pub kind: shd_texture_file_kind,
+    /// storage in the file: VkFormat of KTX2; DXGI_FORMAT of DDS, 0 without such a number
+    pub file_code: u32,
+    /// compression around the levels; NONE for DDS
+    pub supercompression: shd_supercompression,
+    /// properties
+    pub flags: shd_texture_file_flags,
+    /// storage in the texture
+    pub format: shd_format,
+    /// texels of level 0
+    pub width: u32,
+    /// texels of level 0; 1 for a 1D texture
+    pub height: u32,
+    /// slices of level 0; 0 = not a 3D texture
+    pub depth: u32,
+    /// images of the array, or cube maps of an array of cube maps
+    pub layers: u32,
+    /// 6 for cube maps, otherwise 1
+    pub faces: u32,
+    /// levels in the file
+    pub level_count: u32,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_texture_file_info>() == 48);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_texture_file_info>() == 4);
+init!(shd_texture_file_info, SHD_DESC_KIND_TEXTURE_FILE_INFO);
+
+/// Options of a KTX2 file that is written.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_ktx2_desc {
+    /// set by shd_ktx2_desc_default()
+    pub struct_size: u32,
+    /// NONE, ZSTD or ZLIB; default NONE
+    pub supercompression: shd_supercompression,
+    /// 1..19 for ZSTD, 1..9 for ZLIB; default 0 = that of the library
+    pub effort: i32,
+    /// 3 = write r, g and b of a texture of four channels. Textures that are made of three channels have four, and the
+    /// fourth is 0. Default 0 = all channels.
+    pub channels: u32,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_ktx2_desc>() == 16);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_ktx2_desc>() == 4);
+init!(shd_ktx2_desc, SHD_DESC_KIND_KTX2_DESC);
+
 /// Size of a tile cache.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -6237,6 +6357,52 @@ extern "C" {
     ///
     /// - `image`: borrowed for the call
     pub fn shd_image_save(image: *const shd_image, path: *const c_char, desc: *const shd_save_desc) -> shd_result;
+    /// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file.
+    ///
+    /// Levels: with SHD_TABLE_MIPMAP in shd_load_desc.tables, the texture has the levels of the file, and its mipmap ends
+    /// with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
+    /// SHD_TABLE_MIPMAP the texture has the base level.
+    ///
+    /// Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). shd_load_desc.subimage chooses one
+    /// cube map of an array of cube maps. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
+    ///
+    /// Colour: SHD_COLOR_ENCODING_AUTO takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
+    /// BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;
+    /// LINEAR and DATA take the other one. A format without an _SRGB format is SHD_ERROR_UNSUPPORTED with SRGB, and if the
+    /// file declares the sRGB curve for it.
+    ///
+    /// Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become shd_texture_desc.swizzle and
+    /// `fill`. BGRA becomes RGBA.
+    ///
+    /// ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
+    /// error colour of ASTC: magenta, or NaN in HDR.
+    ///
+    /// SHD_ERROR_CORRUPT: a file that is cut off, or that contradicts itself. SHD_ERROR_UNSUPPORTED: Basis Universal
+    /// (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message names it.
+    /// SHD_ERROR_LIMIT: a budget, or a size above those of shd_texture_desc.
+    ///
+    /// - `path`: as for shd_bitmap_load()
+    /// - `load`: borrowed for the call; NULL = all defaults. Budgets, tables, color_space, subimage and
+    /// SHD_LOAD_FLIP_V, which reverses the rows of pixels, have an effect; SHD_LOAD_IN_PROCESS,
+    /// SHD_LOAD_FILE_LEVELS and worker_path have none; other flags and `formats` are
+    /// SHD_ERROR_UNSUPPORTED. max_pixels counts the texels of the base level in all layers. max_ratio
+    /// compares the bytes of the texture with those of the file
+    /// - `out_info`: NULL, or its struct_size is read; the rest is written, all zero on failure
+    /// - `out_texture`: owned; NULL on failure
+    pub fn shd_texture_load_file(context: *mut shd_context, path: *const c_char, load: *const shd_load_desc, out_info: *mut shd_texture_file_info, out_texture: *mut *mut shd_texture) -> shd_result;
+    /// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does.
+    ///
+    /// - `bytes`: \[size\], at any address; borrowed for the call
+    pub fn shd_texture_load_file_memory(context: *mut shd_context, bytes: *const c_void, size: usize, load: *const shd_load_desc, out_info: *mut shd_texture_file_info, out_texture: *mut *mut shd_texture) -> shd_result;
+    /// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
+    /// swizzle of the texture is not written.
+    ///
+    /// The file appears whole or not at all, as described for shd_framebuffer_save().
+    ///
+    /// - `texture`: any format; projections other than NONE and CUBE are SHD_ERROR_UNSUPPORTED
+    /// - `path`: used literally; borrowed for the call
+    /// - `desc`: borrowed for the call; NULL = all defaults
+    pub fn shd_texture_save_ktx2(texture: *const shd_texture, path: *const c_char, desc: *const shd_ktx2_desc) -> shd_result;
     /// Make a 3D texture from a file of voxels.
     ///
     /// The size of the file must be that of the header and all voxels: a shorter or longer file is SHD_ERROR_CORRUPT, with

@@ -1006,6 +1006,30 @@ fn shd_texture_info_offsets() {
 }
 
 #[test]
+fn shd_texture_file_info_offsets() {
+    offset!(shd_texture_file_info, struct_size, 0);
+    offset!(shd_texture_file_info, kind, 4);
+    offset!(shd_texture_file_info, file_code, 8);
+    offset!(shd_texture_file_info, supercompression, 12);
+    offset!(shd_texture_file_info, flags, 16);
+    offset!(shd_texture_file_info, format, 20);
+    offset!(shd_texture_file_info, width, 24);
+    offset!(shd_texture_file_info, height, 28);
+    offset!(shd_texture_file_info, depth, 32);
+    offset!(shd_texture_file_info, layers, 36);
+    offset!(shd_texture_file_info, faces, 40);
+    offset!(shd_texture_file_info, level_count, 44);
+}
+
+#[test]
+fn shd_ktx2_desc_offsets() {
+    offset!(shd_ktx2_desc, struct_size, 0);
+    offset!(shd_ktx2_desc, supercompression, 4);
+    offset!(shd_ktx2_desc, effort, 8);
+    offset!(shd_ktx2_desc, channels, 12);
+}
+
+#[test]
 fn shd_tile_cache_desc_offsets() {
     offset!(shd_tile_cache_desc, struct_size, 0);
     offset!(shd_tile_cache_desc, tile_bytes, 4);

@@ -135,6 +135,8 @@ pub use sys::shd_solid_sum as SolidSum;
 #[doc(inline)]
 pub use sys::shd_stochastic as Stochastic;
 #[doc(inline)]
+pub use sys::shd_supercompression as Supercompression;
+#[doc(inline)]
 pub use sys::shd_table as Table;
 #[doc(inline)]
 pub use sys::shd_tessellation_mode as TessellationMode;
@@ -142,6 +144,10 @@ pub use sys::shd_tessellation_mode as TessellationMode;
 pub use sys::shd_texel_content as TexelContent;
 #[doc(inline)]
 pub use sys::shd_texel_state as TexelState;
+#[doc(inline)]
+pub use sys::shd_texture_file_flag as TextureFileFlag;
+#[doc(inline)]
+pub use sys::shd_texture_file_kind as TextureFileKind;
 #[doc(inline)]
 pub use sys::shd_texture_flag as TextureFlag;
 #[doc(inline)]
