@@ -32,8 +32,8 @@ std::string key_of(const Options& options, const Image& image) {
   return text + options.input;
 }
 
-/// Memory for a band of rows, beside the pyramid: the band, its copy in OpenImageIO with compressed tiles, the rows of
-/// levels that it completes, and a row of tiles of the input.
+/// Memory for a band of rows, beside the pyramid: the band, a copy of it in OpenImageIO with compressed tiles, the
+/// rows of levels that it completes, and a row of tiles of the input.
 uint64_t band_bytes(const Image& image, uint32_t rows, uint32_t step) {
   const uint64_t row = image.row_size();
   return row * rows * 3 + row * rows / 2 + 2 * row + (step > 1 ? row * step : 0);

@@ -60,15 +60,15 @@ Target::Target(const std::string& path, const Options& options, const Image& ima
       width_(image.width),
       height_(image.height),
       levels_(shd::texture::full_level_count(image.width, image.height)) {
-  const bool exr = name_.size() > 4 && name_.compare(name_.size() - 4, 4, ".exr") == 0;
-  if (exr && image.straight) {
+  exr_ = name_.size() > 4 && name_.compare(name_.size() - 4, 4, ".exr") == 0;
+  if (exr_ && image.straight) {
     throw Failure(kExitInput, "\"" + shd::io::printable(options.input) +
                                   "\": colour is not multiplied by alpha, as OpenEXR requires: write .tx");
   }
-  if (exr && type_ != OIIO::TypeHalf && type_ != OIIO::TypeFloat) {
+  if (exr_ && type_ != OIIO::TypeHalf && type_ != OIIO::TypeFloat) {
     throw Failure(kExitUsage, std::string("OpenEXR stores no ") + type_.c_str() + ": write .tx, or choose --format half");
   }
-  output_ = OIIO::ImageOutput::create(exr ? "openexr" : "tiff");
+  output_ = OIIO::ImageOutput::create(exr_ ? "openexr" : "tiff");
   if (!output_) refuse("cannot create", OIIO::geterror());
 }
 
@@ -89,10 +89,39 @@ void Target::begin_level(uint32_t level) {
   }
 }
 
+/// Writes a tile of TIFF, whole: zeros behind the right and lower edge, where OpenImageIO would store undefined bytes.
+/// Tiles are written one by one, because write_tiles() compresses them in another way if it has many and threads.
+bool Target::write_tile(uint32_t x, uint32_t y, uint32_t width, uint32_t height, const uint8_t* texels, size_t stride) {
+  const auto side = static_cast<size_t>(spec_.tile_width);
+  const size_t pixel = spec_.pixel_bytes();
+  tile_.assign(side * side * pixel, 0);
+  for (uint32_t row = 0; row < height; ++row) {
+    std::memcpy(tile_.data() + row * side * pixel, texels + row * stride, width * pixel);
+  }
+  return output_->write_tile(static_cast<int>(x), static_cast<int>(y), 0, type_, tile_.data());
+}
+
+bool Target::write_tiles(uint32_t y, uint32_t count, const uint8_t* rows) {
+  const uint32_t width = level_size(width_, level_), side = static_cast<uint32_t>(spec_.tile_width);
+  if (exr_) {
+    return output_->write_tiles(0, static_cast<int>(width), static_cast<int>(y), static_cast<int>(y + count), 0, 1, type_,
+                                rows);
+  }
+  const size_t pixel = spec_.pixel_bytes(), stride = width * pixel;
+  for (uint32_t row = 0; row < count; row += side) {
+    for (uint32_t x = 0; x < width; x += side) {
+      if (!write_tile(x, y + row, std::min(side, width - x), std::min(side, count - row),
+                      rows + row * stride + x * pixel, stride)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 void Target::write(uint32_t y, uint32_t count, const uint8_t* rows) {
   errno = 0;
-  if (!output_->write_tiles(0, static_cast<int>(level_size(width_, level_)), static_cast<int>(y),
-                            static_cast<int>(y + count), 0, 1, type_, rows)) {
+  if (!write_tiles(y, count, rows)) {
     refuse("cannot write mip level " + std::to_string(level_), output_->geterror());
   }
 }

@@ -21,6 +21,8 @@ class Target {
 
  private:
   [[noreturn]] void refuse(const std::string& action, const std::string& reason) const;
+  bool write_tile(uint32_t x, uint32_t y, uint32_t width, uint32_t height, const uint8_t* texels, size_t stride);
+  bool write_tiles(uint32_t y, uint32_t count, const uint8_t* rows);
   void check_level(OIIO::ImageInput& input, uint32_t level) const;
 
   std::string path_, name_;
@@ -28,4 +30,6 @@ class Target {
   OIIO::ImageSpec spec_;
   OIIO::TypeDesc type_;
   uint32_t width_, height_, levels_, level_ = 0;
+  bool exr_;
+  std::vector<uint8_t> tile_;
 };
