@@ -82,7 +82,7 @@ def check_kills():
     done("in.tif", "-o", "whole.tx", "--linear", "--quiet", "--threads", "1")
     seconds = time.monotonic() - start
     wanted = read("whole.tx")
-    command = [TOOL, "in.tif", "-o", "killed.tx", "--linear", "--threads", "1", "--checkpoint", "0", "--memory", "2M"]
+    command = [TOOL, "in.tif", "-o", "killed.tx", "--linear", "--threads", "1", "--checkpoint", "0", "--memory", "4M"]
     continued, killed = 0, 0
     generator = random.Random(5)
     for attempt in range(60):
