@@ -11,8 +11,8 @@
  * the fourth is 1. 8-bit colour that is sRGB gets an _SRGB format. Numbers are not changed, so alpha is as it is
  * stored.
  *
- * A set of files is one texture. The path of a UDIM set contains `<UDIM>`, which stands for 1001 + column + 10 row of a
- * file; rows count from the bottom. All files have the same size, channels, levels and tiles. With `columns` and `rows`
+ * A set of files is one texture. The path of a UDIM set contains `<UDIM>` in place of the number of a file, which is
+ * 1001 + column + 10 row; rows count from the bottom. All files have the same size, channels, levels and tiles. With `columns` and `rows`
  * of shd_texture_file_info, a point (U, V) of a UDIM layout, with V up, is u = U / columns, v = 1 - V / rows. Files
  * that do not exist have the colour `fill`. A set has the levels whose sizes halve evenly in each file.
  *
@@ -56,7 +56,7 @@ static inline shd_texture_file_desc shd_texture_file_desc_default(void)
     return desc;
 }
 
-/** What a texture consists of. */
+/** Files of a texture. */
 typedef struct shd_texture_file_info {
     uint32_t struct_size; /**< set by shd_texture_file_info_default() */
     uint32_t columns;     /**< files of a set side by side; 1 for a file */
@@ -82,7 +82,7 @@ static inline shd_texture_file_info shd_texture_file_info_default(void)
  * Files that are not tiled, or lack mip levels although they are larger than a tile, give SHD_ERROR_UNSUPPORTED:
  * shd-maketx converts them. Files whose levels do not halve (rounded down), or differ in channels, give
  * SHD_ERROR_UNSUPPORTED or SHD_ERROR_CORRUPT. Tiles have at most 2^26 bytes.
- * @param path         of a file, or with one `<UDIM>`; used literally otherwise; borrowed for the call
+ * @param path         a file, or a set by one `<UDIM>`; used literally otherwise; borrowed for the call
  * @param desc         borrowed for the call
  * @param out_texture  owned; NULL on failure
  * @param out_info     its struct_size is read; the rest is written, all zero on failure; may be NULL

@@ -5,12 +5,16 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <memory>
 #include <mutex>
 
 #include "core/failure.h"
+#include "io/file_descriptor.h"
 #include "io/levels.h"
 #include "io/oiio_handle.h"
 #include "io/printable.h"
@@ -33,7 +37,7 @@ struct Reader {
 
 struct Component {
   OIIO::TypeDesc::BASETYPE type;
-  shd_format formats[4];  // of one to four channels
+  shd_format formats[4];  // for one to four channels
   unsigned char one[4];   // the number 1, little-endian
 };
 constexpr Component kComponents[] = {
@@ -71,6 +75,7 @@ class TiledSet {
   std::string name(size_t file) const { return "\"" + printable(paths_[file]) + "\""; }
 
   std::unique_ptr<Reader> open(size_t file) const {
+    if (::access(paths_[file].c_str(), R_OK) != 0) refuse_errno("cannot open", paths_[file].c_str(), errno);
     auto reader = std::make_unique<Reader>();
     reader->file = file;
     OIIO::ImageSpec config;
@@ -106,8 +111,8 @@ class TiledSet {
     const bool same = info.width == info_.width && info.height == info_.height && info.format == info_.format &&
                       info.level_count == info_.level_count && base.nchannels == channels_;
     if (file > 0 && !same) {
-      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: its size, channels or levels differ from those of %s", name(file).c_str(),
-                   name(0).c_str());
+      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: its size, channels or levels differ from those of %s",
+                   name(file).c_str(), name(0).c_str());
     }
     if (file > 0) return;
     info_ = info;
@@ -151,7 +156,8 @@ class TiledSet {
       core::refuse(SHD_ERROR_UNSUPPORTED, "%s: mip level %u has %d x %d texels, not %u x %u (rounded down)",
                    name(file).c_str(), level, spec.width, spec.height, width, height);
     }
-    const auto area = static_cast<uint64_t>(std::max(spec.tile_width, 0)) * static_cast<uint64_t>(std::max(spec.tile_height, 0));
+    const auto area =
+        static_cast<uint64_t>(std::max(spec.tile_width, 0)) * static_cast<uint64_t>(std::max(spec.tile_height, 0));
     if (area == 0 || spec.tile_depth > 1 || area * spec.pixel_bytes() > kMaxTileBytes) {
       core::refuse(SHD_ERROR_UNSUPPORTED, "%s: mip level %u has tiles of %d x %d texels", name(file).c_str(), level,
                    spec.tile_width, spec.tile_height);
@@ -243,9 +249,10 @@ class TiledSet {
     const size_t stride = static_cast<size_t>(x_end - x) * pixel;
     const std::unique_ptr<unsigned char[]> rows(new unsigned char[stride * static_cast<size_t>(y_end - y)]);
     read_pixels(reader, read, {x, x_end, y, y_end}, rows.get(), stride);
-    const unsigned char* from = rows.get() + (read.y - static_cast<uint32_t>(y)) * stride +
-                                (read.x - static_cast<uint32_t>(x)) * pixel;
-    for (uint32_t row = 0; row < read.height; ++row) copy_row(from + row * stride, read.width, read.texels + row * read.row_stride);
+    const unsigned char* from =
+        rows.get() + (read.y - static_cast<uint32_t>(y)) * stride + (read.x - static_cast<uint32_t>(x)) * pixel;
+    for (uint32_t row = 0; row < read.height; ++row)
+      copy_row(from + row * stride, read.width, read.texels + row * read.row_stride);
   }
 
   struct Box {
@@ -256,10 +263,11 @@ class TiledSet {
     const size_t row = static_cast<size_t>(box.x_end - box.x) * static_cast<size_t>(channels_) * type_.size();
     // A decoder may succeed without writing all of it.
     for (int y = 0; y < box.y_end - box.y; ++y) std::memset(out + static_cast<size_t>(y) * stride, 0, row);
-    if (!reader.input.handle->read_tiles(0, static_cast<int>(read.level), box.x, box.x_end, box.y, box.y_end, 0, 1, 0,
-                                         channels_, type_, out, OIIO::AutoStride, static_cast<OIIO::stride_t>(stride))) {
-      refuse_read(reader, read);
-    }
+    OIIO::ImageInput& input = *reader.input.handle;
+    const bool done = input.read_tiles(0, static_cast<int>(read.level), box.x, box.x_end, box.y, box.y_end, 0, 1, 0,
+                                       channels_, type_, out, OIIO::AutoStride, static_cast<OIIO::stride_t>(stride));
+    // Some readers report damage by a message alone.
+    if (!done || input.has_error()) refuse_read(reader, read);
   }
 
   void copy_row(const unsigned char* from, uint32_t count, unsigned char* to) const {
@@ -268,9 +276,10 @@ class TiledSet {
       std::memcpy(to, from, count * pixel);
       return;
     }
-    const unsigned char* const one = std::find_if(std::begin(kComponents), std::end(kComponents), [&](const Component& c) {
-                                       return type_ == c.type;
-                                     })->one;
+    const unsigned char* const one =
+        std::find_if(std::begin(kComponents), std::end(kComponents), [&](const Component& c) {
+          return type_ == c.type;
+        })->one;
     for (uint32_t x = 0; x < count; ++x, from += pixel, to += 4 * size) {
       std::memcpy(to, from, pixel);
       std::memcpy(to + pixel, one, size);

@@ -10,10 +10,10 @@
 
 namespace shd::io {
 
-/// What all files of a set have in common.
+/// Properties that all files of a set share.
 struct TiledInfo {
-  shd_format format = SHD_FORMAT_NONE;  // of one, two or four channels
-  uint32_t width = 0, height = 0;       // of one file
+  shd_format format = SHD_FORMAT_NONE;  // one, two or four channels
+  uint32_t width = 0, height = 0;       // size of one file
   uint32_t level_count = 0;
   uint32_t tile_width = 0, tile_height = 0;
 };

@@ -47,7 +47,7 @@ def check_formats():
     sizes = [(64, 64), (300, 500), (1, 1), (127, 33), (256, 128), (1, 40), (96, 1025)]
     for k, kind in enumerate(("uint8", "uint16", "half", "float")):
         for channels in (1, 2, 3, 4):
-            for number in {(k + channels) % len(sizes), (k + 3 * channels) % len(sizes), 1}:
+            for number in {(k + 2 * channels) % len(sizes), 1}:
                 width, height = sizes[number]
                 tiles = "+tiles" if number % 2 else ""
                 helper("make", "in.tif", width, height, channels, kind + tiles)
@@ -88,7 +88,7 @@ def check_kills():
     for attempt in range(60):
         process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
         # The last attempts run to the end.
-        wait = seconds * (0.2 + 1.6 * generator.random()) if attempt < 12 else None
+        wait = seconds * (0.1 + 1.1 * generator.random()) if attempt < 16 else None
         try:
             errors = process.communicate(timeout=wait)[1]
             assert process.returncode == 0, errors
@@ -101,7 +101,7 @@ def check_kills():
             assert read("killed.tx") == wanted, "the file differs after a kill"
             if process.returncode == 0:
                 assert not os.path.exists("killed.tx.part")
-            if attempt >= 12:
+            if attempt >= 16:
                 break
             os.remove("killed.tx")
             shutil.rmtree("killed.tx.part", ignore_errors=True)
@@ -152,6 +152,7 @@ def check_refusals():
     helper("make", "cut.tif", 300, 2000, 3, "uint8")
     write("cut.tif", read("cut.tif")[:400000])
     refused(3, "cut.tif", "cut.tif", "-o", "x.tx", "--quiet")
+    assert not os.path.exists("x.tx.part")
     helper("make", "many.tif", 20, 20, 6, "uint8")
     refused(3, "choose the first 1 to 4 with --channels", "many.tif", "-o", "x.tx")
     helper("make", "wide.tif", 70000, 16, 4, "float")

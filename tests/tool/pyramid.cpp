@@ -136,7 +136,8 @@ int check(const char* input, const char* path, const std::string& content) {
   shd_context* context = nullptr;
   check_ok(shd_context_create(nullptr, &context));
   const shd_format format = format_of(file[0], content == "srgb");
-  const auto wanted = content == "normal" ? normal_levels(context, format, file) : texture_levels(context, format, file);
+  const auto wanted =
+      content == "normal" ? normal_levels(context, format, file) : texture_levels(context, format, file);
   for (size_t l = 1; l < file.size(); ++l) {
     if (file[l].texels != wanted[l - 1]) fail("level " + std::to_string(l) + " differs");
   }
@@ -158,7 +159,9 @@ int lookup(const char* path) {
   const int channels = spec.nchannels;
   const auto texel = [&](const Level& level, int x, int y, std::vector<float>* out) {
     const size_t size = level.spec.pixel_bytes();
-    const uint8_t* at = level.texels.data() + (static_cast<size_t>(y) * static_cast<size_t>(level.spec.width) + static_cast<size_t>(x)) * size;
+    const uint8_t* at =
+        level.texels.data() +
+        (static_cast<size_t>(y) * static_cast<size_t>(level.spec.width) + static_cast<size_t>(x)) * size;
     OIIO::convert_types(level.spec.format, at, OIIO::TypeFloat, out->data(), channels);
   };
   std::vector<float> wanted(static_cast<size_t>(channels)), got(wanted);
@@ -190,7 +193,8 @@ int lookup(const char* path) {
 
 int main(int argc, char** argv) {
   const std::string verb = argc > 1 ? argv[1] : "";
-  if (verb == "make" && argc == 7) return make(argv[2], std::atoi(argv[3]), std::atoi(argv[4]), std::atoi(argv[5]), argv[6]);
+  if (verb == "make" && argc == 7)
+    return make(argv[2], std::atoi(argv[3]), std::atoi(argv[4]), std::atoi(argv[5]), argv[6]);
   if (verb == "check" && argc >= 4) return check(argv[2], argv[3], argc > 4 ? argv[4] : "linear");
   if (verb == "lookup" && argc == 3) return lookup(argv[2]);
   fail("usage: see the head of the source");

@@ -53,16 +53,19 @@ void store_fill(const image::FormatInfo& format, const float* fill, unsigned cha
 /// Texels that two ranges share, in texels of the second one.
 struct Overlap {
   uint32_t begin, end;  // in the tile
-  uint32_t at;          // of `begin` in the file
+  uint32_t at;          // place of `begin` in the file
 
   Overlap(uint32_t first, uint32_t count, uint32_t file_first, uint32_t file_size)
-      : begin(std::max(first, file_first)), end(std::min(first + count, file_first + file_size)), at(begin - file_first) {}
+      : begin(std::max(first, file_first)),
+        end(std::min(first + count, file_first + file_size)),
+        at(begin - file_first) {}
 };
 
 void fill_tile(const Provider& provider, const shd_tile& tile, const Overlap& x, const Overlap& y) {
   const size_t pixel = shd_format_size(provider.info.format);
   for (uint32_t row = y.begin; row < y.end; ++row) {
-    auto* texel = static_cast<unsigned char*>(tile.texels) + (row - tile.y) * tile.row_stride + (x.begin - tile.x) * pixel;
+    auto* texel =
+        static_cast<unsigned char*>(tile.texels) + (row - tile.y) * tile.row_stride + (x.begin - tile.x) * pixel;
     for (uint32_t i = x.begin; i < x.end; ++i, texel += pixel) std::memcpy(texel, provider.fill, pixel);
   }
 }

@@ -7,7 +7,7 @@
 
 namespace shd::texture {
 
-/// Turns a decoded texel of three or four channels into the vector that it stands for. If `lengths` is set, the fourth
+/// Turns a decoded texel of three or four channels into its vector. If `lengths` is set, the fourth
 /// channel is the length of the vector.
 template <class Codec>
 void decode_normal(bool lengths, double* texel) {

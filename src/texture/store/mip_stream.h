@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Mip levels of an image whose rows arrive from top to bottom, with the bits of build_mip_levels() (MipStream) and, for
-/// normals, of filter_level() with the box (NormalStream). The image itself is never in memory.
+/// Mip levels of an image whose rows arrive from top to bottom, with the bits of build_mip_levels() (MipStream) and,
+/// for normals, of filter_level() with the box (NormalStream). The image itself is never in memory.
 ///
 /// Sums are added in the order of the builders. Levels that halve evenly need two unrounded rows of each level. Levels
 /// after an uneven step need one row of sums each, to which every row of the base is added. All of this is `state`,
@@ -42,7 +42,7 @@ inline uint32_t completed_rows(uint32_t height, uint32_t level, uint32_t rows) {
 /// Sizes of all levels, and where completed rows go.
 template <class Codec>
 struct StreamLevels {
-  uint32_t width, height, count;  // of the base; levels, the base included
+  uint32_t width, height, count;  // size of the base; number of levels with the base
 
   uint32_t width_of(uint32_t level) const { return level_size(width, level); }
   uint32_t height_of(uint32_t level) const { return level_size(height, level); }
@@ -84,9 +84,9 @@ class MipStream {
   }
 
  private:
-  static constexpr uint32_t kSteps = 6;        // levels of a task
-  static constexpr uint32_t kColumns = 1024;   // base columns of a task, a multiple of 2^kSteps
-  static constexpr uint32_t kTexels = 256;     // level texels of a task of an uneven level
+  static constexpr uint32_t kSteps = 6;       // levels of a task
+  static constexpr uint32_t kColumns = 1024;  // base columns of a task, a multiple of 2^kSteps
+  static constexpr uint32_t kTexels = 256;    // level texels of a task of an uneven level
   static constexpr size_t kChannels = Codec::kChannels;
 
   double* state_of(uint32_t level) { return state_.data() + at_[level - 1]; }
@@ -98,7 +98,7 @@ class MipStream {
     parallel((levels_.width + kColumns - 1) / kColumns, [&](size_t task) {
       const auto x = static_cast<uint32_t>(task) * kColumns;
       const uint32_t width = levels_.width - x < kColumns ? levels_.width - x : kColumns;
-      for (uint32_t y = rows.first; y < rows.end(); y += levels_.height > 1 ? 2 : 1) {
+      for (uint32_t y = rows.first; y<rows.end(); y += levels_.height> 1 ? 2 : 1) {
         double* to = state_of(1) + (y / 2 & 1) * levels_.pitch(1) + size_t{x / 2} * kChannels;
         const size_t offset = size_t{x} * Codec::kSize;
         halve_texels<Codec>(rows.row(y) + offset, rows.row(levels_.height > 1 ? y + 1 : y) + offset, width, to);
@@ -132,7 +132,8 @@ class MipStream {
       if (pairs && y % 2 == 0) return;
       const size_t pitch = stream.levels_.pitch(level);
       const double* from = stream.state_of(level) + size_t{x} * kChannels;
-      double* to = stream.state_of(level + 1) + (y / 2 & 1) * stream.levels_.pitch(level + 1) + size_t{x / 2} * kChannels;
+      double* to =
+          stream.state_of(level + 1) + (y / 2 & 1) * stream.levels_.pitch(level + 1) + size_t{x / 2} * kChannels;
       halve_rows<kChannels>(from, pairs ? pitch : 0, width, to);
       row(level + 1, y / 2, x / 2, width > 1 ? width / 2 : 1);
     }
@@ -148,7 +149,8 @@ class MipStream {
     std::vector<Task> tasks;
     for (uint32_t level = even_ + 1; level < levels_.count; ++level) {
       const uint32_t width = levels_.width_of(level);
-      for (uint32_t x = 0; x < width; x += kTexels) tasks.push_back({level, x, width - x < kTexels ? width : x + kTexels});
+      for (uint32_t x = 0; x < width; x += kTexels)
+        tasks.push_back({level, x, width - x < kTexels ? width : x + kTexels});
     }
     parallel(tasks.size(), [&](size_t task) { add(tasks[task], rows, out); });
   }
@@ -177,8 +179,8 @@ class MipStream {
   }
 
   StreamLevels<Codec> levels_;
-  uint32_t even_;            // levels that halve evenly
-  std::vector<size_t> at_;   // of each level in the state
+  uint32_t even_;           // levels that halve evenly
+  std::vector<size_t> at_;  // place of each level in the state
   std::vector<double> state_;
 };
 

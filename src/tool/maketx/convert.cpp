@@ -25,10 +25,10 @@ constexpr uint64_t kMaxBand = uint64_t{64} << 20;  // larger bands gain nothing 
 /// Everything that decides the bits of the output, and the input.
 std::string key_of(const Options& options, const Image& image) {
   char text[512];
-  std::snprintf(text, sizeof text, "1 %u %u %u %d %d %llu %lld %d %d %s %s %d ", image.width, image.height, image.channels,
-                static_cast<int>(image.component), image.straight, static_cast<unsigned long long>(image.file_bytes),
-                static_cast<long long>(image.changed), options.tile, options.normal, options.compression.c_str(),
-                options.wrap.c_str(), image.alpha);
+  std::snprintf(text, sizeof text, "1 %u %u %u %d %d %llu %lld %d %d %s %s %d ", image.width, image.height,
+                image.channels, static_cast<int>(image.component), image.straight,
+                static_cast<unsigned long long>(image.file_bytes), static_cast<long long>(image.changed), options.tile,
+                options.normal, options.compression.c_str(), options.wrap.c_str(), image.alpha);
   return text + options.input;
 }
 

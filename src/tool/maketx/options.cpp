@@ -63,7 +63,8 @@ uint64_t read_size(const std::string& option, const std::string& text) {
   const char* const wanted = "a size from 1M to 1024G";
   const size_t units = text.empty() ? std::string::npos : std::string("KMG").find(text.back());
   const bool named = units != std::string::npos;
-  const auto count = number<uint64_t>(option, text.substr(0, text.size() - (named ? 1 : 0)), 1, uint64_t{1} << 30, wanted);
+  const auto count =
+      number<uint64_t>(option, text.substr(0, text.size() - (named ? 1 : 0)), 1, uint64_t{1} << 30, wanted);
   const uint64_t bytes = count << (named ? 10 * (units + 1) : 20);
   if (bytes < uint64_t{1} << 20 || bytes > uint64_t{1} << 40) refuse(option, text, wanted);
   return bytes;

@@ -59,7 +59,8 @@ bool read_head(const std::string& path, Head* out, std::vector<double>* state) {
   struct stat status;
   if (file.fd < 0 || ::fstat(file.fd, &status) != 0 || !transfer(file.fd, out, sizeof *out, 0, false)) return false;
   const auto size = static_cast<uint64_t>(status.st_size);
-  if (out->magic != kMagic || out->key[kKeySize - 1] || out->count != (size - sizeof *out) / sizeof(double)) return false;
+  if (out->magic != kMagic || out->key[kKeySize - 1] || out->count != (size - sizeof *out) / sizeof(double))
+    return false;
   state->resize(out->count);
   return transfer(file.fd, state->data(), out->count * sizeof(double), sizeof *out, false) &&
          out->checksum == checksum_of(*out, *state);
@@ -117,7 +118,8 @@ uint32_t Part::restore(std::vector<double>* state, uint32_t height) {
 void Part::write(uint32_t level, uint32_t y, uint32_t count, const uint8_t* rows) {
   const size_t row = row_sizes_[level - 1];
   const auto at = static_cast<off_t>(uint64_t{y} * row);
-  if (!transfer(levels_[level - 1].fd, const_cast<uint8_t*>(rows), count * row, at, true)) refuse("cannot write to", errno);
+  if (!transfer(levels_[level - 1].fd, const_cast<uint8_t*>(rows), count * row, at, true))
+    refuse("cannot write to", errno);
 }
 
 void Part::read(uint32_t level, uint32_t y, uint32_t count, uint8_t* rows) const {
@@ -139,7 +141,8 @@ void Part::save(uint32_t rows, const std::vector<double>& state) {
   std::memcpy(head.key, key_.data(), key_.size());
   head.checksum = checksum_of(head, state);
   const std::string name = folder_ + "/state", fresh = name + ".new";
-  const shd::io::FileDescriptor file(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
+  const shd::io::FileDescriptor file(
+      ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (file.fd < 0 || !transfer(file.fd, &head, sizeof head, 0, true) ||
       !transfer(file.fd, const_cast<double*>(state.data()), state.size() * sizeof(double), sizeof head, true) ||
       ::fdatasync(file.fd) != 0 || ::rename(fresh.c_str(), name.c_str()) != 0) {

@@ -6,8 +6,8 @@
 
 #include "io/file_descriptor.h"
 
-/// The folder OUTPUT.part of an unfinished run: raw rows of the mip levels, and the state of the pyramid after some rows
-/// of the base. Throws Failure (kExitOutput).
+/// The folder OUTPUT.part of an unfinished run: raw rows of the mip levels, and the state of the pyramid after some
+/// rows of the base. Throws Failure (kExitOutput).
 class Part {
  public:
   /// Opens or makes the folder, for this process alone. `key` describes the input and all options that decide the bits;

@@ -75,7 +75,8 @@ void Source::describe(const Options& options) {
   }
   if (spec_.tile_width < 0 || spec_.tile_height < 0 || spec_.tile_height > kMaxSide) refuse("bad tile size");
   const int channels = options.channels ? options.channels : spec_.nchannels;
-  if (channels > spec_.nchannels) refuse("--channels " + text(channels) + ", but the file has " + text(spec_.nchannels));
+  if (channels > spec_.nchannels)
+    refuse("--channels " + text(channels) + ", but the file has " + text(spec_.nchannels));
   if (channels > 4) refuse(text(channels) + " channels: choose the first 1 to 4 with --channels");
   if (options.normal && channels < 3) refuse("--normal needs 3 or 4 channels, not " + text(channels));
   const Storage* const storage = find_storage(options.format, spec_.format);
@@ -105,25 +106,29 @@ void Source::describe(const Options& options) {
   image_.component = Component::kSrgb8;
 }
 
+/// Refuses rows whose read failed, or left a message: some readers report damage in this way only.
+void Source::check_read(bool read, uint32_t begin, uint32_t end) {
+  const std::string message = input_->geterror();
+  if (read && message.empty()) return;
+  refuse("rows " + std::to_string(begin) + " to " + std::to_string(end - 1) + ": " + sentence(message));
+}
+
 void Source::read_tiles(uint32_t y) {
   const uint32_t begin = y / tile_rows_ * tile_rows_;
   end_ = std::min(begin + tile_rows_, image_.height);
   buffered_ = begin;
   buffer_.assign(size_t{end_ - begin} * image_.row_size(), 0);
-  if (!input_->read_tiles(0, 0, 0, spec_.width, static_cast<int>(begin), static_cast<int>(end_), 0, 1, 0,
-                          static_cast<int>(image_.channels), image_.type, buffer_.data())) {
-    refuse("tiles of rows " + std::to_string(begin) + " to " + std::to_string(end_ - 1) + ": " +
-           sentence(input_->geterror()));
-  }
+  const bool read = input_->read_tiles(0, 0, 0, spec_.width, static_cast<int>(begin), static_cast<int>(end_), 0, 1, 0,
+                                       static_cast<int>(image_.channels), image_.type, buffer_.data());
+  check_read(read, begin, end_);
 }
 
 void Source::read(uint32_t y, uint32_t count, uint8_t* out) {
   const size_t row = image_.row_size();
   if (tile_rows_ == 0) {
-    if (!input_->read_scanlines(0, 0, static_cast<int>(y), static_cast<int>(y + count), 0, 0,
-                                static_cast<int>(image_.channels), image_.type, out)) {
-      refuse("rows " + std::to_string(y) + " to " + std::to_string(y + count - 1) + ": " + sentence(input_->geterror()));
-    }
+    const bool read = input_->read_scanlines(0, 0, static_cast<int>(y), static_cast<int>(y + count), 0, 0,
+                                             static_cast<int>(image_.channels), image_.type, out);
+    check_read(read, y, y + count);
     return;
   }
   for (const uint32_t last = y + count; y < last;) {

@@ -9,12 +9,12 @@
 #include "image/format.h"
 #include "tool/maketx/options.h"
 
-/// What the output is made of.
+/// Description of the image that the output consists of.
 struct Image {
   uint32_t width = 0, height = 0, channels = 0;
   shd::image::Component component = shd::image::Component::kUnorm8;
-  OIIO::TypeDesc type;  // of rows in memory and of the output
-  int alpha = -1;       // channel, -1 = none
+  OIIO::TypeDesc type;    // type of rows in memory and of the output
+  int alpha = -1;         // channel, -1 = none
   bool straight = false;  // alpha is not multiplied into the colour
   std::vector<std::string> names;
   uint64_t file_bytes = 0;
@@ -37,13 +37,14 @@ class Source {
  private:
   void describe(const Options& options);
   [[noreturn]] void refuse(const std::string& what) const;
+  void check_read(bool read, uint32_t begin, uint32_t end);
   void read_tiles(uint32_t y);
 
   std::string path_;
   std::unique_ptr<OIIO::ImageInput> input_;
   OIIO::ImageSpec spec_;
   Image image_;
-  uint32_t tile_rows_ = 0;         // 0 = the file consists of rows
-  std::vector<uint8_t> buffer_;    // a row of tiles
+  uint32_t tile_rows_ = 0;           // 0 = the file consists of rows
+  std::vector<uint8_t> buffer_;      // a row of tiles
   uint32_t buffered_ = 0, end_ = 0;  // its rows
 };

@@ -66,7 +66,8 @@ Target::Target(const std::string& path, const Options& options, const Image& ima
                                   "\": colour is not multiplied by alpha, as OpenEXR requires: write .tx");
   }
   if (exr_ && type_ != OIIO::TypeHalf && type_ != OIIO::TypeFloat) {
-    throw Failure(kExitUsage, std::string("OpenEXR stores no ") + type_.c_str() + ": write .tx, or choose --format half");
+    throw Failure(kExitUsage,
+                  std::string("OpenEXR stores no ") + type_.c_str() + ": write .tx, or choose --format half");
   }
   output_ = OIIO::ImageOutput::create(exr_ ? "openexr" : "tiff");
   if (!output_) refuse("cannot create", OIIO::geterror());
@@ -82,7 +83,8 @@ void Target::begin_level(uint32_t level) {
   OIIO::ImageSpec spec = spec_;
   spec.width = spec.full_width = static_cast<int>(level_size(width_, level));
   spec.height = spec.full_height = static_cast<int>(level_size(height_, level));
-  const auto append = output_->supports("mipmap") ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
+  const auto append =
+      output_->supports("mipmap") ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
   errno = 0;
   if (!output_->open(path_, spec, level == 0 ? OIIO::ImageOutput::Create : append)) {
     refuse("cannot begin mip level " + std::to_string(level), output_->geterror());
@@ -104,8 +106,8 @@ bool Target::write_tile(uint32_t x, uint32_t y, uint32_t width, uint32_t height,
 bool Target::write_tiles(uint32_t y, uint32_t count, const uint8_t* rows) {
   const uint32_t width = level_size(width_, level_), side = static_cast<uint32_t>(spec_.tile_width);
   if (exr_) {
-    return output_->write_tiles(0, static_cast<int>(width), static_cast<int>(y), static_cast<int>(y + count), 0, 1, type_,
-                                rows);
+    return output_->write_tiles(0, static_cast<int>(width), static_cast<int>(y), static_cast<int>(y + count), 0, 1,
+                                type_, rows);
   }
   const size_t pixel = spec_.pixel_bytes(), stride = width * pixel;
   for (uint32_t row = 0; row < count; row += side) {

@@ -14,13 +14,13 @@ namespace {
 using namespace fixture;
 using namespace shd::texture;
 
-constexpr shd_format kFormats[] = {SHD_FORMAT_R8,     SHD_FORMAT_RG8,        SHD_FORMAT_RGB8,       SHD_FORMAT_RGBA8,
-                                   SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB,  SHD_FORMAT_RGB8_SRGB,  SHD_FORMAT_RGBA8_SRGB,
-                                   SHD_FORMAT_R16,    SHD_FORMAT_RG16,       SHD_FORMAT_RGB16,      SHD_FORMAT_RGBA16,
-                                   SHD_FORMAT_R16F,   SHD_FORMAT_RG16F,      SHD_FORMAT_RGB16F,     SHD_FORMAT_RGBA16F,
-                                   SHD_FORMAT_R32F,   SHD_FORMAT_RG32F,      SHD_FORMAT_RGB32F,     SHD_FORMAT_RGBA32F};
-constexpr uint32_t kSizes[][2] = {{1, 1},    {2, 2},     {64, 64},    {256, 128}, {1, 64},   {128, 1},  {3, 5},
-                                  {96, 160}, {127, 33},  {1280, 72},  {2048, 20}, {257, 256}, {16, 512}, {1030, 6}};
+constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8,      SHD_FORMAT_RGB8,      SHD_FORMAT_RGBA8,
+                                   SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB8_SRGB, SHD_FORMAT_RGBA8_SRGB,
+                                   SHD_FORMAT_R16,     SHD_FORMAT_RG16,     SHD_FORMAT_RGB16,     SHD_FORMAT_RGBA16,
+                                   SHD_FORMAT_R16F,    SHD_FORMAT_RG16F,    SHD_FORMAT_RGB16F,    SHD_FORMAT_RGBA16F,
+                                   SHD_FORMAT_R32F,    SHD_FORMAT_RG32F,    SHD_FORMAT_RGB32F,    SHD_FORMAT_RGBA32F};
+constexpr uint32_t kSizes[][2] = {{1, 1},    {2, 2},    {64, 64},   {256, 128}, {1, 64},    {128, 1},  {3, 5},
+                                  {96, 160}, {127, 33}, {1280, 72}, {2048, 20}, {257, 256}, {16, 512}, {1030, 6}};
 
 struct Serial {
   template <class Body>
@@ -142,7 +142,8 @@ void streams_normals(void**) {
   for_images([](shd_format format, const uint32_t* size, uint8_t* texels) {
     const shd::image::FormatInfo info = shd::image::format_info(format);
     if (info.channels < 3) return;
-    const auto component = info.component == shd::image::Component::kSrgb8 ? shd::image::Component::kUnorm8 : info.component;
+    const auto component =
+        info.component == shd::image::Component::kSrgb8 ? shd::image::Component::kUnorm8 : info.component;
     const Levels wanted = built_normals(format, size[0], size[1], texels);
     visit_codec(component, info.channels, [&](auto codec) {
       if constexpr (decltype(codec)::kChannels >= 3) {
