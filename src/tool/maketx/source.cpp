@@ -89,8 +89,12 @@ void Source::describe(const Options& options) {
   image_.alpha = spec_.alpha_channel < channels ? spec_.alpha_channel : -1;
   image_.straight = image_.alpha >= 0 && spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   for (int c = 0; c < channels; ++c) image_.names.push_back(spec_.channel_name(c));
+  choose_encoding(options, storage->name);
+}
+
+void Source::choose_encoding(const Options& options, const char* type) {
   const bool linear = options.normal || options.encoding == Encoding::kLinear;
-  const bool integers = storage->type == OIIO::TypeDesc::UINT8 || storage->type == OIIO::TypeDesc::UINT16;
+  const bool integers = image_.type == OIIO::TypeUInt8 || image_.type == OIIO::TypeUInt16;
   const std::string space = shd::io::name_color_space(SHD_COLOR_ENCODING_AUTO,
                                                       spec_.get_string_attribute("oiio:ColorSpace"), integers, nullptr);
   const shd::io::Curve curve = shd::io::transfer_of(space).curve;
@@ -99,8 +103,8 @@ void Source::describe(const Options& options) {
     refuse("colour space \"" + shd::io::printable(space) + "\": say --srgb or --linear");
   }
   if (!srgb) return;
-  if (storage->component != Component::kUnorm8) {
-    refuse(std::string("sRGB-encoded numbers of type ") + storage->name +
+  if (image_.component != Component::kUnorm8) {
+    refuse(std::string("sRGB-encoded numbers of type ") + type +
            ": textures are sRGB in 8 bits only; --linear takes the numbers as they are");
   }
   image_.component = Component::kSrgb8;

@@ -36,6 +36,7 @@ class Source {
 
  private:
   void describe(const Options& options);
+  void choose_encoding(const Options& options, const char* type);
   [[noreturn]] void refuse(const std::string& what) const;
   void check_read(bool read, uint32_t begin, uint32_t end);
   void read_tiles(uint32_t y);
