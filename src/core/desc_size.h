@@ -18,6 +18,7 @@
 #include <shd/shadow.h>
 #include <shd/shd.h>
 #include <shd/texture_file.h>
+#include <shd/tile_file.h>
 #include <shd/volume_file.h>
 
 namespace shd::core {
@@ -85,6 +86,8 @@ SHD_SIZED(shd_color_desc, config_path, working_space, 32);
 SHD_SIZED(shd_load_desc, formats, worker_path, 72);
 SHD_SIZED(shd_save_desc, bit_depth, display, 32);
 SHD_SIZED(shd_bitmap_info, file_format, flags, 16);
+SHD_SIZED(shd_tile_file_desc, cache, fill, 40);
+SHD_SIZED(shd_tile_file_info, files, tile_height, 24);
 SHD_SIZED(shd_raw_desc, depth, header_bytes, 40);
 SHD_SIZED(shd_stack_desc, pattern, last, 32);
 SHD_SIZED(shd_vdb_desc, flags, box_max, 40);

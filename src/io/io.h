@@ -6,8 +6,8 @@
 /// Output:     Bitmap, rows from the top in one of libshd's formats: RGBA, or one channel of volumes; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
-///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO; what a child of
-///             the worker sends is untrusted.
+///             memory, and a path only by oiio_tiles.cpp, whose files are trusted; only the worker sets the
+///             process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
 ///
 /// | file             | contents                                                             |
 /// |------------------|----------------------------------------------------------------------|
@@ -34,7 +34,9 @@
 /// | tiff_pages.h     | the chain of pages of a TIFF                                         |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
-/// | oiio.h           | decode and encode (oiio_encode.cpp), the only users of OpenImageIO   |
+/// | oiio.h           | decode and encode (oiio_encode.cpp) by OpenImageIO                   |
+/// | oiio_tiles.h     | tiles of files that stay open, by OpenImageIO                        |
+/// | udim.h           | the files of a UDIM set                                              |
 /// | oiio_handle.h    | an input or output that prints nothing                               |
 /// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
 /// | vdb_header.h     | the grids of an OpenVDB file                                         |

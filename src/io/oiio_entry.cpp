@@ -16,11 +16,28 @@ shd_result module_encode(const EncodeJob& job, std::vector<unsigned char>* out, 
   return contain(text, [&] { *out = encode(job); });
 }
 
+shd_result module_open_tiled_set(const TiledPaths& paths, TiledInfo* out, TiledSet** set, char* text) {
+  return contain(text, [&] { *set = open_tiled_set(paths, out); });
+}
+
+shd_result module_read_tiled_set(TiledSet& set, const TiledRead& read, char* text) {
+  return contain(text, [&] { read_tiled_set(set, read); });
+}
+
+void module_close_tiled_set(TiledSet* set) {
+  close_tiled_set(set);
+}
+
 }  // namespace
 
 }  // namespace shd::io
 
 extern "C" {
 extern __attribute__((visibility("default"))) const shd::io::OiioModule shd_io_oiio;
-const shd::io::OiioModule shd_io_oiio = {SHD_MODULE_VERSION, shd::io::module_decode, shd::io::module_encode};
+const shd::io::OiioModule shd_io_oiio = {SHD_MODULE_VERSION,
+                                         shd::io::module_decode,
+                                         shd::io::module_encode,
+                                         shd::io::module_open_tiled_set,
+                                         shd::io::module_read_tiled_set,
+                                         shd::io::module_close_tiled_set};
 }

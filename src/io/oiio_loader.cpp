@@ -30,4 +30,20 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
   return out;
 }
 
+TiledSet* open_tiled_set(const TiledPaths& paths, TiledInfo* info) {
+  TiledSet* set = nullptr;
+  char text[core::kErrorTextSize] = "";
+  require_module_ok(module().open_tiled_set(paths, info, &set, text), text);
+  return set;
+}
+
+void read_tiled_set(TiledSet& set, const TiledRead& read) {
+  char text[core::kErrorTextSize] = "";
+  require_module_ok(module().read_tiled_set(set, read, text), text);
+}
+
+void close_tiled_set(TiledSet* set) noexcept {
+  if (set) module().close_tiled_set(set);
+}
+
 }  // namespace shd::io

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/oiio.h"
+#include "io/oiio_tiles.h"
 
 namespace shd::io {
 
@@ -14,6 +15,9 @@ struct OiioModule {
   shd_result (*decode)(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
                        const Deadline& deadline, const Sink* sink, Bitmap* out, char* text);
   shd_result (*encode)(const EncodeJob& job, std::vector<unsigned char>* out, char* text);
+  shd_result (*open_tiled_set)(const TiledPaths& paths, TiledInfo* out, TiledSet** set, char* text);
+  shd_result (*read_tiled_set)(TiledSet& set, const TiledRead& read, char* text);
+  void (*close_tiled_set)(TiledSet* set);
 };
 
 /// Name of the module's only exported variable, of type OiioModule.

@@ -26,7 +26,8 @@ MACHINE = "x86_64"
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 FUNCTION = re.compile(r"\bSHD_API\b([^;{]*?)\b(shd_\w+)\s*\(([^;]*)\)\s*;", re.S)
 ENUM = re.compile(r"typedef enum (\w+) \{")
-OWN_HEADERS = {"shd_color": ["color"], "shd_embree": ["embree"], "shd_io": ["io", "texture_file", "volume_file"], "shd_scene": ["scene"]}
+OWN_HEADERS = {"shd_color": ["color"], "shd_embree": ["embree"],
+               "shd_io": ["io", "texture_file", "tile_file", "volume_file"], "shd_scene": ["scene"]}
 
 
 def headers_of(include, library):

@@ -38,6 +38,7 @@ HANDLES = """#include <shd/color.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
 #include <shd/texture_file.h>
+#include <shd/tile_file.h>
 #include <shd/volume_file.h>
 void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material);
 void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material)

@@ -18,6 +18,7 @@
 #include <cstring>
 
 #include "texture/store/halve.h"
+#include "texture/store/mip_axis.h"
 #include "texture/store/mip_sums.h"
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
@@ -183,15 +184,8 @@ void sum_level(const core::Context& context, Texture& texture, uint32_t layer, u
   });
 }
 
-/// Returns the number of levels after the base that halve evenly.
 uint32_t even_steps(const Texture& texture) {
-  uint32_t steps = 0;
-  for (uint32_t width = texture.width, height = texture.height; steps + 1 < texture.level_count; ++steps) {
-    if ((width > 1 && width % 2) || (height > 1 && height % 2)) break;
-    width = width > 1 ? width / 2 : 1;
-    height = height > 1 ? height / 2 : 1;
-  }
-  return steps;
+  return even_halvings(texture.width, texture.height, texture.level_count);
 }
 
 /// Returns the number of first levels, up to kSumSteps, that halve both sizes.

@@ -3,11 +3,10 @@
 // then weighted columns of this row are summed.
 #include "texture/store/mip_build.h"
 
-#include <cmath>
-
 #include "core/executor.h"
 #include "image/format.h"
 #include "texture/format/formats.h"
+#include "texture/store/mip_normal.h"
 #include "texture/store/mip_weights.h"
 
 namespace shd::texture {
@@ -28,29 +27,9 @@ struct Filter {
     for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
       Codec::load(row, to);
       if constexpr (kChannels >= 3) {
-        if (normal) decode_normal(to);
+        if (normal) decode_normal<Codec>(lengths, to);
       }
     }
-  }
-
-  void decode_normal(double* texel) const {
-    double length = 1;
-    if (kChannels == 4 && lengths) length = texel[3] / Codec::one(3);
-    for (size_t c = 0; c < 3; ++c) {
-      if (!Codec::kFloat) texel[c] = 2 * texel[c] / Codec::one(c) - 1;
-      texel[c] *= length;
-    }
-  }
-
-  void encode_normal(double* texel) const {
-    double length = std::sqrt(texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2]);
-    const double unit[] = {0, 0, 1};
-    for (size_t c = 0; c < 3; ++c) {
-      texel[c] = length > 0 ? texel[c] / length : unit[c];
-      if (!Codec::kFloat) texel[c] = (texel[c] + 1) / 2 * Codec::one(c);
-    }
-    if (length > 1) length = 1;
-    if (kChannels == 4) texel[3] = length * Codec::one(3);
   }
 
   /// Computes level row y. `row` and `column` are scratch for one decoded source row each.
@@ -74,7 +53,7 @@ struct Filter {
     }
     for (size_t c = 0; c < kChannels; ++c) sum[c] /= across.total * down.total;
     if constexpr (kChannels >= 3) {
-      if (normal) encode_normal(sum);
+      if (normal) encode_normal<Codec>(sum);
     }
     for (size_t c = 0; c < kChannels; ++c) sum[c] = clamp_stored<Codec>(c, sum[c]);
     Codec::store(sum, texel);

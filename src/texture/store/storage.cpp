@@ -190,13 +190,6 @@ void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const R
   }
 }
 
-uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth) {
-  uint32_t count = 1;
-  const uint32_t larger = width > height ? width : height;
-  for (uint32_t size = larger > depth ? larger : depth; size > 1; size >>= 1) ++count;
-  return count;
-}
-
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
   Texture texture = {};
   set_format(desc, &texture);

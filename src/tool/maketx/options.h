@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+
+enum class Encoding { kFile, kSrgb, kLinear };
+
+/// The command line of shd-maketx, checked.
+struct Options {
+  bool help = false, version = false;
+  std::string input, output;
+  std::string format;  // "" = of the input, else uint8, uint16, half or float
+  std::string compression = "zip";
+  std::string wrap = "black";
+  Encoding encoding = Encoding::kFile;
+  bool normal = false;
+  int channels = 0;  // 0 = those of the file
+  int tile = 64;
+  uint64_t memory = uint64_t{512} << 20;  // [bytes]
+  int threads = 0;                        // 0 = one per core
+  double checkpoint = 5;                  // [s]
+  bool force = false, quiet = false;
+};
+
+extern const char* const kHelp;
+
+/// Throws Failure (kExitUsage) that names the option and its valid values.
+Options read_options(int argc, const char* const* argv);
