@@ -19,6 +19,7 @@ struct BlockCache {
   static constexpr uint32_t kMargin = 16;      // texels; rows a power of two apart would alias in the first-level cache
   static constexpr uint32_t kRowStep = 2531;   // places between rows of blocks: kMaxPlaces times the golden section
   static constexpr uint32_t kUnused = 0xffffffff;
+  static constexpr uint32_t kAfter = 16;  // entries after those of the places: vectors may read and rewrite them
 
   uint8_t* texels;
   uint32_t* block;  // block at each place, or kUnused
@@ -53,7 +54,7 @@ class CacheLease {
   core::CachePool::Lease lease_;
   BlockCache* cache_;
   BlockCache few_;
-  uint32_t few_block_[kFewPlaces], few_turn_[kFewPlaces];
+  uint32_t few_block_[kFewPlaces + BlockCache::kAfter], few_turn_[kFewPlaces + BlockCache::kAfter];
   alignas(64) uint8_t few_texels_[kFewBytes];
 };
 

@@ -53,8 +53,10 @@ class Placer {
 
   /// Texels of a row of a level that lie in the cache side by side: texel i is texel i + offset of the cache.
   struct Run {
-    bool found;
-    int32_t offset;
+    bool found = false;
+    int32_t offset = 0;
+    uint32_t y = 0, column = 0, count = 0;  // row of texels; blocks
+    const BlockLevel* level = nullptr;
   };
 
   void begin() {
@@ -100,33 +102,75 @@ class Placer {
     const int32_t low = begin < last ? begin : last, span = (begin < last ? last : begin) - low;
     const auto from_low = hn::BitCast(du, hn::Load(di, index) - hn::Set(di, low));
     const auto most = hn::Set(du, static_cast<uint32_t>(span));
-    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {false, 0};
+    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {};
     const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
     Known& known = level_at(first);
     const BlockLevel& level = known.level;
     const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
-    if (HWY_UNLIKELY(x + length >= level.width)) return {false, 0};
-    const uint32_t column = x / 4, count = (x + length) / 4 - column + 1;
-    const uint32_t block = level.block + y / 4 * level.across + column;
-    const uint32_t after = block - known.block;
-    uint32_t place = known.place + after;
-    if (after >= known.count || after + count > known.count) {
-      place = cache_.place_of(column, y / 4, level.number);
-      if (HWY_UNLIKELY(!load_run(block, place, count))) return {false, 0};
-      known.block = block;
-      known.count = count;
-      known.place = place;
-    }
-    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+    if (HWY_UNLIKELY(x + length >= level.width)) return {};
+    Run run;
+    run.y = y;
+    run.column = x / 4;
+    run.count = (x + length) / 4 - run.column + 1;
+    run.level = &level;
+    uint32_t place;
+    run.found = load_row(known, run, y / 4, &place);
+    run.offset = static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - run.column) + x - first);
+    return run;
+  }
+
+  /// Returns the run below another one: of texels `step` behind those of `top`.
+  HWY_INLINE Run find_below(const Run& top, const int32_t* upper, const int32_t* lower) {
+    const DI di;
+    const int32_t step = lower[0] - upper[0];
+    const auto far = hn::Load(di, lower) - hn::Load(di, upper);
+    if (HWY_UNLIKELY(!hn::AllTrue(di, hn::Eq(far, hn::Set(di, step))))) return find_run(lower, 1);
+    if (step == 0) return top;
+    if (HWY_UNLIKELY(step != static_cast<int32_t>(top.level->width))) return find_run(lower, 1);
+    Run run = top;
+    run.offset += static_cast<int32_t>(cache_.pitch) - step;
+    if (top.y % 4 < 3) return run;  // the same blocks
+    Known& known = known_[recent_];
+    uint32_t place;
+    const uint32_t above = cache_.place_of(top.column, top.y / 4, top.level->number);
+    run.found = load_row(known, run, top.y / 4 + 1, &place);
+    run.offset += 4 * static_cast<int32_t>(place - above) - 4 * static_cast<int32_t>(cache_.pitch);
+    return run;
+  }
+
+  /// Loads the blocks of a run in a row of blocks, and returns the place of the first one.
+  HWY_INLINE bool load_row(Known& known, const Run& run, uint32_t row, uint32_t* place) {
+    const uint32_t block = known.level.block + row * known.level.across + run.column, after = block - known.block;
+    *place = known.place + after;
+    if (after < known.count && after + run.count <= known.count) return true;
+    *place = cache_.place_of(run.column, row, known.level.number);
+    if (HWY_UNLIKELY(!load_run(block, *place, run.count))) return false;
+    known.block = block;
+    known.count = run.count;
+    known.place = *place;
+    return true;
   }
 
   /// Loads blocks of a row, and marks their places as read.
   HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
+    const DU du;
     if (HWY_UNLIKELY(place + count > cache_.places)) return false;
-    for (uint32_t k = 0; k < count; ++k) {
+    for (uint32_t k = 0; k < count; k += static_cast<uint32_t>(hn::Lanes(du))) {
+      const auto wanted = hn::FirstN(du, count - k);
+      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Iota(du, block + k));
+      if (!hn::AllFalse(du, hn::AndNot(there, wanted)) && !load_blocks(block + k, place + k, count - k)) return false;
+      hn::BlendedStore(hn::Set(du, cache_.now), wanted, du, cache_.turn + place + k);
+    }
+    return true;
+  }
+
+  /// Loads at most a vector of blocks of a row.
+  HWY_NOINLINE bool load_blocks(uint32_t block, uint32_t place, uint32_t count) {
+    const auto lanes = static_cast<uint32_t>(hn::Lanes(DU()));
+    const uint32_t end = count < lanes ? count : lanes;
+    for (uint32_t k = 0; k < end; ++k) {
       if (HWY_UNLIKELY(!load(block + k, place + k))) return false;
     }
-    for (uint32_t k = 0; k < count; ++k) cache_.turn[place + k] = cache_.now;
     return true;
   }
 
@@ -143,7 +187,7 @@ class Placer {
   /// Places a quad of neighbours. Returns whether they still are neighbours.
   HWY_INLINE bool place_quad(size_t at, Stream* stream) {
     int32_t *const upper = stream->index[0] + at, *const lower = stream->index[2] + at;
-    const Run top = find_run(upper, 1), bottom = top.found ? find_run(lower, 1) : top;
+    const Run top = find_run(upper, 1), bottom = top.found ? find_below(top, upper, lower) : top;
     if (HWY_LIKELY(bottom.found)) {
       move(upper, top);
       move(lower, bottom);
