@@ -5,7 +5,8 @@
 /// in memory, as in a level of a texture without blocks.
 ///
 /// A block has one place. The rows of blocks begin at places far apart, by the golden section (Knuth, "The Art of
-/// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all places.
+/// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all its places. Levels
+/// alternate between the halves of the cache, so that two adjacent levels of a lookup do not evict each other.
 #pragma once
 
 #include "core/cache_pool.h"
@@ -31,7 +32,8 @@ struct BlockCache {
 
   /// Returns the place of a block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
-    return (x + y * kRowStep + level * 307) & (places - 1);
+    const uint32_t half = places / 2;
+    return ((x + y * kRowStep + level * 307) & (half - 1)) + (level & 1) * half;
   }
 };
 

@@ -103,7 +103,12 @@ class Placer {
     const auto from_low = hn::BitCast(du, hn::Load(di, index) - hn::Set(di, low));
     const auto most = hn::Set(du, static_cast<uint32_t>(span));
     if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {};
-    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
+    return find_between(low, low + span, more);
+  }
+
+  /// Decodes the blocks of texels low to high + more, if they lie in one row.
+  HWY_INLINE Run find_between(int32_t low, int32_t high, int32_t more) {
+    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(high - low + more);
     Known& known = level_at(first);
     const BlockLevel& level = known.level;
     const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
@@ -117,6 +122,22 @@ class Placer {
     run.found = load_row(known, run, y / 4, &place);
     run.offset = static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - run.column) + x - first);
     return run;
+  }
+
+  /// Finds the runs of a vector of indices in one row of texels, most of which lie near both ends of the row: where
+  /// SHD_WRAP_REPEAT wraps around. Returns whether there are two, and the vector in the cache.
+  HWY_NOINLINE bool find_two_runs(const int32_t* index, int32_t more, int32_t* out) {
+    const DI di;
+    const auto all = hn::Load(di, index);
+    const auto low = hn::MinOfLanes(di, all), high = hn::MaxOfLanes(di, all);
+    const auto behind = hn::Gt(all, low + hn::ShiftRight<1>(high - low));
+    const int32_t first = hn::GetLane(low), before = hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElse(behind, low, all)));
+    const int32_t after = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(behind, all, high))), last = hn::GetLane(high);
+    if (first < 0 || before - first > kLongest || last - after > kLongest) return false;
+    const Run left = find_between(first, before, more), right = left.found ? find_between(after, last, more) : Run();
+    if (!right.found) return false;
+    hn::Store(all + hn::IfThenElse(behind, hn::Set(di, right.offset), hn::Set(di, left.offset)), di, out);
+    return true;
   }
 
   /// Returns the run below another one: of texels `step` behind those of `top`.
@@ -193,6 +214,13 @@ class Placer {
       move(lower, bottom);
       return true;
     }
+    alignas(64) int32_t placed[2][kMaxLanes];
+    if (find_two_runs(upper, 1, placed[0]) && find_two_runs(lower, 1, placed[1])) {
+      const DI di;
+      hn::Store(hn::Load(di, placed[0]), di, upper);
+      hn::Store(hn::Load(di, placed[1]), di, lower);
+      return true;
+    }
     set_after(upper, 1, stream->index[1] + at);
     set_after(lower, 1, stream->index[3] + at);
     for (size_t k = 0; k < 4; ++k) place_apart(stream->index[k] + at, k * Stream::kCapacity + at);
@@ -245,9 +273,11 @@ class Placer {
     y = y - hn::IfThenElseZero(before, one) + hn::IfThenElseZero(behind, one);
     x = x + hn::IfThenElseZero(before, width) - hn::IfThenElseZero(behind, width);
     const auto column = hn::ShiftRight<2>(x), row = hn::ShiftRight<2>(y);
+    const uint32_t half = cache_.places / 2;
     const auto zeroth = hn::Set(di, static_cast<int32_t>(cache_.place_of(0, 0, level.number)));
-    const auto mask = hn::Set(di, static_cast<int32_t>(cache_.places - 1));
-    const auto place = hn::And(column + row * hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep)) + zeroth, mask);
+    const auto mask = hn::Set(di, static_cast<int32_t>(half - 1)), bit = hn::Set(di, static_cast<int32_t>(half));
+    const auto step = hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep));
+    const auto place = hn::Or(hn::And(column + row * step + zeroth, mask), hn::And(zeroth, bit));
     const auto block =
         hn::Set(di, static_cast<int32_t>(level.block)) + row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
     const auto there = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(cache_.block), place);
