@@ -159,12 +159,18 @@ class Placer {
     return run;
   }
 
-  /// Loads the blocks of a run in a row of blocks, and returns the place of the first one.
+  /// Loads the blocks of a run in a row of blocks, and returns the place of the first one. Blocks after known ones
+  /// make more of them known: vectors of tags that were written lately would wait for the writes.
   HWY_INLINE bool load_row(Known& known, const Run& run, uint32_t row, uint32_t* place) {
     const uint32_t block = known.level.block + row * known.level.across + run.column, after = block - known.block;
-    *place = known.place + after;
-    if (after < known.count && after + run.count <= known.count) return true;
     *place = cache_.place_of(run.column, row, known.level.number);
+    if (after <= known.count && *place == known.place + after) {
+      const uint32_t end = after + run.count, more = end - known.count;
+      if (end <= known.count) return true;
+      if (HWY_UNLIKELY(!load_run(known.block + known.count, known.place + known.count, more))) return false;
+      known.count = end;
+      return true;
+    }
     if (HWY_UNLIKELY(!load_run(block, *place, run.count))) return false;
     known.block = block;
     known.count = run.count;
