@@ -27,7 +27,7 @@ struct ModeTable {
   uint32_t partition_shift, partition_mask;
   uint32_t subsets;      // row of kSubsets of partition 0
   uint32_t anchors;      // row of kAnchors of partition 0
-  uint32_t bits;         // of an index
+  uint32_t bits;         // in an index
   uint32_t index_shift;  // position of the indices in the upper word; modes 4 and 5: position of the endpoints' end
   uint32_t separate;     // modes 4 and 5
 };
@@ -56,7 +56,7 @@ struct Anchors {
 };
 extern const Anchors kAnchors;
 
-/// How 16 indices of 2, 3 and 4 bits become weights: as the fields of endpoints, and a table of the four bits at the
+/// Weights of 16 indices of 2, 3 or 4 bits: windows as those of endpoints, and a table of the four bits at the
 /// top of a lane.
 struct IndexTable {
   alignas(32) uint8_t window[32];
