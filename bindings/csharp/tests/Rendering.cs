@@ -43,8 +43,10 @@ public static class Rendering
         TextureDesc levels = new TextureDesc(Format.Bc7, 8, 4, new byte[32]);
         levels.Tables = TableFlags.Mipmap;
         levels.Levels = new[] { new Image(Format.Bc7, 4, 2, bc7) };
+        SamplerDesc nearest = SamplerDesc.Default;
+        nearest.Filter = Filter.NearestMip;
         using (Context context = new Context())
-        using (Sampler sampler = new Sampler(context, new SamplerDesc { Filter = Filter.NearestMip }))
+        using (Sampler sampler = new Sampler(context, nearest))
         using (Texture first = new Texture(context, new TextureDesc(Format.Bc1Rgb, 4, 4, bc1)))
         using (Texture second = new Texture(context, new TextureDesc(Format.Bc7, 3, 1, bc7)))
         using (Texture third = new Texture(context, levels))
