@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "block_encoder.h"
+
 namespace shd::bench {
 namespace {
 
@@ -17,14 +19,16 @@ uint16_t to_half(float value) {
 /// All levels of a square texture of compressed blocks.
 class BlockLevels {
  public:
-  BlockLevels(shd_format format, uint32_t edge) {
+  BlockLevels(const Format& format, uint32_t edge, std::vector<uint8_t> texels) {
     for (uint32_t side = edge; side > 0; side /= 2) {
-      const size_t across = (side + 3) / 4;
-      blocks_.emplace_back(across * across * shd_format_block_size(format));
-      for (uint8_t& byte : blocks_.back())
-        byte = static_cast<uint8_t>((state_ = state_ * 1664525u + 1013904223u) >> 24);
+      if (format.random_blocks) {
+        add_random(format.format, side);
+      } else {
+        blocks_.push_back(format.format == SHD_FORMAT_BC7 ? encode_bc7(texels, side) : encode_bc1(texels, side));
+        texels = halved(texels, side);
+      }
       shd_image image = shd_image_default();
-      image.format = format;
+      image.format = format.format;
       image.width = image.height = side;
       image.pixels = blocks_.back().data();
       images_.push_back(image);
@@ -38,6 +42,12 @@ class BlockLevels {
   }
 
  private:
+  void add_random(shd_format format, uint32_t side) {
+    const size_t across = (side + 3) / 4;
+    blocks_.emplace_back(across * across * shd_format_block_size(format));
+    for (uint8_t& byte : blocks_.back()) byte = static_cast<uint8_t>((state_ = state_ * 1664525u + 1013904223u) >> 24);
+  }
+
   uint32_t state_ = 1;
   std::vector<std::vector<uint8_t>> blocks_;
   std::vector<shd_image> images_;
@@ -79,7 +89,7 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   check(shd_sampler_create(context_, &sampler, &sampler_));
   const bool has_blocks = shd_format_block_size(format.format) != 0;
   const std::vector<uint8_t> converted = has_blocks ? std::vector<uint8_t>() : convert(texels, format);
-  const BlockLevels blocks(format.format, has_blocks ? edge : 0);
+  const BlockLevels blocks(format, has_blocks ? edge : 0, has_blocks ? texels : std::vector<uint8_t>());
   shd_texture_desc texture = shd_texture_desc_default();
   texture.format = format.format;
   texture.width = texture.height = edge;

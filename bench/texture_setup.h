@@ -95,6 +95,7 @@ struct Format {
   const char* name;
   shd_format format;
   int channels;
+  bool random_blocks = false;  // blocks of random bits, not of the compressed texels
   bool in_tiles = false;
 };
 constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
@@ -102,10 +103,13 @@ constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
                                {"rgba8_srgb", SHD_FORMAT_RGBA8_SRGB, 4},
                                {"rgba16f", SHD_FORMAT_RGBA16F, 4},
                                {"rgba32f", SHD_FORMAT_RGBA32F, 4}};
-/// Blocks of random bits: BC7 then has its slow modes of two and three subsets most often.
-constexpr Format kBlockFormats[] = {{"bc1", SHD_FORMAT_BC1_RGBA, 4}, {"bc7", SHD_FORMAT_BC7, 4}};
+/// Blocks of the texels of the other rows, and blocks of random bits, which have all modes.
+constexpr Format kBlockFormats[] = {{"bc1", SHD_FORMAT_BC1_RGBA, 4, true},
+                                    {"bc7", SHD_FORMAT_BC7, 4, true},
+                                    {"bc1_image", SHD_FORMAT_BC1_RGBA, 4},
+                                    {"bc7_image", SHD_FORMAT_BC7, 4}};
 /// RGBA8 in a cache of tiles, which holds the whole texture after the first run.
-constexpr Format kTiles = {"rgba8_tiles", SHD_FORMAT_RGBA8, 4, true};
+constexpr Format kTiles = {"rgba8_tiles", SHD_FORMAT_RGBA8, 4, false, true};
 /// The format of the peers' rows.
 constexpr Format kRgba8 = kFormats[1];
 

@@ -138,9 +138,50 @@ void test_columns() {
   expect(counter.total > 0 && counter.live == 0, "columns/no leak");
 }
 
+/// Compressed blocks: the first row of BC1 is red, blue and colours between them; BC7 is one colour, in mode 6.
+void test_blocks() {
+  static std::uint8_t bc1[8] = {0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0};
+  static std::uint8_t bc7[16] = {192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0};
+  const shd::context context = shd::context_create(nullptr);
+  const shd::sampler sampler = shd::sampler_create(context, nullptr);
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = SHD_FORMAT_BC1_RGB;
+  desc.width = desc.height = 4;
+  desc.texels = bc1;
+  const shd::texture first = shd::texture_create(context, &desc);
+  shd_image level = shd_image_default();
+  level.format = desc.format = SHD_FORMAT_BC7;
+  level.width = level.height = 2;
+  desc.texels = level.pixels = bc7;
+  desc.tables = SHD_TABLE_MIPMAP;
+  desc.levels = &level;
+  desc.level_count = 1;
+  const shd::texture second = shd::texture_create(context, &desc);
+  const float u = 0.375f, v = 0.125f;
+  float blue = 0.0f, green = 0.0f;
+  shd_lookups lookups = shd_lookups_default();
+  shd_texels texels = shd_texels_default();
+  lookups.count = 1;
+  lookups.u.data = &u, lookups.v.data = &v;
+  texels.channel[2].data = &blue;
+  shd::texture_sample(first, sampler, &lookups, &texels);
+  texels.channel[2].data = nullptr, texels.channel[1].data = &green;
+  shd::texture_sample(second, sampler, &lookups, &texels);
+  expect(blue == 1.0f && green == 41.0f / 255.0f, "blocks/lookup");
+  level.width = 3;
+  bool refused = false;
+  try {
+    shd::texture_create(context, &desc);
+  } catch (const std::exception&) {
+    refused = true;
+  }
+  expect(refused, "blocks/level of another size");
+}
+
 }  // namespace
 
 int main() {
+  test_blocks();
   test_ownership();
   test_errors();
   test_columns();

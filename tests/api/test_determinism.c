@@ -3,6 +3,7 @@
  * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/bake_scene.h"
+#include "support/block_hash.h"
 #include "support/direction_hash.h"
 #include "support/environment_hash.h"
 #include "support/lookup_hash.h"
@@ -173,6 +174,12 @@ static void test_lookups(void **state)
     expect_hash("lookups", shd_lookup_hash, k_worker_counts);
 }
 
+static void test_blocks(void **state)
+{
+    (void)state;
+    expect_hash("blocks", shd_block_hash, 2);
+}
+
 static void test_filters(void **state)
 {
     uint64_t want[k_filter_cases], got[k_filter_cases];
@@ -309,13 +316,15 @@ enum {
     VOLUME,
     BAKE,
     OCCLUSION,
+    BLOCKS,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
     {"mixed", 0},   {"floor", 0},     {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
     {"surface", 0}, {"lookups", 0},   {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
     {"fast", 0},    {"exact", 0},     {"textured", 0}, {"parallel", 0}, {"directions", 0}, {"environment", 0},
-    {"solid", 0},   {"texture3d", 0}, {"volume", 0},   {"bake", 0},     {"occlusion", 0}};
+    {"solid", 0},   {"texture3d", 0}, {"volume", 0},   {"bake", 0},     {"occlusion", 0},
+    {"blocks", 0}};
 
 static void measure_golden(void)
 {
@@ -346,6 +355,7 @@ static void measure_golden(void)
     k_golden[VOLUME].hash = shd_volume_hash(NULL);
     k_golden[BAKE].hash = shd_bake_hash(NULL);
     k_golden[OCCLUSION].hash = shd_occlusion_hash(NULL);
+    k_golden[BLOCKS].hash = shd_block_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -405,6 +415,7 @@ int main(int argc, char **argv)
         {"volumes", test_volumes, NULL, NULL, NULL},
         {"bakes", test_bakes, NULL, NULL, NULL},
         {"occlusion", test_occlusion, NULL, NULL, NULL},
+        {"blocks", test_blocks, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

@@ -19,7 +19,13 @@ namespace Shd
         internal static void Check(Array pixels, string name, Format format, long width, long height, long layers,
                                    long rowStride, long layerStride)
         {
-            long pixel = (long)Native.LibShd.FormatSize(format);
+            long pixel = (long)Native.LibShd.FormatSize(format), block = (long)Native.LibShd.FormatBlockSize(format);
+            if (block > 0) // rows of compressed blocks of 4 x 4 texels
+            {
+                pixel = block;
+                width = (width + 3) / 4;
+                height = (height + 3) / 4;
+            }
             if (pixel == 0) return; // the library names the unknown format
             Type element = pixels.GetType().GetElementType();
             int size = element.IsValueType ? Marshal.SizeOf(element) : 0;

@@ -99,6 +99,9 @@ public static class Misuse
             Check.Throws<ArgumentException>(
                 () => new Texture(context, new TextureDesc(Format.Rgba8, 2, 2, new byte[15])),
                 "desc.Texels: 15 bytes, not 16");
+            Check.Throws<ArgumentException>(
+                () => new Texture(context, new TextureDesc(Format.Bc7, 5, 4, new byte[16])),
+                "desc.Texels: 16 bytes, not 32");
             MeshDesc mesh = new MeshDesc();
             Column.Set(mesh.Position, new float[9]);
             Column.Set(mesh.Uv, new float[4]);

@@ -24,6 +24,40 @@ public static class Rendering
         }
     }
 
+    private static string CodesAt(Texture texture, Sampler sampler, float lod)
+    {
+        Texels texels = new Texels();
+        float[][] channels = { new float[1], new float[1], new float[1], new float[1] };
+        for (int c = 0; c < 4; ++c) texels.Channel[c] = channels[c];
+        texture.Sample(sampler, new Lookups { U = new[] { 0.375f }, V = new[] { 0.125f }, Lod = new[] { lod } },
+                       texels);
+        return string.Join(" ", Array.ConvertAll(channels, channel => Math.Round(channel[0] * 255).ToString()));
+    }
+
+    /// <summary>The first row of BC1 is red, blue and colours between them; BC7 is one colour, in mode 6.</summary>
+    [Test]
+    public static void Blocks()
+    {
+        byte[] bc1 = { 0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0 };
+        byte[] bc7 = { 192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0 };
+        TextureDesc levels = new TextureDesc(Format.Bc7, 8, 4, new byte[32]);
+        levels.Tables = TableFlags.Mipmap;
+        levels.Levels = new[] { new Image(Format.Bc7, 4, 2, bc7) };
+        SamplerDesc nearest = SamplerDesc.Default;
+        nearest.Filter = Filter.NearestMip;
+        using (Context context = new Context())
+        using (Sampler sampler = new Sampler(context, nearest))
+        using (Texture first = new Texture(context, new TextureDesc(Format.Bc1Rgb, 4, 4, bc1)))
+        using (Texture second = new Texture(context, new TextureDesc(Format.Bc7, 3, 1, bc7)))
+        using (Texture third = new Texture(context, levels))
+        {
+            Check.Equal("0 0 255 255", CodesAt(first, sampler, 0), "BC1");
+            Check.Equal("255 41 1 255", CodesAt(second, sampler, 0), "BC7");
+            Check.Equal("0 0 0 0, 255 41 1 255", CodesAt(third, sampler, 0) + ", " + CodesAt(third, sampler, 1),
+                        "levels");
+        }
+    }
+
     [Test]
     public static void Columns()
     {

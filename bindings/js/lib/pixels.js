@@ -2,12 +2,13 @@
 // Arrays of pixels have the size that their struct states.
 import { refuse } from "./error.js";
 
-/** Bytes of an image or of the texels of a texture. */
-function bytesNeeded(read, texel) {
-  const row = read("rowStride") || read("width") * texel;
-  const image = row * (read("height") - 1) + read("width") * texel;
+/** Bytes of an image or of the texels of a texture: rows of texels, or of compressed blocks of 4 x 4 texels. */
+function bytesNeeded(read, raw) {
+  const block = raw.shd_format_block_size(read("format")), side = block ? 4 : 1;
+  const packed = Math.ceil(read("width") / side) * (block || raw.shd_format_size(read("format")));
+  const rows = Math.ceil(read("height") / side), row = read("rowStride") || packed;
   const layers = Math.max(1, read("layers")) * Math.max(1, read("depth"));
-  return (read("layerStride") || row * read("height")) * (layers - 1) + image;
+  return (read("layerStride") || row * rows) * (layers - 1) + row * (rows - 1) + packed;
 }
 
 /** Compares the length of `pixels` or `texels` with the width, height, layers and strides of a struct. */
@@ -19,8 +20,7 @@ export function checkPixels(call, struct, address, data, label) {
     const field = struct.fields.get(key);
     return field ? call.memory.view.getUint32(address + field.offset, true) : 0;
   };
-  const texel = call.module.raw.shd_format_size(read("format"));
-  const needed = bytesNeeded(read, texel);
+  const needed = bytesNeeded(read, call.module.raw);
   if (read("width") && read("height") && placed.bytes < needed) {
     refuse(`${label}.${name}`, `${placed.bytes} bytes, fewer than the ${needed} of its format, width and height`);
   }

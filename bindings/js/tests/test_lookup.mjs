@@ -9,6 +9,25 @@ test("lookup/values", (shd, context) => {
   assert.deepEqual([...channel[0]], [0, 80, 160, 240].map((v) => Math.fround(v / 255)));
 });
 
+test("lookup/blocks", (shd, context) => {
+  // The first row of BC1 is red, blue and colours between them; BC7 is one colour, in mode 6.
+  const bc1 = Uint8Array.of(0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0);
+  const bc7 = Uint8Array.of(192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0);
+  const sampler = new shd.Sampler(context, { filter: "nearest_mip" });
+  const codes = (desc, lod) => {
+    const { channel } = new shd.Texture(context, desc).sample(sampler, { u: [0.375], v: [0.125], lod: [lod] });
+    return channel.map((values) => Math.round(values[0] * 255));
+  };
+  assert.deepEqual(codes({ format: "bc1_rgb", width: 4, height: 4, texels: bc1 }, 0), [0, 0, 255, 255]);
+  assert.deepEqual(codes({ format: "bc7", width: 3, height: 1, texels: bc7 }, 0), [255, 41, 1, 255]);
+  const levels = [{ format: "bc7", width: 4, height: 2, pixels: bc7 }];
+  const desc = { format: "bc7", width: 8, height: 4, texels: new Uint8Array(32), tables: "mipmap", levels };
+  assert.deepEqual([codes(desc, 0), codes(desc, 1)], [[0, 0, 0, 0], [255, 41, 1, 255]]);
+  refused(() => codes({ ...desc, texels: bc7 }, 0), "desc.texels: 16 bytes, fewer than the 32");
+  levels[0].pixels = bc1;
+  refused(() => codes(desc, 0), "pixels: 8 bytes, fewer than the 16");
+});
+
 test("lookup/columns", (shd, context) => {
   const texture = grey(shd, context), sampler = new shd.Sampler(context);
   const uv = Float32Array.from(half.flatMap((v) => [v, v]));

@@ -20,22 +20,25 @@ function sizes.format(format)
   if entry then return entry.ctype, entry.channels end
 end
 
-local function image_bytes(struct, width, height)
-  local row = width * tonumber(C.shd_format_size(struct.format))
-  local stride = tonumber(struct.row_stride)
+-- Bytes of an image, between its rows, and number of rows: of texels, or of compressed blocks of 4 x 4 texels.
+local function image_bytes(struct)
+  local columns, rows, size = struct.width, struct.height, tonumber(C.shd_format_size(struct.format))
+  local block = tonumber(C.shd_format_block_size(struct.format))
+  if block > 0 then columns, rows, size = math.ceil(columns / 4), math.ceil(rows / 4), block end
+  local row, stride = columns * size, tonumber(struct.row_stride)
   if stride == 0 then stride = row end
-  return math.max(0, height - 1) * stride + row, stride
+  return math.max(0, rows - 1) * stride + row, stride, rows
 end
 
 --- Bytes behind a pointer, and the type of its elements, by struct and field.
 sizes.bytes = {
   ["shd_image.pixels"] = function(struct)
-    return image_bytes(struct, struct.width, struct.height), (sizes.format(struct.format))
+    return (image_bytes(struct)), (sizes.format(struct.format))
   end,
   ["shd_texture_desc.texels"] = function(struct)
-    local bytes, stride = image_bytes(struct, struct.width, struct.height)
+    local bytes, stride, rows = image_bytes(struct)
     local layer = tonumber(struct.layer_stride)
-    if layer == 0 then layer = struct.height * stride end
+    if layer == 0 then layer = rows * stride end
     bytes = bytes + (math.max(1, struct.layers, struct.depth) - 1) * layer
     if bit.band(struct.flags, BORROW) ~= 0 then bytes = bytes + tables.constants.TEXTURE_PADDING end
     return bytes, (sizes.format(struct.format))

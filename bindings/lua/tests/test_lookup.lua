@@ -128,6 +128,30 @@ case("texels", function()
   refused("texture.levels: 3 elements, not 2", make, {level_count = 2, levels = {{}, {}, {}}})
 end)
 
+case("compressed blocks", function()
+  -- The first row of BC1 is red, blue and colours between them; BC7 is one colour, in mode 6.
+  local bc1 = string.char(0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0)
+  local bc7 = string.char(192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0)
+  local nearest = shd.sampler(context, {filter = "nearest_mip"})
+  local function sample(desc, lod)
+    local out = shd.texture(context, desc):sample(nearest, {u = {0.375}, v = {0.125}, lod = {lod}})
+    local codes = {}
+    for c = 1, 4 do codes[c] = math.floor(out.channel[c][0] * 255 + 0.5) end
+    return table.concat(codes, " ")
+  end
+  equal(sample({width = 4, height = 4, format = "bc1_rgb", texels = bc1}, 0), "0 0 255 255")
+  equal(sample({width = 3, height = 1, format = "bc7", texels = bc7}, 0), "255 41 1 255")
+  local pixels = ffi.new("uint8_t[16]")
+  ffi.copy(pixels, bc7, 16)
+  local levels = {{width = 4, height = 2, format = "bc7", pixels = pixels}}
+  local desc = {width = 8, height = 4, format = "bc7", texels = ("\0"):rep(32), tables = "mipmap", levels = levels}
+  equal(sample(desc, 0), "0 0 0 0")
+  equal(sample(desc, 1), "255 41 1 255")
+  refused("texture.texels: 16 bytes, not 32", sample, {width = 5, height = 4, format = "bc7", texels = bc7}, 0)
+  levels[1].pixels = ffi.new "uint8_t[8]"
+  refused("pixels: 8 bytes, not 16", sample, desc, 0)
+end)
+
 case("borrowed texels live as long as their texture", function()
   local big = ffi.new("float[?]", 1 + 32)
   big[0] = 4

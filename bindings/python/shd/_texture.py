@@ -59,6 +59,44 @@ class Texture(Object):
         if built.flags:  # borrowed texels live as long as the texture
             self._reference.keep.append(texels)
 
+    @classmethod
+    def from_blocks(cls, context, levels, desc=None, **values):
+        """A texture of compressed blocks of 4 x 4 texels: format, width and height are options.
+
+        `levels` is a list of bytes, or of arrays of uint8: the base, and any number of mip levels below it. Each has
+        the blocks of all layers, packed. The blocks are copied.
+        """
+        keep = []
+        built = make_desc("shd_texture_desc", desc, values).build(keep)
+        block = _api.lib.shd_format_block_size(built.format)
+        if not block:
+            name = _api.enum_type("shd_format")(built.format).name
+            raise ValueError(f"texture.format: {name} has no compressed blocks")
+        if not isinstance(levels, (list, tuple)) or not levels:
+            raise TypeError("levels: a list of bytes, the base first")
+        layers, stacks = max(1, built.layers), []
+        for level, blocks in enumerate(levels):
+            bytes_of = np.frombuffer(blocks, np.uint8)
+            width, height = max(1, built.width >> level), max(1, built.height >> level)
+            size = -(-width // 4) * -(-height // 4) * block
+            if bytes_of.size != layers * size:
+                raise ValueError(f"levels[{level}]: {bytes_of.size} bytes, not {layers * size}")
+            stacks.append((bytes_of, width, height, size))
+        images = (type(_api.new("shd_image")) * max(1, layers * (len(stacks) - 1)))()
+        for i in range(layers * (len(stacks) - 1)):
+            layer, level = divmod(i, len(stacks) - 1)
+            bytes_of, width, height, size = stacks[level + 1]
+            made = _api.new("shd_image")
+            made.format, made.width, made.height = built.format, width, height
+            made.pixels = address(bytes_of) + layer * size
+            images[i] = made
+        built.texels, built.row_stride, built.layer_stride, built.flags = address(stacks[0][0]), 0, 0, 0
+        built.tables = int(_api.enum_type("shd_table").MIPMAP) if len(stacks) > 1 else 0
+        built.levels, built.level_count = ctypes.addressof(images), len(stacks) - 1
+        self = cls.__new__(cls)
+        self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
+        return self
+
     @property
     def info(self):
         """Size, format and memory, as a dict."""

@@ -11,7 +11,7 @@ namespace {
 /// Memory of a pool: room for kMaxPlaces blocks of texels of 4 bytes, or half as many of 8 bytes.
 struct Pooled {
   BlockCache cache;
-  uint32_t block[BlockCache::kMaxPlaces], turn[BlockCache::kMaxPlaces];
+  uint32_t block[BlockCache::kMaxPlaces + BlockCache::kAfter], turn[BlockCache::kMaxPlaces + BlockCache::kAfter];
   alignas(64) uint8_t texels[4 * (4 * BlockCache::kMaxPlaces * 4 + BlockCache::kMargin * 8) + BlockCache::kSpare * 8 +
                              SHD_TEXTURE_PADDING];
 };
@@ -25,8 +25,8 @@ void begin(uint32_t places, uint32_t* block, uint32_t* turn, uint8_t* texels, Bl
   cache->pitch = 4 * places + BlockCache::kMargin;
   cache->spare = 4 * cache->pitch;
   cache->now = 0;
-  std::fill_n(block, places, BlockCache::kUnused);
-  std::fill_n(turn, places, 0u);
+  std::fill_n(block, places + BlockCache::kAfter, BlockCache::kUnused);
+  std::fill_n(turn, places + BlockCache::kAfter, 0u);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 /// in memory, as in a level of a texture without blocks.
 ///
 /// A block has one place. The rows of blocks begin at places far apart, by the golden section (Knuth, "The Art of
-/// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all places.
+/// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all its places. Levels
+/// alternate between the halves of the cache, so that two adjacent levels of a lookup do not evict each other.
 #pragma once
 
 #include "core/cache_pool.h"
@@ -19,6 +20,7 @@ struct BlockCache {
   static constexpr uint32_t kMargin = 16;      // texels; rows a power of two apart would alias in the first-level cache
   static constexpr uint32_t kRowStep = 2531;   // places between rows of blocks: kMaxPlaces times the golden section
   static constexpr uint32_t kUnused = 0xffffffff;
+  static constexpr uint32_t kAfter = 16;  // entries after those of the places: vectors may read and rewrite them
 
   uint8_t* texels;
   uint32_t* block;  // block at each place, or kUnused
@@ -30,7 +32,8 @@ struct BlockCache {
 
   /// Returns the place of a block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
-    return (x + y * kRowStep + level * 307) & (places - 1);
+    const uint32_t half = places / 2;
+    return ((x + y * kRowStep + level * 307) & (half - 1)) + (level & 1) * half;
   }
 };
 
@@ -53,7 +56,7 @@ class CacheLease {
   core::CachePool::Lease lease_;
   BlockCache* cache_;
   BlockCache few_;
-  uint32_t few_block_[kFewPlaces], few_turn_[kFewPlaces];
+  uint32_t few_block_[kFewPlaces + BlockCache::kAfter], few_turn_[kFewPlaces + BlockCache::kAfter];
   alignas(64) uint8_t few_texels_[kFewBytes];
 };
 

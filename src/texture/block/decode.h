@@ -36,6 +36,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <shd/image.h>
 
@@ -59,12 +60,20 @@ void decode_bc6h_ufloat(const uint8_t* block, uint8_t* texels, size_t pitch);
 void decode_bc6h_sfloat(const uint8_t* block, uint8_t* texels, size_t pitch);
 void decode_bc7(const uint8_t* block, uint8_t* texels, size_t pitch);
 
-/// Returns `size` bytes of a block, the first one in the lowest bits.
+/// Returns kSize bytes of a block, the first one in the lowest bits. gcc 12 makes slow vectors of a loop over bytes.
 template <size_t kSize>
 uint64_t bits_at(const uint8_t* bytes) {
-  uint64_t bits = 0;
-  for (size_t i = 0; i < kSize; ++i) bits |= uint64_t{bytes[i]} << (8 * i);
-  return bits;
+  static_assert(kSize == 4 || kSize == 8, "a word");
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "as blocks are");
+  if constexpr (kSize == 4) {
+    uint32_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+  } else {
+    uint64_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+  }
 }
 
 }  // namespace shd::texture

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Decoders of BC1 and BC7 whose 16 texels are the lanes of vectors of bytes. They have the bits of the scalar decoders.
+// Decoders of BC1 and BC7 whose rows of texels are the bytes of vectors. They have the bits of the scalar decoders.
 #include <cstring>
 
-#include "texture/block/bc7.h"
+#include "texture/block/bc7_tables.h"
 #include "texture/block/decode.h"
 #include "texture/block/kernels.h"
 
@@ -26,168 +26,253 @@ DecodeBlock KernelOf(DecodeBlock decode) {
 namespace {
 
 using Bytes = hn::Full128<uint8_t>;
-using Words = hn::Full128<uint16_t>;
 using ByteVec = hn::Vec<Bytes>;
+using Wide = hn::CappedTag<uint8_t, 64>;  // one, two or four rows of a block of RGBA
+using WideWords = hn::Repartition<uint16_t, Wide>;
+using WideVec = hn::Vec<Wide>;
+constexpr size_t kRowBytes = 16;
 
-/// Spreads eight codes of kBits bits to the bytes of a word.
-template <uint32_t kBits>
-HWY_INLINE uint64_t Spread(uint64_t x) {
-  constexpr uint64_t kFour = (uint64_t{1} << 4 * kBits) - 1, kTwo = (1u << 2 * kBits) - 1, kOne = (1u << kBits) - 1;
-  x = (x | x << (32 - 4 * kBits)) & kFour * 0x0000000100000001;
-  x = (x | x << (16 - 2 * kBits)) & kTwo * 0x0001000100010001;
-  return (x | x << (8 - kBits)) & kOne * 0x0101010101010101;
+/// Repeats 16 bytes.
+HWY_INLINE ByteVec Repeated(Bytes, ByteVec v) {
+  return v;
+}
+template <class D, class V>
+HWY_INLINE hn::Vec<D> Repeated(D d, V v) {
+  const auto half = Repeated(hn::Half<D>(), v);
+  return hn::Combine(d, half, half);
 }
 
-/// Returns a vector of two words, made in registers: a load of 16 bytes would wait for two stores of 8.
-HWY_INLINE ByteVec BytesOf(uint64_t low, uint64_t high) {
-  const hn::Full128<uint64_t> d;
-  const hn::Half<decltype(d)> half;
-  return hn::BitCast(Bytes(), hn::Combine(d, hn::Set(half, high), hn::Set(half, low)));
+/// Writes rows of texels.
+HWY_INLINE void WriteRows(Bytes d, ByteVec rows, uint8_t* texels, size_t) {
+  hn::StoreU(rows, d, texels);
+}
+template <class D, class V>
+HWY_INLINE void WriteRows(D d, V rows, uint8_t* texels, size_t pitch) {
+  const hn::Half<D> half;
+  WriteRows(half, hn::LowerHalf(half, rows), texels, pitch);
+  WriteRows(half, hn::UpperHalf(half, rows), texels + hn::Lanes(half) / kRowBytes * pitch, pitch);
 }
 
-/// Spreads 16 codes to bytes.
-template <uint32_t kBits>
-HWY_INLINE ByteVec SpreadAll(uint64_t codes) {
-  return BytesOf(Spread<kBits>(codes & ((uint64_t{1} << 8 * kBits) - 1)), Spread<kBits>(codes >> 8 * kBits));
-}
-
-/// Writes colours of a palette of four. `index`: byte i is four times the index of texel i.
-HWY_INLINE void WritePalette(ByteVec palette, ByteVec index, uint8_t* texels, size_t pitch) {
-  const Bytes d;
-  alignas(16) static constexpr uint8_t kRepeat[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-  alignas(16) static constexpr uint8_t kChannel[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-  const auto repeat = hn::Load(d, kRepeat), channel = hn::Load(d, kChannel);
-  for (uint32_t y = 0; y < 4; ++y) {
-    const auto from = hn::TableLookupBytes(index, repeat + hn::Set(d, static_cast<uint8_t>(4 * y))) + channel;
-    hn::StoreU(hn::TableLookupBytes(palette, from), d, texels + y * pitch);
+/// Bytes 0 to 63: for each byte of four rows, its texel, its channel, and the texel of each word.
+struct Layout {
+  alignas(64) uint8_t texel[64], channel[64], word[64], green[64], alpha[64];
+};
+constexpr Layout MakeLayout() {
+  Layout out = {};
+  for (size_t i = 0; i < 64; ++i) {
+    out.texel[i] = static_cast<uint8_t>(i / 4);
+    out.channel[i] = static_cast<uint8_t>(i % 4);
+    out.word[i] = static_cast<uint8_t>(i % 2 == 0 ? i / 4 : 0x80);
+    out.green[i] = static_cast<uint8_t>(i % 4 == 0 ? i / 4 : 0x80);
+    out.alpha[i] = static_cast<uint8_t>(i % 4 == 2 ? i / 4 : 0x80);
   }
+  return out;
+}
+constexpr Layout kLayout = MakeLayout();
+
+/// Returns for each byte of rows, beginning at byte `first` of the block, the byte of its channel in a table of
+/// colours. `color`: four times the colour of each texel.
+HWY_INLINE WideVec ColorsAt(size_t first, WideVec color) {
+  const Wide d;
+  return hn::TableLookupBytes(color, hn::Load(d, kLayout.texel + first)) + hn::Load(d, kLayout.channel + first);
+}
+
+/// Returns four times the index of each texel of a BC1 block.
+HWY_INLINE ByteVec Bc1Indices(const uint8_t* bytes) {
+  const Bytes d;
+  const hn::Full128<uint32_t> du;
+  alignas(16) static constexpr uint8_t kMask[16] = {3, 12, 3, 12, 3, 12, 3, 12, 3, 12, 3, 12, 3, 12, 3, 12};
+  alignas(16) static constexpr uint8_t kIndex[16] = {0, 4, 8, 12, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12};
+  const auto bits = hn::BitCast(d, hn::Set(du, static_cast<uint32_t>(bits_at<4>(bytes))));
+  const auto low = hn::And(bits, hn::Set(d, 15));
+  const auto high = hn::And(hn::BitCast(d, hn::ShiftRight<4>(hn::BitCast(du, bits))), hn::Set(d, 15));
+  const auto halves = hn::InterleaveLower(d, low, high);
+  return hn::TableLookupBytes(hn::Load(d, kIndex), hn::And(hn::InterleaveLower(d, halves, halves), hn::Load(d, kMask)));
+}
+
+/// Returns the four colours of a BC1 block.
+template <bool kOpaque>
+HWY_INLINE ByteVec Bc1Palette(const uint8_t* bytes) {
+  const hn::Full128<uint16_t> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const hn::Half<Bytes> half;
+  // Lanes are the channels of the first colour, then of the second one. A field is moved to the top of its lane.
+  alignas(16) static constexpr uint8_t kSpread[16] = {0, 1, 0, 1, 0, 1, 0, 1, 2, 3, 2, 3, 2, 3, 2, 3};
+  alignas(16) static constexpr uint16_t kFactor[8] = {1, 32, 2048, 0, 1, 32, 2048, 0};
+  alignas(16) static constexpr uint16_t kKeep[8] = {0xf800, 0xfc00, 0xf800, 0, 0xf800, 0xfc00, 0xf800, 0};
+  alignas(16) static constexpr uint16_t kRepeat[8] = {2048, 1024, 2048, 0, 2048, 1024, 2048, 0};
+  alignas(16) static constexpr uint16_t kAlpha[8] = {0, 0, 0, 255, 0, 0, 0, 255};
+  alignas(16) static constexpr uint16_t kFourth[8] = {0xffff, 0xffff, 0xffff, 0xffff, 0, 0, 0, kOpaque ? 0xffff : 0};
+  const auto ends = static_cast<uint32_t>(bits_at<4>(bytes));
+  const auto words = hn::BitCast(Bytes(), hn::Set(hn::Full128<uint32_t>(), ends));
+  const auto spread = hn::BitCast(d, hn::TableLookupBytes(words, hn::Load(Bytes(), kSpread)));
+  const auto field = hn::And(spread * hn::Load(d, kFactor), hn::Load(d, kKeep));
+  const auto colors = hn::ShiftRight<8>(hn::Or(field, hn::MulHigh(field, hn::Load(d, kRepeat)))) + hn::Load(d, kAlpha);
+  const auto swapped = hn::BitCast(d, hn::Shuffle01(hn::BitCast(hn::Full128<uint64_t>(), colors)));
+  const auto sum = colors + swapped + hn::Set(d, 1);
+  // For n = 2 a + b + 1 <= 766, 683 n / 2^11 exceeds n / 3 by less than 1/8.
+  const auto thirds = hn::MulHigh(sum + colors, hn::Set(d, 683 << 5));
+  const auto middle = hn::And(hn::ShiftRight<1>(sum), hn::Load(d, kFourth));
+  // Without a branch, because the order of endpoints has no pattern.
+  const auto four = hn::Set(d, static_cast<uint16_t>(-static_cast<int32_t>((ends & 0xffff) > ends >> 16)));
+  const auto others = hn::Or(hn::And(four, thirds), hn::AndNot(four, middle));
+  return hn::Combine(Bytes(), hn::DemoteTo(half, hn::BitCast(di, others)), hn::DemoteTo(half, hn::BitCast(di, colors)));
 }
 
 template <bool kOpaque>
 void DecodeBc1(const uint8_t* block, uint8_t* texels, size_t pitch) {
-  const Palette palette = bc1_palette(block, kOpaque);
-  const ByteVec index = SpreadAll<2>(bits_at<4>(block + 4));
-  const auto twice = index + index;
-  WritePalette(BytesOf(palette.low, palette.high), twice + twice, texels, pitch);
+  const Wide d;
+  const auto palette = Repeated(d, Bc1Palette<kOpaque>(block)), index = Repeated(d, Bc1Indices(block + 4));
+  for (size_t i = 0; i < 64; i += hn::Lanes(d), texels += hn::Lanes(d) / kRowBytes * pitch) {
+    WriteRows(d, hn::TableLookupBytes(palette, ColorsAt(i, index)), texels, pitch);
+  }
 }
 
-/// The endpoints of up to three subsets as RGBA, and the subset of every texel times 4.
+/// The endpoints of up to three subsets as RGBA, and four times the subset of every texel.
 struct Ends {
-  ByteVec first, second, subset;
+  WideVec first, second, subset;
 };
 
-/// Returns channel c of all texels: (64 - w) a + w b, rounded to codes.
-HWY_INLINE ByteVec MixChannel(const Ends& ends, uint32_t c, ByteVec weight) {
-  const Bytes d;
-  const Words dw;
-  const auto at = ends.subset + hn::Set(d, static_cast<uint8_t>(c));
-  const auto a = hn::TableLookupBytes(ends.first, at), b = hn::TableLookupBytes(ends.second, at);
-  const auto zero = hn::Zero(d);
-  const auto mix = [&](auto a8, auto b8, auto w8) SHD_INLINE_LAMBDA {
-    const auto a16 = hn::BitCast(dw, a8), b16 = hn::BitCast(dw, b8), w16 = hn::BitCast(dw, w8);
-    // Differences wrap around, and the sum wraps back.
-    return hn::ShiftRight<6>(hn::ShiftLeft<6>(a16) + (b16 - a16) * w16 + hn::Set(dw, 32));
+/// Returns the endpoints of lanes `first` to `first` + Lanes - 1 of a block.
+HWY_INLINE hn::Vec<WideWords> ReadEndpoints(const bc7::ModeTable& mode, WideVec bytes, size_t first) {
+  const Wide d;
+  const WideWords dw;
+  const auto at = [&](const uint8_t* window, const uint16_t* factor) SHD_INLINE_LAMBDA {
+    const auto words = hn::TableLookupBytes(bytes, hn::Load(d, window + 2 * first));
+    return hn::BitCast(dw, words) * hn::Load(dw, factor + first);
   };
-  const auto low =
-      mix(hn::InterleaveLower(d, a, zero), hn::InterleaveLower(d, b, zero), hn::InterleaveLower(d, weight, zero));
-  const auto high =
-      mix(hn::InterleaveUpper(d, a, zero), hn::InterleaveUpper(d, b, zero), hn::InterleaveUpper(d, weight, zero));
-  const hn::RebindToSigned<Words> di;
-  const hn::Half<Bytes> half;
-  return hn::Combine(d, hn::DemoteTo(half, hn::BitCast(di, high)), hn::DemoteTo(half, hn::BitCast(di, low)));
+  const auto field = hn::And(at(mode.window, mode.factor), hn::LoadDup128(dw, mode.keep));
+  const auto lowest = hn::And(at(mode.p_window, mode.p_factor), hn::LoadDup128(dw, mode.p_keep));
+  const auto top = hn::Or(field, lowest);
+  const auto code = hn::ShiftRight<8>(hn::Or(top, hn::MulHigh(top, hn::LoadDup128(dw, mode.repeat))));
+  return hn::Or(code, hn::LoadDup128(dw, mode.fill));
 }
 
-/// Interleaves four channels.
-HWY_INLINE void WriteChannels(const ByteVec (&channel)[4], uint8_t* texels, size_t pitch) {
+template <class D, class V>
+HWY_INLINE hn::Vec<hn::Half<D>> Narrowed(D, V words) {
+  return hn::DemoteTo(hn::Half<D>(), hn::BitCast(hn::RebindToSigned<hn::Repartition<uint16_t, D>>(), words));
+}
+
+template <class D>
+HWY_INLINE Ends EndsOf(D d, const bc7::ModeTable& mode, uint32_t partition, ByteVec bytes) {
+  constexpr size_t kLanes = hn::MaxLanes(hn::Repartition<uint16_t, D>());
+  const auto block = Repeated(d, bytes);
+  const auto subset = hn::LoadDup128(d, bc7::kSubsets.row[mode.subsets + partition].texel);
+  const auto codes = [&](size_t first) SHD_INLINE_LAMBDA { return Narrowed(d, ReadEndpoints(mode, block, first)); };
+  if constexpr (kLanes == 32) {
+    const auto both = codes(0);
+    const hn::Half<D> half;
+    return {Repeated(d, hn::LowerHalf(Bytes(), both)), Repeated(d, hn::UpperHalf(hn::Half<decltype(half)>(), both)),
+            subset};
+  } else if constexpr (kLanes == 16) {
+    return {Repeated(d, codes(0)), Repeated(d, codes(kLanes)), subset};
+  } else {
+    return {hn::Combine(d, codes(kLanes), codes(0)), hn::Combine(d, codes(3 * kLanes), codes(2 * kLanes)), subset};
+  }
+}
+
+/// Returns the weights of 16 indices.
+HWY_INLINE ByteVec WeightsOf(const bc7::IndexTable& table, uint64_t indices) {
   const Bytes d;
-  const Words dw;
-  const auto rg_low = hn::BitCast(dw, hn::InterleaveLower(d, channel[0], channel[1]));
-  const auto rg_high = hn::BitCast(dw, hn::InterleaveUpper(d, channel[0], channel[1]));
-  const auto ba_low = hn::BitCast(dw, hn::InterleaveLower(d, channel[2], channel[3]));
-  const auto ba_high = hn::BitCast(dw, hn::InterleaveUpper(d, channel[2], channel[3]));
-  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(dw, rg_low, ba_low)), d, texels);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(dw, rg_low, ba_low)), d, texels + pitch);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(dw, rg_high, ba_high)), d, texels + 2 * pitch);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(dw, rg_high, ba_high)), d, texels + 3 * pitch);
+  const hn::CappedTag<uint16_t, 16> dw;
+  const hn::Repartition<uint8_t, decltype(dw)> db;
+  const auto bits = hn::BitCast(db, hn::Set(hn::Repartition<uint64_t, decltype(dw)>(), indices));
+  const auto top = [&](size_t first) SHD_INLINE_LAMBDA {
+    const auto words = hn::BitCast(dw, hn::TableLookupBytes(bits, hn::Load(db, table.window + 2 * first)));
+    const auto four = hn::ShiftRight<12>(words * hn::Load(dw, table.factor + first));
+    return hn::DemoteTo(hn::Half<decltype(db)>(), hn::BitCast(hn::RebindToSigned<decltype(dw)>(), four));
+  };
+  const auto weights = hn::Load(d, table.weight);
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return hn::TableLookupBytes(weights, top(0));
+#else
+  return hn::TableLookupBytes(weights, hn::Combine(d, top(8), top(0)));
+#endif
 }
 
-/// Returns the weights of 16 indices of kBits bits.
-template <uint32_t kBits>
-HWY_INLINE ByteVec WeightsOf(uint64_t indices) {
-  alignas(16) static constexpr uint8_t kTable[3][16] = {
-      {0, 21, 43, 64}, {0, 9, 18, 27, 37, 46, 55, 64}, {0, 4, 9, 13, 17, 21, 26, 30, 34, 38, 43, 47, 51, 55, 60, 64}};
-  return hn::TableLookupBytes(hn::Load(Bytes(), kTable[kBits - 2]), SpreadAll<kBits>(indices));
-}
-
-template <uint32_t kMode>
-HWY_INLINE Ends EndsOf(const uint64_t (&endpoint)[6], uint32_t partition) {
-  constexpr uint32_t kSubsets = bc7::kModes[kMode].subsets;
-  uint64_t first[2] = {}, second[2] = {};
-  for (uint32_t s = 0; s < kSubsets; ++s) {
-    first[s / 2] |= uint64_t{bc7::packed(endpoint[2 * s])} << (s % 2 * 32);
-    second[s / 2] |= uint64_t{bc7::packed(endpoint[2 * s + 1])} << (s % 2 * 32);
+/// Writes (64 - w) a + w b, rounded to codes, of all texels. Words have the weights of their channel of lower and of
+/// higher significance. turn(rows) returns the rows that are written.
+template <class Weights, class Turn>
+HWY_INLINE void Mix(const Ends& ends, const Weights& weights, const Turn& turn, uint8_t* texels, size_t pitch) {
+  const Wide d;
+  const WideWords dw;
+  const auto low_byte = hn::Set(dw, 255), half = hn::Set(dw, 32);
+  for (size_t i = 0; i < 64; i += hn::Lanes(d), texels += hn::Lanes(d) / kRowBytes * pitch) {
+    const auto at = ColorsAt(i, ends.subset);
+    const auto a = hn::BitCast(dw, hn::TableLookupBytes(ends.first, at));
+    const auto b = hn::BitCast(dw, hn::TableLookupBytes(ends.second, at));
+    // Differences wrap around, and the sum wraps back.
+    const auto mix = [&](auto a16, auto b16, auto w) SHD_INLINE_LAMBDA {
+      return hn::ShiftLeft<6>(a16) + (b16 - a16) * hn::BitCast(dw, w) + half;
+    };
+    const auto low = hn::ShiftRight<6>(mix(hn::And(a, low_byte), hn::And(b, low_byte), weights.low(i)));
+    const auto high = mix(hn::ShiftRight<8>(a), hn::ShiftRight<8>(b), weights.high(i));
+    const auto both = hn::Or(low, hn::AndNot(low_byte, hn::ShiftLeft<2>(high)));
+    WriteRows(d, turn(hn::BitCast(d, both)), texels, pitch);
   }
-  const Bytes d;
-  auto subset = hn::Zero(d);
-  if constexpr (kSubsets > 1) {
-    subset = SpreadAll<2>(kSubsets == 2 ? kTwoSubsets[partition] : kThreeSubsets[partition]);
-    subset = subset + subset;
-    subset = subset + subset;
-  }
-  return {BytesOf(first[0], first[1]), BytesOf(second[0], second[1]), subset};
 }
 
-template <uint32_t kMode>
-HWY_INLINE void DecodeMode(const bc7::Block& block, uint8_t* texels, size_t pitch) {
-  constexpr bc7::Mode m = bc7::kModes[kMode];
-  const auto partition = static_cast<uint32_t>(block.field(kMode + 1, m.partition));
-  uint64_t endpoint[6];
-  const uint32_t position = bc7::read_endpoints<kMode>(block, kMode + 1 + m.partition, endpoint);
-  const ByteVec weight =
-      WeightsOf<m.index>(whole_indices<m.index, m.subsets>(block.field(position, 16 * m.index - m.subsets), partition));
-  const Ends ends = EndsOf<kMode>(endpoint, partition);
-  ByteVec channel[4];
-  for (uint32_t c = 0; c < 3; ++c) channel[c] = MixChannel(ends, c, weight);
-  channel[3] = m.alpha > 0 ? MixChannel(ends, 3, weight) : hn::Set(Bytes(), 255);
-  WriteChannels(channel, texels, pitch);
-}
-
-/// Modes 4 and 5: color and alpha have indices of their own.
-template <uint32_t kMode>
-HWY_INLINE void DecodeSeparate(const bc7::Block& block, uint8_t* texels, size_t pitch) {
-  constexpr bc7::Mode m = bc7::kModes[kMode];
-  const auto rotation = static_cast<uint32_t>(block.field(kMode + 1, m.rotation));
-  const bool swapped = m.selection && block.field(kMode + 1 + m.rotation, m.selection);
-  uint64_t endpoint[6];
-  const uint32_t position = bc7::read_endpoints<kMode>(block, kMode + 1 + m.rotation + m.selection, endpoint);
-  const ByteVec first = WeightsOf<m.index>(whole_indices<m.index, 1>(block.field(position, 16 * m.index - 1), 0));
-  const ByteVec second = WeightsOf<m.second_index>(
-      whole_indices<m.second_index, 1>(block.field(position + 16 * m.index - 1, 16 * m.second_index - 1), 0));
-  const ByteVec color = swapped ? second : first, alpha = swapped ? first : second;
-  const Ends ends = EndsOf<kMode>(endpoint, 0);
-  ByteVec channel[4];
-  for (uint32_t c = 0; c < 4; ++c) channel[c] = MixChannel(ends, c, c < 3 ? color : alpha);
-  if (rotation > 0) {
-    const ByteVec turned = channel[3];
-    channel[3] = channel[rotation - 1];
-    channel[rotation - 1] = turned;
+/// One weight for all channels of a texel.
+struct SameWeights {
+  WideVec weight;
+  HWY_INLINE WideVec low(size_t i) const {
+    return hn::TableLookupBytesOr0(weight, hn::Load(Wide(), kLayout.word + i));
   }
-  WriteChannels(channel, texels, pitch);
+  HWY_INLINE WideVec high(size_t i) const { return low(i); }
+};
+
+/// Alpha has a weight of its own.
+struct SeparateWeights {
+  WideVec color, alpha;
+  HWY_INLINE WideVec low(size_t i) const {
+    return hn::TableLookupBytesOr0(color, hn::Load(Wide(), kLayout.word + i));
+  }
+  HWY_INLINE WideVec high(size_t i) const {
+    return hn::Or(hn::TableLookupBytesOr0(color, hn::Load(Wide(), kLayout.green + i)),
+                  hn::TableLookupBytesOr0(alpha, hn::Load(Wide(), kLayout.alpha + i)));
+  }
+};
+
+/// Modes 4 and 5: color and alpha have indices of their own, and alpha is swapped with a channel.
+HWY_NOINLINE void DecodeSeparate(uint32_t number, const bc7::Block& block, ByteVec bytes, uint8_t* texels,
+                                 size_t pitch) {
+  const Wide d;
+  const bc7::ModeTable& table = bc7::kModeTables.mode[number];
+  const bc7::Mode& mode = bc7::kModes[number];
+  const auto rotation = static_cast<uint32_t>(block.field(number + 1, mode.rotation));
+  const bool swapped = block.field(number + 1 + mode.rotation, mode.selection) != 0;
+  const auto weights = [&](uint32_t bits, uint32_t position) SHD_INLINE_LAMBDA {
+    const uint64_t indices = insert_zero(block.field(position, 16 * bits - 1), bits - 1);
+    return Repeated(d, WeightsOf(bc7::kIndexTables.of_bits[bits - 2], indices));
+  };
+  const auto first = weights(mode.index, table.index_shift);
+  const auto second = weights(mode.second_index, table.index_shift + 16 * mode.index - 1);
+  alignas(16) static constexpr uint8_t kTurn[4][16] = {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
+                                                       {3, 1, 2, 0, 7, 5, 6, 4, 11, 9, 10, 8, 15, 13, 14, 12},
+                                                       {0, 3, 2, 1, 4, 7, 6, 5, 8, 11, 10, 9, 12, 15, 14, 13},
+                                                       {0, 1, 3, 2, 4, 5, 7, 6, 8, 9, 11, 10, 12, 13, 15, 14}};
+  const auto order = hn::LoadDup128(d, kTurn[rotation]);
+  const SeparateWeights both = {swapped ? second : first, swapped ? first : second};
+  const auto turn = [&](WideVec rows) SHD_INLINE_LAMBDA { return hn::TableLookupBytes(rows, order); };
+  Mix(EndsOf(d, table, 0, bytes), both, turn, texels, pitch);
 }
 
 void DecodeBc7(const uint8_t* bytes, uint8_t* texels, size_t pitch) {
+  const Wide d;
   const bc7::Block block = {bits_at<8>(bytes), bits_at<8>(bytes + 8)};
-  if (bytes[0] == 0) return decode_bc7(bytes, texels, pitch);  // reserved
-  switch (__builtin_ctz(bytes[0])) {
-    case 0: return DecodeMode<0>(block, texels, pitch);
-    case 1: return DecodeMode<1>(block, texels, pitch);
-    case 2: return DecodeMode<2>(block, texels, pitch);
-    case 3: return DecodeMode<3>(block, texels, pitch);
-    case 4: return DecodeSeparate<4>(block, texels, pitch);
-    case 5: return DecodeSeparate<5>(block, texels, pitch);
-    case 6: return DecodeMode<6>(block, texels, pitch);
-    default: return DecodeMode<7>(block, texels, pitch);
+  const auto number = static_cast<uint32_t>(__builtin_ctz(bytes[0] | 256u));
+  const bc7::ModeTable& mode = bc7::kModeTables.mode[number];
+  const auto raw = hn::LoadU(Bytes(), bytes);
+  if (HWY_UNLIKELY(mode.separate)) return DecodeSeparate(number, block, raw, texels, pitch);
+  const uint32_t partition = static_cast<uint32_t>(block.low >> mode.partition_shift) & mode.partition_mask;
+  const bc7::AnchorRow anchors = bc7::kAnchors.row[mode.anchors + partition];
+  uint64_t indices = block.high >> mode.index_shift;
+  // The bits from a position on are doubled, so that a zero is inserted there.
+  for (const uint32_t position : {uint32_t{anchors.last}, uint32_t{anchors.second}, mode.bits - 1}) {
+    indices += indices & ~uint64_t{0} << position;
   }
+  const SameWeights weights = {Repeated(d, WeightsOf(bc7::kIndexTables.of_bits[mode.bits - 2], indices))};
+  Mix(EndsOf(d, mode, partition, raw), weights, [](WideVec rows) SHD_INLINE_LAMBDA { return rows; }, texels, pitch);
 }
 
 }  // namespace

@@ -53,8 +53,10 @@ class Placer {
 
   /// Texels of a row of a level that lie in the cache side by side: texel i is texel i + offset of the cache.
   struct Run {
-    bool found;
-    int32_t offset;
+    bool found = false;
+    int32_t offset = 0;
+    uint32_t y = 0, column = 0, count = 0;  // row of texels; blocks
+    const BlockLevel* level = nullptr;
   };
 
   void begin() {
@@ -100,33 +102,102 @@ class Placer {
     const int32_t low = begin < last ? begin : last, span = (begin < last ? last : begin) - low;
     const auto from_low = hn::BitCast(du, hn::Load(di, index) - hn::Set(di, low));
     const auto most = hn::Set(du, static_cast<uint32_t>(span));
-    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {false, 0};
-    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(span + more);
+    if (low < 0 || span > kLongest || !hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low))) return {};
+    return find_between(low, low + span, more);
+  }
+
+  /// Decodes the blocks of texels low to high + more, if they lie in one row.
+  HWY_INLINE Run find_between(int32_t low, int32_t high, int32_t more) {
+    const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(high - low + more);
     Known& known = level_at(first);
     const BlockLevel& level = known.level;
     const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
-    if (HWY_UNLIKELY(x + length >= level.width)) return {false, 0};
-    const uint32_t column = x / 4, count = (x + length) / 4 - column + 1;
-    const uint32_t block = level.block + y / 4 * level.across + column;
-    const uint32_t after = block - known.block;
-    uint32_t place = known.place + after;
-    if (after >= known.count || after + count > known.count) {
-      place = cache_.place_of(column, y / 4, level.number);
-      if (HWY_UNLIKELY(!load_run(block, place, count))) return {false, 0};
-      known.block = block;
-      known.count = count;
-      known.place = place;
+    if (HWY_UNLIKELY(x + length >= level.width)) return {};
+    Run run;
+    run.y = y;
+    run.column = x / 4;
+    run.count = (x + length) / 4 - run.column + 1;
+    run.level = &level;
+    uint32_t place;
+    run.found = load_row(known, run, y / 4, &place);
+    run.offset = static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - run.column) + x - first);
+    return run;
+  }
+
+  /// Finds the runs of a vector of indices in one row of texels, most of which lie near both ends of the row: where
+  /// SHD_WRAP_REPEAT wraps around. Returns whether there are two, and the vector in the cache.
+  HWY_NOINLINE bool find_two_runs(const int32_t* index, int32_t more, int32_t* out) {
+    const DI di;
+    const auto all = hn::Load(di, index);
+    const auto low = hn::MinOfLanes(di, all), high = hn::MaxOfLanes(di, all);
+    const auto behind = hn::Gt(all, low + hn::ShiftRight<1>(high - low));
+    const int32_t first = hn::GetLane(low), before = hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElse(behind, low, all)));
+    const int32_t after = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(behind, all, high))), last = hn::GetLane(high);
+    if (first < 0 || before - first > kLongest || last - after > kLongest) return false;
+    const Run left = find_between(first, before, more), right = left.found ? find_between(after, last, more) : Run();
+    if (!right.found) return false;
+    hn::Store(all + hn::IfThenElse(behind, hn::Set(di, right.offset), hn::Set(di, left.offset)), di, out);
+    return true;
+  }
+
+  /// Returns the run below another one: of texels `step` behind those of `top`.
+  HWY_INLINE Run find_below(const Run& top, const int32_t* upper, const int32_t* lower) {
+    const DI di;
+    const int32_t step = lower[0] - upper[0];
+    const auto far = hn::Load(di, lower) - hn::Load(di, upper);
+    if (HWY_UNLIKELY(!hn::AllTrue(di, hn::Eq(far, hn::Set(di, step))))) return find_run(lower, 1);
+    if (step == 0) return top;
+    if (HWY_UNLIKELY(step != static_cast<int32_t>(top.level->width))) return find_run(lower, 1);
+    Run run = top;
+    run.offset += static_cast<int32_t>(cache_.pitch) - step;
+    if (top.y % 4 < 3) return run;  // the same blocks
+    Known& known = known_[recent_];
+    uint32_t place;
+    const uint32_t above = cache_.place_of(top.column, top.y / 4, top.level->number);
+    run.found = load_row(known, run, top.y / 4 + 1, &place);
+    run.offset += 4 * static_cast<int32_t>(place - above) - 4 * static_cast<int32_t>(cache_.pitch);
+    return run;
+  }
+
+  /// Loads the blocks of a run in a row of blocks, and returns the place of the first one. Blocks after known ones
+  /// make more of them known: vectors of tags that were written lately would wait for the writes.
+  HWY_INLINE bool load_row(Known& known, const Run& run, uint32_t row, uint32_t* place) {
+    const uint32_t block = known.level.block + row * known.level.across + run.column, after = block - known.block;
+    *place = cache_.place_of(run.column, row, known.level.number);
+    if (after <= known.count && *place == known.place + after) {
+      const uint32_t end = after + run.count, more = end - known.count;
+      if (end <= known.count) return true;
+      if (HWY_UNLIKELY(!load_run(known.block + known.count, known.place + known.count, more))) return false;
+      known.count = end;
+      return true;
     }
-    return {true, static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - column) + x - first)};
+    if (HWY_UNLIKELY(!load_run(block, *place, run.count))) return false;
+    known.block = block;
+    known.count = run.count;
+    known.place = *place;
+    return true;
   }
 
   /// Loads blocks of a row, and marks their places as read.
   HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
+    const DU du;
     if (HWY_UNLIKELY(place + count > cache_.places)) return false;
-    for (uint32_t k = 0; k < count; ++k) {
+    for (uint32_t k = 0; k < count; k += static_cast<uint32_t>(hn::Lanes(du))) {
+      const auto wanted = hn::FirstN(du, count - k);
+      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Iota(du, block + k));
+      if (!hn::AllFalse(du, hn::AndNot(there, wanted)) && !load_blocks(block + k, place + k, count - k)) return false;
+      hn::BlendedStore(hn::Set(du, cache_.now), wanted, du, cache_.turn + place + k);
+    }
+    return true;
+  }
+
+  /// Loads at most a vector of blocks of a row.
+  HWY_NOINLINE bool load_blocks(uint32_t block, uint32_t place, uint32_t count) {
+    const auto lanes = static_cast<uint32_t>(hn::Lanes(DU()));
+    const uint32_t end = count < lanes ? count : lanes;
+    for (uint32_t k = 0; k < end; ++k) {
       if (HWY_UNLIKELY(!load(block + k, place + k))) return false;
     }
-    for (uint32_t k = 0; k < count; ++k) cache_.turn[place + k] = cache_.now;
     return true;
   }
 
@@ -143,10 +214,17 @@ class Placer {
   /// Places a quad of neighbours. Returns whether they still are neighbours.
   HWY_INLINE bool place_quad(size_t at, Stream* stream) {
     int32_t *const upper = stream->index[0] + at, *const lower = stream->index[2] + at;
-    const Run top = find_run(upper, 1), bottom = top.found ? find_run(lower, 1) : top;
+    const Run top = find_run(upper, 1), bottom = top.found ? find_below(top, upper, lower) : top;
     if (HWY_LIKELY(bottom.found)) {
       move(upper, top);
       move(lower, bottom);
+      return true;
+    }
+    alignas(64) int32_t placed[2][kMaxLanes];
+    if (find_two_runs(upper, 1, placed[0]) && find_two_runs(lower, 1, placed[1])) {
+      const DI di;
+      hn::Store(hn::Load(di, placed[0]), di, upper);
+      hn::Store(hn::Load(di, placed[1]), di, lower);
       return true;
     }
     set_after(upper, 1, stream->index[1] + at);
@@ -201,9 +279,11 @@ class Placer {
     y = y - hn::IfThenElseZero(before, one) + hn::IfThenElseZero(behind, one);
     x = x + hn::IfThenElseZero(before, width) - hn::IfThenElseZero(behind, width);
     const auto column = hn::ShiftRight<2>(x), row = hn::ShiftRight<2>(y);
+    const uint32_t half = cache_.places / 2;
     const auto zeroth = hn::Set(di, static_cast<int32_t>(cache_.place_of(0, 0, level.number)));
-    const auto mask = hn::Set(di, static_cast<int32_t>(cache_.places - 1));
-    const auto place = hn::And(column + row * hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep)) + zeroth, mask);
+    const auto mask = hn::Set(di, static_cast<int32_t>(half - 1)), bit = hn::Set(di, static_cast<int32_t>(half));
+    const auto step = hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep));
+    const auto place = hn::Or(hn::And(column + row * step + zeroth, mask), hn::And(zeroth, bit));
     const auto block =
         hn::Set(di, static_cast<int32_t>(level.block)) + row * hn::Set(di, static_cast<int32_t>(level.across)) + column;
     const auto there = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(cache_.block), place);

@@ -7,7 +7,8 @@ use crate::error::check;
 use crate::object::Object;
 use crate::pixels::{check_alignment, check_size, image_over, pixel_size, span};
 use crate::{
-    sys, Context, Error, Lookups, Plain, Result, ResultCode, Sampler, Texels, TextureDesc, TextureFlag, TextureInfo,
+    sys, Context, Error, Lookups, Plain, Result, ResultCode, Sampler, Table, Texels, TextureDesc, TextureFlag,
+    TextureInfo,
 };
 
 /// An image prepared for filtering. A clone is another owner of the same texture.
@@ -92,6 +93,59 @@ impl Texture<'static> {
     /// Makes a texture of copied texels, rows from top to bottom.
     pub fn new<T: Plain>(context: &Context, desc: &TextureDesc, texels: &[T]) -> Result<Self> {
         Self::create(context, &describe(desc, texels, 0)?)
+    }
+
+    /// Makes a texture of compressed blocks of 4 x 4 texels, which are copied. `levels` are the base and any number of
+    /// mip levels below it; each has the blocks of all layers, packed. Strides and tables of `desc` have no effect.
+    ///
+    /// ```
+    /// # use shd::{Context, Format, Lookups, Sampler, SamplerDesc, Texels, Texture, TextureDesc};
+    /// # let context = Context::new()?;
+    /// let desc = TextureDesc { format: Format::BC1_RGB, width: 4, height: 4, ..Default::default() };
+    /// let block = [0x00, 0xf8, 0x1f, 0x00, 0x00, 0x55, 0x00, 0x00]; // a row of blue among rows of red
+    /// let texture = Texture::from_blocks(&context, &desc, &[&block])?;
+    /// let mut blue = [0.0; 2];
+    /// let mut texels = Texels::new().channel(2, &mut blue);
+    /// let sampler = Sampler::new(&context, &SamplerDesc::default())?;
+    /// texture.sample(&sampler, &Lookups::new(&[0.125, 0.125], &[0.125, 0.375]), &mut texels)?;
+    /// assert_eq!(blue, [0.0, 1.0]);
+    /// # Ok::<(), shd::Error>(())
+    /// ```
+    pub fn from_blocks(context: &Context, desc: &TextureDesc, levels: &[&[u8]]) -> Result<Self> {
+        let mut raw = desc.to_raw();
+        let block = unsafe { sys::shd_format_block_size(raw.format) };
+        if block == 0 {
+            return Err(Error::argument(format!("texture.format: {:?} has no compressed blocks", raw.format)));
+        }
+        let layers = raw.layers.max(1) as usize;
+        let mut sizes = Vec::with_capacity(levels.len());
+        for (level, blocks) in levels.iter().enumerate() {
+            let side = |size: u32| (size.checked_shr(level as u32).unwrap_or(0).max(1) as usize + 3) / 4;
+            let size = side(raw.width).checked_mul(side(raw.height)).and_then(|count| count.checked_mul(block));
+            let (size, needed) = size.and_then(|size| Some((size, size.checked_mul(layers)?))).unwrap_or_default();
+            if blocks.len() != needed || needed == 0 {
+                return Err(Error::argument(format!("levels[{level}]: {} bytes, not {needed}", blocks.len())));
+            }
+            sizes.push(size);
+        }
+        if levels.is_empty() {
+            return Err(Error::argument("levels: the list is empty"));
+        }
+        let mut images = Vec::with_capacity(layers * (levels.len() - 1));
+        for layer in 0..layers {
+            for (level, blocks) in levels.iter().enumerate().skip(1) {
+                let mut image = sys::shd_image::default();
+                image.format = raw.format;
+                image.width = raw.width.checked_shr(level as u32).unwrap_or(0).max(1);
+                image.height = raw.height.checked_shr(level as u32).unwrap_or(0).max(1);
+                image.pixels = blocks[layer * sizes[level]..].as_ptr() as *mut _;
+                images.push(image);
+            }
+        }
+        (raw.row_stride, raw.layer_stride, raw.texels) = (0, 0, levels[0].as_ptr().cast());
+        raw.tables = if levels.len() > 1 { Table::MIPMAP.0 } else { 0 };
+        (raw.levels, raw.level_count) = (images.as_ptr(), levels.len() as u32 - 1);
+        Self::create(context, &raw)
     }
 }
 

@@ -187,3 +187,32 @@ fn every_type_is_send_and_sync() {
     check::<PlaneView<'_, f32>>();
     check::<Error>();
 }
+
+#[test]
+fn compressed_blocks_are_looked_up() {
+    // The first row of BC1 is red, blue and colours between them; BC7 is one colour, in mode 6.
+    const BC1: [u8; 8] = [0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0];
+    const BC7: [u8; 16] = [192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0];
+    let context = Context::new().unwrap();
+    let sampler = Sampler::new(&context, &SamplerDesc { filter: Filter::NEAREST_MIP, ..Default::default() }).unwrap();
+    let desc = |format, width, height, layers| TextureDesc { format, width, height, layers, ..Default::default() };
+    let green = |texture: &Texture, lod: f32, layer: u32| {
+        let (mut found, lods, layers) = ([0.0f32], [lod], [layer]);
+        let lookups = Lookups::new(&[0.375], &[0.125]).lod(&lods).layer(&layers);
+        texture.sample(&sampler, &lookups, &mut Texels::new().channel(1, &mut found)).unwrap();
+        found[0] * 255.0
+    };
+    let blue = Texture::from_blocks(&context, &desc(Format::BC1_RGB, 4, 4, 1), &[&BC1]).unwrap();
+    assert_eq!(green(&blue, 0.0, 0), 0.0);
+    assert_eq!(green(&Texture::from_blocks(&context, &desc(Format::BC7, 3, 1, 1), &[&BC7]).unwrap(), 0.0, 0), 41.0);
+    let levels = [[BC7, BC7, [0; 16], [0; 16]].concat(), [[0; 16], BC7].concat()];
+    let both: Vec<&[u8]> = levels.iter().map(|level| &level[..]).collect();
+    let layered = Texture::from_blocks(&context, &desc(Format::BC7, 8, 4, 2), &both).unwrap();
+    let found = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)].map(|(lod, layer)| green(&layered, lod, layer));
+    assert_eq!(found, [41.0, 0.0, 0.0, 41.0]);
+    let refused = |desc: &TextureDesc, levels: &[&[u8]]| message(Texture::from_blocks(&context, desc, levels));
+    assert_eq!(refused(&desc(Format::BC7, 5, 4, 1), &[&BC7]), "levels[0]: 16 bytes, not 32");
+    assert_eq!(refused(&desc(Format::BC7, 4, 4, 1), &[&BC7, &BC1]), "levels[1]: 8 bytes, not 16");
+    assert_eq!(refused(&desc(Format::BC7, 4, 4, 1), &[]), "levels: the list is empty");
+    assert!(refused(&desc(Format::RGBA8, 4, 4, 1), &[&BC7]).contains("has no compressed blocks"));
+}
