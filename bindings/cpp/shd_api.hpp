@@ -52,6 +52,9 @@
 #include <shd/texture_file.h>
 #endif
 #include <shd/tile_cache.h>
+#if __has_include(<shd/tile_file.h>)
+#include <shd/tile_file.h>
+#endif
 #include <shd/tiles.h>
 #include <shd/transform.h>
 #include <shd/vertices.h>
@@ -1094,6 +1097,19 @@ inline void tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles,
   check(shd_tile_cache_load_requested(cache, max_tiles, out_loaded));
 }
 
+#if __has_include(<shd/tile_file.h>)
+/// Open a tiled file, or a UDIM set, as a texture. See shd_texture_open().
+inline shd_tile_file_info texture_open(
+    shd_context* context_,
+    const char* path,
+    const shd_tile_file_desc* desc,
+    shd_texture** out_texture) {
+  shd_tile_file_info made = shd_tile_file_info_default();
+  check(shd_texture_open(context_, path, desc, out_texture, &made));
+  return made;
+}
+
+#endif
 /// Load the tiles of a region that are not resident. They may be evicted again, also by later tiles of the region if it
 /// is larger than the cache. See shd_texture_load_tiles().
 inline void texture_load_tiles(const shd_texture* texture_, const shd_tile_region* region) {

@@ -1410,9 +1410,9 @@ export type Channel =
  * Requires one
  * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
  * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
- * because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same
- * bits
- * as for copied texels.
+ * because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
+ * the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
+ * texels.
  * - `borrow_levels`: With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one
  * another without gaps
  * from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and

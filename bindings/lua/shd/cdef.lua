@@ -856,6 +856,8 @@ typedef struct shd_tile_cache_desc shd_tile_cache_desc;
 typedef struct shd_tile shd_tile;
 typedef struct shd_tile_source shd_tile_source;
 typedef struct shd_tile_cache_stats shd_tile_cache_stats;
+typedef struct shd_tile_file_desc shd_tile_file_desc;
+typedef struct shd_tile_file_info shd_tile_file_info;
 typedef struct shd_tile_region shd_tile_region;
 typedef struct shd_vertices shd_vertices;
 typedef struct shd_vertex_outputs shd_vertex_outputs;
@@ -1770,6 +1772,21 @@ struct shd_tile_cache_stats {
   uint64_t evicted_tiles;
   uint64_t waits;
 };
+struct shd_tile_file_desc {
+  uint32_t struct_size;
+  shd_color_encoding color_space;
+  shd_tile_cache *cache;
+  uint32_t max_readers;
+  float fill[4];
+};
+struct shd_tile_file_info {
+  uint32_t struct_size;
+  uint32_t columns;
+  uint32_t rows;
+  uint32_t files;
+  uint32_t tile_width;
+  uint32_t tile_height;
+};
 struct shd_tile_region {
   uint32_t struct_size;
   uint32_t layer;
@@ -2039,6 +2056,7 @@ void shd_tile_cache_retain(shd_tile_cache *cache);
 void shd_tile_cache_release(shd_tile_cache *cache);
 shd_result shd_tile_cache_get_stats(const shd_tile_cache *cache, shd_tile_cache_stats *out_stats);
 shd_result shd_tile_cache_load_requested(shd_tile_cache *cache, uint32_t max_tiles, uint32_t *out_loaded);
+shd_result shd_texture_open(shd_context *context, const char *path, const shd_tile_file_desc *desc, shd_texture **out_texture, shd_tile_file_info *out_info);
 shd_result shd_texture_load_tiles(const shd_texture *texture, const shd_tile_region *region);
 shd_result shd_texture_pin_tiles(const shd_texture *texture, const shd_tile_region *region);
 shd_result shd_texture_unpin_tiles(const shd_texture *texture, const shd_tile_region *region);

@@ -2313,6 +2313,32 @@ class TileCacheStats(Desc):
                  waits: int = ...,
                  ) -> None: ...
 
+class TileFileDesc(Desc):
+    color_space: Union[int, str]
+    cache: _Array
+    max_readers: int
+    fill: _Array
+    def __init__(self, *,
+                 color_space: Union[int, str] = ...,
+                 cache: _Array = ...,
+                 max_readers: int = ...,
+                 fill: _Array = ...,
+                 ) -> None: ...
+
+class TileFileInfo(Desc):
+    columns: int
+    rows: int
+    files: int
+    tile_width: int
+    tile_height: int
+    def __init__(self, *,
+                 columns: int = ...,
+                 rows: int = ...,
+                 files: int = ...,
+                 tile_width: int = ...,
+                 tile_height: int = ...,
+                 ) -> None: ...
+
 class TileRegion(Desc):
     layer: int
     level: int

@@ -2190,6 +2190,49 @@ namespace Shd
         }
     }
 
+    /// <summary>Options of a texture in a file. Required: cache.</summary>
+    public sealed unsafe partial class TileFileDesc
+    {
+        internal Native.TileFileDesc Raw = new Native.TileFileDesc();
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileFileDesc Default { get { return new TileFileDesc(); } }
+
+        /// <summary>
+        /// meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
+        /// declares nothing. Other numbers must be linear, or be declared so here
+        /// </summary>
+        public ColorEncoding ColorSpace { get { return Raw.ColorSpace; } set { Raw.ColorSpace = value; } }
+        /// <summary>retained by the texture</summary>
+        public TileCache Cache;
+        /// <summary>
+        /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
+        /// memory of OpenImageIO; more exist while more threads read
+        /// </summary>
+        public uint MaxReaders { get { return Raw.MaxReaders; } set { Raw.MaxReaders = value; } }
+        /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
+        public Float4 Fill { get { return Raw.Fill; } set { Raw.Fill = value; } }
+
+        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
+        internal Native.TileFileDesc Build(Call call, string name, long rows = -1)
+        {
+            Native.TileFileDesc made = Raw;
+            made.Cache = call.UseOrNull(Cache, name, "Cache");
+            return made;
+        }
+        internal static Native.TileFileDesc* BuildAll(Call call, string name, IList<TileFileDesc> list)
+        {
+            if (list == null || list.Count == 0) return null;
+            Native.TileFileDesc* all = (Native.TileFileDesc*)call.Memory((long)list.Count * sizeof(Native.TileFileDesc));
+            for (int i = 0; i < list.Count; ++i)
+            {
+                if (list[i] == null) throw new ArgumentNullException(Call.Element(name, i));
+                all[i] = list[i].Build(call, Call.Element(name, i));
+            }
+            return all;
+        }
+    }
+
     /// <summary>Density, transfer function, steps and shading of a volume. Required: point_count, texture, density, extinction.</summary>
     public sealed unsafe partial class VolumeDesc
     {

@@ -1544,8 +1544,9 @@ namespace Shd
         /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
         /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
         /// aligned to min(size of a texel, 4) bytes. Constants.TexturePadding bytes behind the last texel must be readable,
-        /// because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
-        /// as for copied texels.
+        /// because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
+        /// the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
+        /// texels.
         /// </summary>
         Borrow = 1,
         /// <summary>

@@ -993,6 +993,17 @@ namespace Shd.Native
         public static extern Result TextureSaveKtx2(IntPtr texture, byte* path, Ktx2Desc* desc);
 
         /// <summary>
+        /// Open a tiled file, or a UDIM set, as a texture.
+        ///
+        /// Files that are not tiled, or lack mip levels although they are larger than a tile, give Result.ErrorUnsupported:
+        /// shd-maketx converts them. Files whose levels do not halve (rounded down), or differ in channels, give
+        /// Result.ErrorUnsupported or Result.ErrorCorrupt. Tiles have at most 2^26 bytes.
+        /// </summary>
+        [DllImport("shd_io", EntryPoint = "shd_texture_open", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result TextureOpen(
+            IntPtr context, byte* path, TileFileDesc* desc, IntPtr* outTexture, TileFileInfo* outInfo);
+
+        /// <summary>
         /// Make a 3D texture from a file of voxels.
         ///
         /// The size of the file must be that of the header and all voxels: a shorter or longer file is Result.ErrorCorrupt, with

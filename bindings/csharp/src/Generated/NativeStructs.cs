@@ -2282,6 +2282,28 @@ namespace Shd.Native
         public void* UserData;
     }
 
+    /// <summary>Options of a texture in a file. Required: cache.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileFileDesc
+    {
+        /// <summary>set by shd_tile_file_desc_default()</summary>
+        public uint StructSize;
+        /// <summary>
+        /// meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
+        /// declares nothing. Other numbers must be linear, or be declared so here
+        /// </summary>
+        public ColorEncoding ColorSpace;
+        /// <summary>retained by the texture</summary>
+        public IntPtr Cache;
+        /// <summary>
+        /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
+        /// memory of OpenImageIO; more exist while more threads read
+        /// </summary>
+        public uint MaxReaders;
+        /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
+        public Float4 Fill;
+    }
+
     /// <summary>
     /// Neighbouring vertices of one draw, one row each, as packed columns of `count` elements; borrowed for the call.
     ///

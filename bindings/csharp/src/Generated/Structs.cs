@@ -904,6 +904,27 @@ namespace Shd
         public ulong Waits;
     }
 
+    /// <summary>Files of a texture.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TileFileInfo
+    {
+        /// <summary>set by shd_tile_file_info_default()</summary>
+        public uint StructSize;
+        /// <summary>files of a set side by side; 1 for a file</summary>
+        public uint Columns;
+        /// <summary>files of a set one above the other; 1 for a file</summary>
+        public uint Rows;
+        /// <summary>files that exist</summary>
+        public uint Files;
+        /// <summary>
+        /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
+        /// a file once
+        /// </summary>
+        public uint TileWidth;
+        /// <summary>texels of a tile of a file</summary>
+        public uint TileHeight;
+    }
+
     /// <summary>A rectangle of a level. Required: width, height.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TileRegion

@@ -2072,8 +2072,9 @@ impl shd_texture_flag {
     /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
     /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
     /// aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
-    /// because lookups load whole vectors. Blocks need neither the alignment nor the padding. Lookups give the same bits
-    /// as for copied texels.
+    /// because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
+    /// the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
+    /// texels.
     pub const BORROW: Self = Self(1);
     /// With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one another without gaps
     /// from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
@@ -5128,6 +5129,53 @@ const _: () = assert!(core::mem::size_of::<shd_tile_cache_stats>() == 80);
 const _: () = assert!(core::mem::align_of::<shd_tile_cache_stats>() == 8);
 init!(shd_tile_cache_stats);
 
+/// Options of a texture in a file. Required: cache.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_file_desc {
+    /// set by shd_tile_file_desc_default()
+    pub struct_size: u32,
+    /// meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
+    /// declares nothing. Other numbers must be linear, or be declared so here
+    pub color_space: shd_color_encoding,
+    /// retained by the texture
+    pub cache: *mut shd_tile_cache,
+    /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
+    /// memory of OpenImageIO; more exist while more threads read
+    pub max_readers: u32,
+    /// colour of absent files of a set, linear; finite; default 0, 0, 0, 1
+    pub fill: [f32; 4],
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_file_desc>() == 40);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_file_desc>() == 8);
+init!(shd_tile_file_desc);
+
+/// Files of a texture.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct shd_tile_file_info {
+    /// set by shd_tile_file_info_default()
+    pub struct_size: u32,
+    /// files of a set side by side; 1 for a file
+    pub columns: u32,
+    /// files of a set one above the other; 1 for a file
+    pub rows: u32,
+    /// files that exist
+    pub files: u32,
+    /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
+    /// a file once
+    pub tile_width: u32,
+    /// texels of a tile of a file
+    pub tile_height: u32,
+}
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::size_of::<shd_tile_file_info>() == 24);
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(core::mem::align_of::<shd_tile_file_info>() == 4);
+init!(shd_tile_file_info);
+
 /// A rectangle of a level. Required: width, height.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -6403,6 +6451,17 @@ extern "C" {
     /// - `path`: used literally; borrowed for the call
     /// - `desc`: borrowed for the call; NULL = all defaults
     pub fn shd_texture_save_ktx2(texture: *const shd_texture, path: *const c_char, desc: *const shd_ktx2_desc) -> shd_result;
+    /// Open a tiled file, or a UDIM set, as a texture.
+    ///
+    /// Files that are not tiled, or lack mip levels although they are larger than a tile, give SHD_ERROR_UNSUPPORTED:
+    /// shd-maketx converts them. Files whose levels do not halve (rounded down), or differ in channels, give
+    /// SHD_ERROR_UNSUPPORTED or SHD_ERROR_CORRUPT. Tiles have at most 2^26 bytes.
+    ///
+    /// - `path`: a file, or a set by one `<UDIM>`; used literally otherwise; borrowed for the call
+    /// - `desc`: borrowed for the call
+    /// - `out_texture`: owned; NULL on failure
+    /// - `out_info`: its struct_size is read; the rest is written, all zero on failure; may be NULL
+    pub fn shd_texture_open(context: *mut shd_context, path: *const c_char, desc: *const shd_tile_file_desc, out_texture: *mut *mut shd_texture, out_info: *mut shd_tile_file_info) -> shd_result;
     /// Make a 3D texture from a file of voxels.
     ///
     /// The size of the file must be that of the header and all voxels: a shorter or longer file is SHD_ERROR_CORRUPT, with

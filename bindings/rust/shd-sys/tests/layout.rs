@@ -1074,6 +1074,25 @@ fn shd_tile_cache_stats_offsets() {
 }
 
 #[test]
+fn shd_tile_file_desc_offsets() {
+    offset!(shd_tile_file_desc, struct_size, 0);
+    offset!(shd_tile_file_desc, color_space, 4);
+    offset!(shd_tile_file_desc, cache, 8);
+    offset!(shd_tile_file_desc, max_readers, 16);
+    offset!(shd_tile_file_desc, fill, 20);
+}
+
+#[test]
+fn shd_tile_file_info_offsets() {
+    offset!(shd_tile_file_info, struct_size, 0);
+    offset!(shd_tile_file_info, columns, 4);
+    offset!(shd_tile_file_info, rows, 8);
+    offset!(shd_tile_file_info, files, 12);
+    offset!(shd_tile_file_info, tile_width, 16);
+    offset!(shd_tile_file_info, tile_height, 20);
+}
+
+#[test]
 fn shd_tile_region_offsets() {
     offset!(shd_tile_region, struct_size, 0);
     offset!(shd_tile_region, layer, 4);
