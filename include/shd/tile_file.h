@@ -41,7 +41,7 @@ typedef struct shd_tile_file_desc {
     shd_color_encoding color_space; /**< meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
                                          declares nothing. Other numbers must be linear, or be declared so here */
     shd_tile_cache *cache;          /**< retained by the texture */
-    uint32_t max_readers;           /**< open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
+    size_t max_readers;             /**< open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
                                          memory of OpenImageIO; more exist while more threads read */
     float fill[4];                  /**< colour of absent files of a set, linear; finite; default 0, 0, 0, 1 */
     /* ---- end of 0.1; append below ---- */

@@ -10,6 +10,7 @@
 
 #include <shd/shd.h>
 #include <shd/texture_file.h>
+#include <shd/tile_file.h>
 #include <shd/volume_file.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>
@@ -423,6 +424,49 @@ static void use_render(void)
     shd_material_release(material);
 }
 
+#ifndef SHD_TEST_OLDER /* the first layout of shd_texture_desc has no tiles */
+static shd_result load_black(void *user_data, const shd_tile *tiles, size_t count)
+{
+    (void)user_data;
+    (void)count;
+    memset(tiles->texels, 0, tiles->row_stride * tiles->height);
+    return SHD_OK;
+}
+
+/* A texture of one texel. */
+static void use_tiled_texture(shd_tile_cache *cache)
+{
+    shd_texture *texture = NULL;
+    MAKE(shd_texture_desc, desc);
+    MAKE(shd_tile_region, region);
+    desc->format = SHD_FORMAT_RGBA8;
+    desc->width = desc->height = 1;
+    desc->tiles.cache = cache;
+    desc->tiles.load = load_black;
+    expect(shd_texture_create(g_context, desc, &texture) == SHD_OK, "texture in tiles");
+    region->width = region->height = 1;
+    EXPECT_READ(region, shd_texture_pin_tiles(texture, region));
+    expect(shd_texture_load_tiles(texture, region) == SHD_OK, "tiles");
+    shd_texture_release(texture);
+}
+#endif
+
+static void use_tiles(void)
+{
+    shd_tile_cache *cache = NULL;
+    MAKE(shd_tile_cache_desc, desc);
+    MAKE(shd_tile_cache_stats, stats);
+    EXPECT_READ(desc, shd_tile_cache_create(g_context, desc, &cache));
+    expect(shd_tile_cache_create(g_context, desc, &cache) == SHD_OK, "tile cache");
+#ifndef SHD_TEST_OLDER
+    use_tiled_texture(cache);
+#endif
+    SPOIL(stats);
+    expect(shd_tile_cache_get_stats(cache, stats) == SHD_OK, "tile cache stats");
+    EXPECT_WRITTEN(stats, stats->resident_tiles == 0);
+    shd_tile_cache_release(cache);
+}
+
 static void use_color(void)
 {
 #ifdef SHD_TEST_COLOR
@@ -561,6 +605,7 @@ int main(int argc, char **argv)
     use_shapes();
     use_mesh();
     use_render();
+    use_tiles();
     use_color();
     use_io(argc > 1 ? argv[1] : "caller.png");
     use_scene();

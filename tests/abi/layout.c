@@ -7,6 +7,7 @@
 
 #include <shd/shd.h>
 #include <shd/texture_file.h>
+#include <shd/tile_file.h>
 #include <shd/volume_file.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>

@@ -163,6 +163,21 @@ namespace Shd
         }
     }
 
+    /// <summary>Memory for the tiles of textures that stay in files.</summary>
+    public sealed unsafe class TileCache : ShdObject
+    {
+        public TileCache(Context context, TileCacheDesc desc) : base(new TileCacheHandle())
+        {
+            using (Call call = new Call())
+            {
+                TileCacheDesc built = desc;
+                IntPtr made;
+                call.Check(Native.LibShd.TileCacheCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+    }
+
     /// <summary>The triangles of draws in a tree of Embree, which traces rays for OcclusionDesc.</summary>
     public sealed unsafe class Embree : ShdObject
     {

@@ -1776,7 +1776,7 @@ struct shd_tile_file_desc {
   uint32_t struct_size;
   shd_color_encoding color_space;
   shd_tile_cache *cache;
-  uint32_t max_readers;
+  size_t max_readers;
   float fill[4];
 };
 struct shd_tile_file_info {

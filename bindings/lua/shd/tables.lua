@@ -997,7 +997,7 @@ tables.structs = {
   shd_tile_file_desc = {size = 40, desc_kind = 0,
     {"color_space", "enum", "shd_color_encoding"},
     {"cache", "handle", "shd_tile_cache"},
-    {"max_readers", "number", "uint32_t"},
+    {"max_readers", "number", "size_t"},
     {"fill", "numbers", "float", array = {4}},
   },
   shd_tile_file_info = {size = 24, desc_kind = 0,

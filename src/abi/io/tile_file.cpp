@@ -111,7 +111,7 @@ shd_tile_file_desc read_file_desc(const shd_tile_file_desc* in) {
            static_cast<int>(desc.color_space));
   }
   if (desc.max_readers > 4096) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file.max_readers: %u is not in 0..4096", desc.max_readers);
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.max_readers: %zu is not in 0..4096", desc.max_readers);
   }
   for (int c = 0; c < 4; ++c) {
     if (!std::isfinite(desc.fill[c])) refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file.fill[%d]: not finite", c);

@@ -2209,7 +2209,7 @@ namespace Shd
         /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
         /// memory of OpenImageIO; more exist while more threads read
         /// </summary>
-        public uint MaxReaders { get { return Raw.MaxReaders; } set { Raw.MaxReaders = value; } }
+        public long MaxReaders { get { return Raw.MaxReaders; } set { Raw.MaxReaders = value; } }
         /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
         public Float4 Fill { get { return Raw.Fill; } set { Raw.Fill = value; } }
 

@@ -2299,7 +2299,8 @@ namespace Shd.Native
         /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
         /// memory of OpenImageIO; more exist while more threads read
         /// </summary>
-        public uint MaxReaders;
+        public long MaxReaders { get { return (long)maxReadersWord; } set { maxReadersWord = (UIntPtr)checked((ulong)value); } }
+        private UIntPtr maxReadersWord;
         /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
         public Float4 Fill;
     }

@@ -5142,7 +5142,7 @@ pub struct shd_tile_file_desc {
     pub cache: *mut shd_tile_cache,
     /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
     /// memory of OpenImageIO; more exist while more threads read
-    pub max_readers: u32,
+    pub max_readers: usize,
     /// colour of absent files of a set, linear; finite; default 0, 0, 0, 1
     pub fill: [f32; 4],
 }

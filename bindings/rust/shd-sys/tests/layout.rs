@@ -1079,7 +1079,7 @@ fn shd_tile_file_desc_offsets() {
     offset!(shd_tile_file_desc, color_space, 4);
     offset!(shd_tile_file_desc, cache, 8);
     offset!(shd_tile_file_desc, max_readers, 16);
-    offset!(shd_tile_file_desc, fill, 20);
+    offset!(shd_tile_file_desc, fill, 24);
 }
 
 #[test]
