@@ -12,9 +12,9 @@
  * stored.
  *
  * A set of files is one texture. The path of a UDIM set contains `<UDIM>` in place of the number of a file, which is
- * 1001 + column + 10 row; rows count from the bottom. All files have the same size, channels, levels and tiles. With `columns` and `rows`
- * of shd_tile_file_info, a point (U, V) of a UDIM layout, with V up, is u = U / columns, v = 1 - V / rows. Files
- * that do not exist have the colour `fill`. A set has the levels whose sizes halve evenly in each file.
+ * 1001 + column + 10 row; rows count from the bottom. All files have the same size, channels, levels and tiles. With
+ * `columns` and `rows` of shd_tile_file_info, a point (U, V) of a UDIM layout, with V up, is u = U / columns, v = 1 - V
+ * / rows. Files that do not exist have the colour `fill`. A set has the levels whose sizes halve evenly in each file.
  *
  * Files are trusted: OpenImageIO decodes them in this process. Damaged tiles give an error of the lookup that names
  * file, level and place, and the next lookup tries again. shd_texture_load() is for untrusted files.

@@ -323,8 +323,7 @@ static struct golden_row k_golden[k_golden_count] = {
     {"mixed", 0},   {"floor", 0},     {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
     {"surface", 0}, {"lookups", 0},   {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
     {"fast", 0},    {"exact", 0},     {"textured", 0}, {"parallel", 0}, {"directions", 0}, {"environment", 0},
-    {"solid", 0},   {"texture3d", 0}, {"volume", 0},   {"bake", 0},     {"occlusion", 0},
-    {"blocks", 0}};
+    {"solid", 0},   {"texture3d", 0}, {"volume", 0},   {"bake", 0},     {"occlusion", 0},  {"blocks", 0}};
 
 static void measure_golden(void)
 {

@@ -164,8 +164,7 @@ void check(const Host& host, const Case& c) {
   shd_texture* const compressed = make_texture(host, c, c.format, blocks);
   shd_texture* const plain = make_texture(host, c, plain_of(c.format), texels);
   shd_lookups lookups = shd_lookups_default();
-  shd_f32_in* const in[6] = {&lookups.u,    &lookups.v,    &lookups.dudx,
-                             &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
+  shd_f32_in* const in[6] = {&lookups.u, &lookups.v, &lookups.dudx, &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
   lookups.count = kLookups;
   for (size_t k = 0; k < 6; ++k) in[k]->data = c.columns[k].data();
   lookups.layer.data = c.layer.data();

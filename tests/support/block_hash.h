@@ -79,8 +79,7 @@ static inline uint64_t shd_hash_block_lookups(shd_context *context, const shd_te
     shd_lookups lookups = shd_lookups_default();
     shd_texels out = {0};
     shd_sampler *sampler = NULL;
-    shd_f32_in *const in[6] = {&lookups.u,    &lookups.v,    &lookups.dudx,
-                               &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
+    shd_f32_in *const in[6] = {&lookups.u, &lookups.v, &lookups.dudx, &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
     size_t c;
     desc.filter = filter;
     desc.wrap_u = k_block_wraps[(unsigned)filter % 4];

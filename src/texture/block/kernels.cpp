@@ -149,8 +149,8 @@ HWY_INLINE hn::Vec<WideWords> ReadEndpoints(const bc7::ModeTable& mode, WideVec 
 }
 
 template <class D, class V>
-HWY_INLINE hn::Vec<hn::Half<D>> Narrowed(D, V words) {
-  return hn::DemoteTo(hn::Half<D>(), hn::BitCast(hn::RebindToSigned<hn::Repartition<uint16_t, D>>(), words));
+HWY_INLINE hn::Vec<hn::Half<D> > Narrowed(D, V words) {
+  return hn::DemoteTo(hn::Half<D>(), hn::BitCast(hn::RebindToSigned<hn::Repartition<uint16_t, D> >(), words));
 }
 
 template <class D>
@@ -202,9 +202,8 @@ HWY_INLINE void Mix(const Ends& ends, const Weights& weights, const Turn& turn, 
     const auto a = hn::BitCast(dw, hn::TableLookupBytes(ends.first, at));
     const auto b = hn::BitCast(dw, hn::TableLookupBytes(ends.second, at));
     // Differences wrap around, and the sum wraps back.
-    const auto mix = [&](auto a16, auto b16, auto w) SHD_INLINE_LAMBDA {
-      return hn::ShiftLeft<6>(a16) + (b16 - a16) * hn::BitCast(dw, w) + half;
-    };
+    const auto mix = [&](auto a16, auto b16, auto w)
+                         SHD_INLINE_LAMBDA { return hn::ShiftLeft<6>(a16) + (b16 - a16) * hn::BitCast(dw, w) + half; };
     const auto low = hn::ShiftRight<6>(mix(hn::And(a, low_byte), hn::And(b, low_byte), weights.low(i)));
     const auto high = mix(hn::ShiftRight<8>(a), hn::ShiftRight<8>(b), weights.high(i));
     const auto both = hn::Or(low, hn::AndNot(low_byte, hn::ShiftLeft<2>(high)));
@@ -215,18 +214,14 @@ HWY_INLINE void Mix(const Ends& ends, const Weights& weights, const Turn& turn, 
 /// One weight for all channels of a texel.
 struct SameWeights {
   WideVec weight;
-  HWY_INLINE WideVec low(size_t i) const {
-    return hn::TableLookupBytesOr0(weight, hn::Load(Wide(), kLayout.word + i));
-  }
+  HWY_INLINE WideVec low(size_t i) const { return hn::TableLookupBytesOr0(weight, hn::Load(Wide(), kLayout.word + i)); }
   HWY_INLINE WideVec high(size_t i) const { return low(i); }
 };
 
 /// Alpha has a weight of its own.
 struct SeparateWeights {
   WideVec color, alpha;
-  HWY_INLINE WideVec low(size_t i) const {
-    return hn::TableLookupBytesOr0(color, hn::Load(Wide(), kLayout.word + i));
-  }
+  HWY_INLINE WideVec low(size_t i) const { return hn::TableLookupBytesOr0(color, hn::Load(Wide(), kLayout.word + i)); }
   HWY_INLINE WideVec high(size_t i) const {
     return hn::Or(hn::TableLookupBytesOr0(color, hn::Load(Wide(), kLayout.green + i)),
                   hn::TableLookupBytesOr0(alpha, hn::Load(Wide(), kLayout.alpha + i)));
@@ -272,7 +267,8 @@ void DecodeBc7(const uint8_t* bytes, uint8_t* texels, size_t pitch) {
     indices += indices & ~uint64_t{0} << position;
   }
   const SameWeights weights = {Repeated(d, WeightsOf(bc7::kIndexTables.of_bits[mode.bits - 2], indices))};
-  Mix(EndsOf(d, mode, partition, raw), weights, [](WideVec rows) SHD_INLINE_LAMBDA { return rows; }, texels, pitch);
+  Mix(
+      EndsOf(d, mode, partition, raw), weights, [](WideVec rows) SHD_INLINE_LAMBDA { return rows; }, texels, pitch);
 }
 
 }  // namespace
