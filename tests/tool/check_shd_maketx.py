@@ -47,7 +47,8 @@ def check_formats():
     sizes = [(64, 64), (300, 500), (1, 1), (127, 33), (256, 128), (1, 40), (96, 1025)]
     for k, kind in enumerate(("uint8", "uint16", "half", "float")):
         for channels in (1, 2, 3, 4):
-            for number in {(k + 2 * channels) % len(sizes), 1}:
+            numbers = {(k + 2 * channels) % len(sizes)} | ({1} if channels == 3 else set())
+            for number in sorted(numbers):
                 width, height = sizes[number]
                 tiles = "+tiles" if number % 2 else ""
                 helper("make", "in.tif", width, height, channels, kind + tiles)
@@ -56,7 +57,7 @@ def check_formats():
                 helper("check", "in.tif", "out.tx", meaning)
                 if number == 1:
                     helper("lookup", "out.tx")
-                if kind in ("half", "float") and channels > 2 and number == 1:
+                if kind in ("half", "float") and number == 1:
                     done("in.tif", "-o", "out.exr", "--force", "--quiet")
                     helper("check", "in.tif", "out.exr")
                     helper("lookup", "out.exr")
@@ -88,7 +89,7 @@ def check_kills():
     for attempt in range(60):
         process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
         # The last attempts run to the end.
-        wait = seconds * (0.1 + 1.1 * generator.random()) if attempt < 16 else None
+        wait = seconds * (0.1 + 1.1 * generator.random()) if attempt < 8 else None
         try:
             errors = process.communicate(timeout=wait)[1]
             assert process.returncode == 0, errors
@@ -101,7 +102,7 @@ def check_kills():
             assert read("killed.tx") == wanted, "the file differs after a kill"
             if process.returncode == 0:
                 assert not os.path.exists("killed.tx.part")
-            if attempt >= 16:
+            if attempt >= 8:
                 break
             os.remove("killed.tx")
             shutil.rmtree("killed.tx.part", ignore_errors=True)
