@@ -63,6 +63,7 @@ void register_lights();
 void register_volume();
 void register_mesh();
 void register_load();
+void register_tiles();
 void register_display();
 void register_present();
 

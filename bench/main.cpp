@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
   shd::bench::register_mesh();
 #ifdef SHD_BENCH_OIIO
   shd::bench::register_load();
+  shd::bench::register_tiles();
 #endif
 #ifdef SHD_BENCH_COLOR
   shd::bench::register_display();

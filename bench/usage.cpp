@@ -34,6 +34,7 @@ constexpr Line kGroups[] = {
     {"update", "replacing a part of a texture with mip levels"},
 #ifdef SHD_BENCH_OIIO
     {"load", "PNG files by libshd_io, in the process and by its worker"},
+    {"tiles", "frames from tiled files that are not in memory"},
 #endif
 #ifdef SHD_BENCH_COLOR
     {"display", "framebuffers to display pixels by libshd_color"},
