@@ -178,8 +178,7 @@ void measure_openimageio(benchmark::State& state, const Row& row) {
 void measure_shd(benchmark::State& state, const Row& row, const Target& target) {
   shd_context* const raw = make_context(target.simd);
   const std::unique_ptr<shd_context, void (*)(shd_context*)> context(raw, shd_context_release);
-  const Difference difference =
-      compare(run_shd(context.get(), row, SHD_PROFILE_OIIO).rgba, run_openimageio(row).rgba);
+  const Difference difference = compare(run_shd(context.get(), row, SHD_PROFILE_OIIO).rgba, run_openimageio(row).rgba);
   state.counters["mean_difference"] = difference.mean;
   state.counters["max_difference"] = difference.max;
   if (!(difference.mean <= kMaxMeanDifference)) throw std::runtime_error("the picture differs from OpenImageIO's");

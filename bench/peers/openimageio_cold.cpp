@@ -26,8 +26,7 @@ void use_one_thread() {
 }  // namespace
 
 TiledFile::TiledFile(const std::string& extension, uint32_t edge, const std::vector<uint8_t>& texels)
-    : path_(std::filesystem::temp_directory_path() /
-            ("shd-bench-" + std::to_string(getpid()) + "-cold." + extension)) {
+    : path_(std::filesystem::temp_directory_path() / ("shd-bench-" + std::to_string(getpid()) + "-cold." + extension)) {
   const int size = static_cast<int>(edge);
   const OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 4, OIIO::TypeDesc::UINT8),
                              const_cast<uint8_t*>(texels.data()));
