@@ -19,13 +19,13 @@ static double way_at(double t)
     enum { STEPS = 1024 };
     double way = 0;
     int i;
-    for (i = 0; i < STEPS; ++i) way += fmin(24.0 * altitude_at(t * (i + 0.5) / STEPS), 1.2) * t / STEPS;
+    for (i = 0; i < STEPS; ++i) way += fmin(200.0 * altitude_at(t * (i + 0.5) / STEPS), 0.9) * t / STEPS;
     return way;
 }
 
 struct flight flight_at(uint32_t frame, uint32_t count)
 {
-    static const double k_start[3] = {-0.2425, 0.0, 0.9701}, k_heading[3] = {0.776, 0.6, 0.194}; /* at right angles */
+    static const double k_start[3] = {-0.2425, 0.0, 0.9701}, k_heading[3] = {0.8731, -0.4359, 0.2183}; /* at right angles */
     const double t = count > 1 ? (double)frame / (double)(count - 1) : 0.0;
     const double altitude = altitude_at(t), way = way_at(t);
     const double low = 1.0 - log(altitude / k_low) / log(k_high / k_low);
