@@ -14,7 +14,7 @@ extern const float k_planet_sun[3];
 /* Makes the texture: u from west to east, v from the north pole down, as on SHD_SHAPE_SPHERE. */
 shd_result planet_create_texture(shd_context *context, shd_tile_cache *cache, shd_texture **out);
 
-/* Loads the coarse levels of at most 1024 x 1024 texels, and keeps them: every lookup then finds some level. */
+/* Loads the coarse levels of at most 512 x 512 texels, and keeps them: every lookup then finds some level. */
 shd_result planet_pin_coarse_levels(const shd_texture *planet, uint32_t first_level);
 
 #endif

@@ -40,7 +40,7 @@ static shd_texture_desc borrowing(void)
 }
 
 static void edit_nothing(shd_texture_desc *d) { (void)d; }
-static void edit_two(shd_texture_desc *d) { d->flags = 3; }
+static void edit_unknown(shd_texture_desc *d) { d->flags = 5; }
 static void edit_packed(shd_texture_desc *d) { d->row_stride = WIDTH * 4; }
 static void edit_stride(shd_texture_desc *d) { d->row_stride = WIDTH * 4 + 4; }
 static void edit_layers(shd_texture_desc *d)
@@ -76,7 +76,7 @@ static const struct create_case {
     {"create/packed_stride", edit_packed, NULL},
     {"create/bytes_anywhere", edit_bytes_odd, NULL},
     {"create/8_byte_texels_aligned_to_4", edit_halves, NULL},
-    {"create/flags_3", edit_two, "texture.flags: bits 0x2 are not known"},
+    {"create/flags_5", edit_unknown, "texture.flags: bits 0x4 are not known"},
     {"create/gaps_between_rows", edit_stride, "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride 52, not 48"},
     {"create/two_layers", edit_layers, "texture.flags: SHD_TEXTURE_BORROW, but 2 layers, not 1"},
     {"create/three_channels", edit_three, "texture.flags: SHD_TEXTURE_BORROW, but format 8 has three channels"},
