@@ -94,7 +94,7 @@ static void test_create(void **state)
     shd_texture *texture = (shd_texture *)&desc;
     shd_result expected = c->message ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK;
     c->edit(&desc);
-    if (desc.flags & 2) expected = SHD_ERROR_UNSUPPORTED;
+    if (desc.flags & 4) expected = SHD_ERROR_UNSUPPORTED;
     shd_assert_result(c->name, shd_texture_create(g_context, &desc, &texture), expected, c->message ? c->message : "");
     if (c->message) assert_null(texture);
     shd_texture_release(texture);
