@@ -10,6 +10,7 @@ import sys
 import time
 
 TOOL, HELPER, FOLDER = sys.argv[1:4]
+SANITIZED = sys.argv[4:] == ["sanitized"]  # a sanitizer takes memory and time of its own
 
 
 def run(*args, limit=None):
@@ -46,7 +47,7 @@ def write(path, data):
 def check_formats():
     sizes = [(64, 64), (300, 500), (1, 1), (127, 33), (256, 128), (1, 40), (96, 1025)]
     for k, kind in enumerate(("uint8", "uint16", "half", "float")):
-        for channels in (1, 2, 3, 4):
+        for channels in (3,) if SANITIZED else (1, 2, 3, 4):
             numbers = {(k + 2 * channels) % len(sizes)} | ({1} if channels == 3 else set())
             for number in sorted(numbers):
                 width, height = sizes[number]
@@ -183,7 +184,10 @@ def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(FOLDER)
     os.chdir(FOLDER)
-    for check in (check_formats, check_same_file, check_kills, check_part, check_refusals, check_memory):
+    checks = [check_formats, check_same_file, check_part, check_refusals]
+    if not SANITIZED:
+        checks += [check_kills, check_memory]
+    for check in checks:
         start = time.monotonic()
         check()
         print(f"{check.__name__}: {time.monotonic() - start:.1f} s")
