@@ -4,7 +4,8 @@ import { refuse } from "./error.js";
 
 /** Bytes of an image or of the texels of a texture: rows of texels, or of compressed blocks of 4 x 4 texels. */
 function bytesNeeded(read, raw) {
-  const block = raw.shd_format_block_size(read("format")), side = block ? 4 : 1;
+  // A module of an earlier build has no such function, and refuses compressed blocks itself.
+  const block = raw.shd_format_block_size?.(read("format")) ?? 0, side = block ? 4 : 1;
   const packed = Math.ceil(read("width") / side) * (block || raw.shd_format_size(read("format")));
   const rows = Math.ceil(read("height") / side), row = read("rowStride") || packed;
   const layers = Math.max(1, read("layers")) * Math.max(1, read("depth"));
