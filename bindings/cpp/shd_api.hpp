@@ -1091,8 +1091,9 @@ inline shd_tile_cache_stats tile_cache_get_stats(const shd_tile_cache* cache) {
   return made;
 }
 
-/// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. The cache remembers
-/// the latest 4096 requests. An engine calls this on the threads that stream. See shd_tile_cache_load_requested().
+/// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps the
+/// latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream. See
+/// shd_tile_cache_load_requested().
 inline void tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles, uint32_t* out_loaded) {
   check(shd_tile_cache_load_requested(cache, max_tiles, out_loaded));
 }

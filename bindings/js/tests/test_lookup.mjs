@@ -25,7 +25,7 @@ test("lookup/blocks", (shd, context) => {
   assert.deepEqual([codes(desc, 0), codes(desc, 1)], [[0, 0, 0, 0], [255, 41, 1, 255]]);
   refused(() => codes({ ...desc, texels: bc7 }, 0), "desc.texels: 16 bytes, fewer than the 32");
   levels[0].pixels = bc1;
-  refused(() => codes(desc, 0), "pixels: 8 bytes, fewer than the 16");
+  refused(() => codes(desc, 0), "desc.levels[0].pixels: 8 bytes, fewer than the 16");
 });
 
 test("lookup/columns", (shd, context) => {

@@ -86,7 +86,7 @@ class MipStream {
  private:
   static constexpr uint32_t kSteps = 6;       // levels of a task
   static constexpr uint32_t kColumns = 1024;  // base columns of a task, a multiple of 2^kSteps
-  static constexpr uint32_t kTexels = 256;    // level texels of a task of an uneven level
+  static constexpr uint32_t kTexels = 256;    // texels of an uneven level that one task computes
   static constexpr size_t kChannels = Codec::kChannels;
 
   double* state_of(uint32_t level) { return state_.data() + at_[level - 1]; }

@@ -76,7 +76,11 @@ shd_result TileCache::fill(const TileSet& set, const Batch& batch) const {
 void TileCache::publish(shd_result result, const Batch& batch, uint32_t* read_slot) {
   for (uint32_t i = 0; i < batch.count; ++i) {
     TileSlot& slot = slots_[batch.slot[i]];
-    result == SHD_OK ? ++loaded_ : ++failed_;
+    if (result == SHD_OK) {
+      ++loaded_;
+    } else {
+      ++failed_;
+    }
     if (result != SHD_OK || slot.stale) {
       table_.remove(slot.key.load(std::memory_order_relaxed));
       free(batch.slot[i]);

@@ -17,7 +17,8 @@
 /// | tile.h, tile.cpp      | shapes and numbers of tiles; the tiles of a texture                 |
 /// | table.h, .cpp         | slots by key, found without a lock                                  |
 /// | slot.h                | states of a slot                                                    |
-/// | cache.h, .cpp         | slots, eviction, loading                                            |
+/// | cache.h, .cpp         | slots, eviction                                                     |
+/// | load.cpp              | loads of batches of tiles by the callback of the host               |
 /// | budget.h, .cpp        | sizes of the parts of a cache                                       |
 /// | lease.h, .cpp         | tiles that a call keeps, and the texels that it places              |
 /// | requests.h, .cpp      | tiles that lookups did not find                                     |
