@@ -16,7 +16,7 @@
 namespace farm {
 namespace {
 
-constexpr double kSetUpSeconds = 120.0;  // that loading a scene may take in addition to --timeout
+constexpr double kSetUpSeconds = 120.0;  // time to load a scene, added to --timeout
 
 extern "C" void end_late(int) {
   const char text[] = "shd-farm: a rank did not answer while the job began or ended; the same command resumes it\n";

@@ -11,7 +11,7 @@
 namespace farm {
 namespace {
 
-constexpr size_t kTilesInMemory = 2;  // that wait for the disk
+constexpr size_t kTilesInMemory = 2;  // most tiles that wait for the disk
 constexpr size_t kOpenFiles = 3;
 constexpr std::chrono::milliseconds kFlushPeriod(250);  // between flushes while windows are rendered
 

@@ -144,8 +144,8 @@ static inline shd_tile_cache_stats shd_tile_cache_stats_default(void)
 SHD_NODISCARD SHD_API shd_result shd_tile_cache_get_stats(const shd_tile_cache *cache, shd_tile_cache_stats *out_stats);
 
 /**
- * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache
- * keeps the latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
+ * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps the
+ * latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
  * @param max_tiles   most tiles to load; 0 = all that are requested
  * @param out_loaded  number of tiles that were loaded; may be NULL; 0 on failure
  * @since 0.1

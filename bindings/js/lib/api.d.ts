@@ -4066,9 +4066,9 @@ export interface Raw {
    */
   shd_tile_cache_get_stats(cache: number, outStats: number): number;
   /**
-   * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache
-   * keeps the latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads
-   * that stream.
+   * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps
+   * the
+   * latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
    * @param maxTiles most tiles to load; 0 = all that are requested
    * @param outLoaded number of tiles that were loaded; may be NULL; 0 on failure
    */

@@ -612,8 +612,8 @@ namespace Shd.Native
         public static extern Result TileCacheGetStats(IntPtr cache, TileCacheStats* outStats);
 
         /// <summary>
-        /// Load tiles that lookups with MissingTiles.Coarser did not find, the latest request first. A cache
-        /// keeps the latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
+        /// Load tiles that lookups with MissingTiles.Coarser did not find, the latest request first. A cache keeps the
+        /// latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_tile_cache_load_requested", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TileCacheLoadRequested(IntPtr cache, uint maxTiles, uint* outLoaded);

@@ -6093,8 +6093,8 @@ extern "C" {
     ///
     /// - `out_stats`: its struct_size is read; the rest is written, all zero on failure
     pub fn shd_tile_cache_get_stats(cache: *const shd_tile_cache, out_stats: *mut shd_tile_cache_stats) -> shd_result;
-    /// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache
-    /// keeps the latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
+    /// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps the
+    /// latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
     ///
     /// - `max_tiles`: most tiles to load; 0 = all that are requested
     /// - `out_loaded`: number of tiles that were loaded; may be NULL; 0 on failure
