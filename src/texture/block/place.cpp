@@ -20,6 +20,8 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
+alignas(64) constexpr uint32_t kOrdinals[kMaxLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 class Placer {
  public:
   Placer(const Texture& texture, BlockCache* cache)
@@ -181,10 +183,11 @@ class Placer {
   /// Loads blocks of a row, and marks their places as read.
   HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
     const DU du;
+    const auto ordinals = hn::Load(du, kOrdinals);  // hn::Iota() would write them one by one, and wait for the writes
     if (HWY_UNLIKELY(place + count > cache_.places)) return false;
     for (uint32_t k = 0; k < count; k += static_cast<uint32_t>(hn::Lanes(du))) {
       const auto wanted = hn::FirstN(du, count - k);
-      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Iota(du, block + k));
+      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Set(du, block + k) + ordinals);
       if (!hn::AllFalse(du, hn::AndNot(there, wanted)) && !load_blocks(block + k, place + k, count - k)) return false;
       hn::BlendedStore(hn::Set(du, cache_.now), wanted, du, cache_.turn + place + k);
     }
