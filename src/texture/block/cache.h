@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/cache_pool.h"
+#include "texture/block/levels.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -29,6 +30,7 @@ struct BlockCache {
   uint32_t pitch;   // texels between rows
   uint32_t spare;   // first of kSpare texels outside of the places
   uint32_t now;     // number of the stream that is placed
+  BlockLevel latest[2];  // levels
 
   /// Returns the place of a block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
