@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/cache_pool.h"
+#include "texture/block/levels.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -23,12 +24,13 @@ struct BlockCache {
   static constexpr uint32_t kAfter = 16;  // entries after those of the places: vectors may read and rewrite them
 
   uint8_t* texels;
-  uint32_t* block;  // block at each place, or kUnused
-  uint32_t* turn;   // latest stream that reads the place
-  uint32_t places;  // power of two
-  uint32_t pitch;   // texels between rows
-  uint32_t spare;   // first of kSpare texels outside of the places
-  uint32_t now;     // number of the stream that is placed
+  uint32_t* block;       // block at each place, or kUnused
+  uint32_t* turn;        // latest stream that reads the place
+  uint32_t places;       // power of two
+  uint32_t pitch;        // texels between rows
+  uint32_t spare;        // first of kSpare texels outside of the places
+  uint32_t now;          // number of the stream that is placed
+  BlockLevel latest[2];  // levels
 
   /// Returns the place of a block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {

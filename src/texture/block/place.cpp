@@ -20,16 +20,15 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
+alignas(64) constexpr uint32_t kOrdinals[kMaxLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 class Placer {
  public:
   Placer(const Texture& texture, BlockCache* cache)
       : texture_(texture),
         cache_(*cache),
         decode_(KernelOf(texture.blocks.decode)),
-        size_(static_cast<uint32_t>(texel_size(texture))) {
-    know(0);
-    known_[1] = known_[0];
-  }
+        size_(static_cast<uint32_t>(texel_size(texture))) {}
 
   void place(size_t end, Stream* stream) {
     const size_t lanes = hn::Lanes(BatchTag());
@@ -65,10 +64,9 @@ class Placer {
     cache_.now = 1;
   }
 
-  /// A level, and blocks of it that this stream has found side by side.
+  /// Blocks that this stream has found side by side.
   struct Known {
-    BlockLevel level;
-    uint32_t block, count, place;
+    uint32_t block = 0, count = 0, place = 0;
   };
 
   HWY_INLINE static bool is_in(uint32_t texel, const BlockLevel& level) {
@@ -76,13 +74,13 @@ class Placer {
   }
 
   /// Returns the level of a texel. The two latest levels are kept, because elements often alternate between two.
-  HWY_INLINE Known& level_at(uint32_t texel) {
-    if (HWY_LIKELY(is_in(texel, known_[recent_].level))) return known_[recent_];
+  HWY_INLINE const BlockLevel& level_at(uint32_t texel) {
+    if (HWY_LIKELY(is_in(texel, cache_.latest[recent_]))) return cache_.latest[recent_];
     recent_ ^= 1;
-    if (HWY_UNLIKELY(!is_in(texel, known_[recent_].level))) know(texel);
-    return known_[recent_];
+    if (HWY_UNLIKELY(!is_in(texel, cache_.latest[recent_]))) know(texel);
+    return cache_.latest[recent_];
   }
-  HWY_NOINLINE void know(uint32_t texel) { known_[recent_] = {block_level_of(texture_, texel), 0, 0, 0}; }
+  HWY_NOINLINE void know(uint32_t texel) { cache_.latest[recent_] = block_level_of(texture_, texel); }
 
   /// Decodes a block to its place, unless the stream reads another block there. Returns whether it lies there.
   HWY_INLINE bool load(uint32_t block, uint32_t place) {
@@ -109,8 +107,7 @@ class Placer {
   /// Decodes the blocks of texels low to high + more, if they lie in one row.
   HWY_INLINE Run find_between(int32_t low, int32_t high, int32_t more) {
     const auto first = static_cast<uint32_t>(low), length = static_cast<uint32_t>(high - low + more);
-    Known& known = level_at(first);
-    const BlockLevel& level = known.level;
+    const BlockLevel& level = level_at(first);
     const uint32_t n = first - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
     if (HWY_UNLIKELY(x + length >= level.width)) return {};
     Run run;
@@ -119,7 +116,7 @@ class Placer {
     run.count = (x + length) / 4 - run.column + 1;
     run.level = &level;
     uint32_t place;
-    run.found = load_row(known, run, y / 4, &place);
+    run.found = load_row(run, y / 4, &place);
     run.offset = static_cast<int32_t>(y % 4 * cache_.pitch + 4 * (place - run.column) + x - first);
     return run;
   }
@@ -151,19 +148,20 @@ class Placer {
     Run run = top;
     run.offset += static_cast<int32_t>(cache_.pitch) - step;
     if (top.y % 4 < 3) return run;  // the same blocks
-    Known& known = known_[recent_];
     uint32_t place;
     const uint32_t above = cache_.place_of(top.column, top.y / 4, top.level->number);
-    run.found = load_row(known, run, top.y / 4 + 1, &place);
+    run.found = load_row(run, top.y / 4 + 1, &place);
     run.offset += 4 * static_cast<int32_t>(place - above) - 4 * static_cast<int32_t>(cache_.pitch);
     return run;
   }
 
   /// Loads the blocks of a run in a row of blocks, and returns the place of the first one. Blocks after known ones
   /// make more of them known: vectors of tags that were written lately would wait for the writes.
-  HWY_INLINE bool load_row(Known& known, const Run& run, uint32_t row, uint32_t* place) {
-    const uint32_t block = known.level.block + row * known.level.across + run.column, after = block - known.block;
-    *place = cache_.place_of(run.column, row, known.level.number);
+  HWY_INLINE bool load_row(const Run& run, uint32_t row, uint32_t* place) {
+    Known& known = known_[recent_][row % 2];
+    const BlockLevel& level = *run.level;
+    const uint32_t block = level.block + row * level.across + run.column, after = block - known.block;
+    *place = cache_.place_of(run.column, row, level.number);
     if (after <= known.count && *place == known.place + after) {
       const uint32_t end = after + run.count, more = end - known.count;
       if (end <= known.count) return true;
@@ -181,10 +179,11 @@ class Placer {
   /// Loads blocks of a row, and marks their places as read.
   HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
     const DU du;
+    const auto ordinals = hn::Load(du, kOrdinals);  // hn::Iota() would write them one by one, and wait for the writes
     if (HWY_UNLIKELY(place + count > cache_.places)) return false;
     for (uint32_t k = 0; k < count; k += static_cast<uint32_t>(hn::Lanes(du))) {
       const auto wanted = hn::FirstN(du, count - k);
-      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Iota(du, block + k));
+      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Set(du, block + k) + ordinals);
       if (!hn::AllFalse(du, hn::AndNot(there, wanted)) && !load_blocks(block + k, place + k, count - k)) return false;
       hn::BlendedStore(hn::Set(du, cache_.now), wanted, du, cache_.turn + place + k);
     }
@@ -267,7 +266,7 @@ class Placer {
     const DI di;
     const DU du;
     const BatchTag d;
-    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0])).level;
+    const BlockLevel& level = level_at(static_cast<uint32_t>(index[0]));
     const auto n = hn::Load(di, index) - hn::Set(di, static_cast<int32_t>(level.first));
     const auto un = hn::BitCast(du, n);
     if (!hn::AllTrue(du, hn::Eq(hn::Min(un, hn::Set(du, level.end - level.first - 1)), un))) return false;
@@ -326,7 +325,7 @@ class Placer {
   }
 
   HWY_INLINE int32_t place_texel(uint32_t texel, size_t spare) {
-    const BlockLevel& level = level_at(texel).level;
+    const BlockLevel& level = level_at(texel);
     const uint32_t n = texel - level.first, y = row_of_texel(n, level.inverse), x = n - y * level.width;
     const uint32_t place = cache_.place_of(x / 4, y / 4, level.number);
     const uint32_t block = level.block + y / 4 * level.across + x / 4;
@@ -345,7 +344,7 @@ class Placer {
   BlockCache& cache_;
   const DecodeBlock decode_;
   const uint32_t size_;
-  Known known_[2];
+  Known known_[2][2];  // of the two latest levels, in even and in odd rows of blocks
   uint32_t recent_ = 0;
   DecodedBlock decoded_;
 };
