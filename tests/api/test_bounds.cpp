@@ -163,7 +163,7 @@ void test_own(void **)
         shd_context *context = nullptr;
         shd_assert_ok(shd_context_create(&desc, &context));
         {
-            const Scenes scenes(context, 96, 5);
+            const Scenes scenes(context, SHD_IS_SANITIZED ? 24 : 96, 5);
             for (const Scene &scene : scenes.list) {
                 for (const Own &own : kOwn) {
                     check_own(context, scene, own, SHD_PRECISION_FULL, SHD_MAGNIFICATION_DEFAULT);

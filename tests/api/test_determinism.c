@@ -18,10 +18,14 @@
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
                                                           "small", "moved", "lines", "surface"};
 
-/* The thread sanitizer skips most counts, the stored hashes, and SSE4, whose threads are those of AVX2. */
-#ifdef __SANITIZE_THREAD__
+/* The thread sanitizer skips most counts, the stored hashes, and SSE4, whose threads are those of AVX2. The address
+ * sanitizer looks for wrong reads and writes, so once is enough. */
+#if defined(__SANITIZE_THREAD__)
 enum { HAS_TSAN = 1, k_runs = 2 };
 static const uint32_t k_workers[] = {3, 8};
+#elif defined(__SANITIZE_ADDRESS__)
+enum { HAS_TSAN = 0, k_runs = 1 };
+static const uint32_t k_workers[] = {1, 8};
 #else
 enum { HAS_TSAN = 0, k_runs = 3 };
 static const uint32_t k_workers[] = {1, 2, 3, 8, 16};

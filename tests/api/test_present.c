@@ -7,6 +7,7 @@
 #include "support/scene.h"
 
 enum { MAX_WIDTH = 203, MAX_HEIGHT = 151, MAX_PIXELS = MAX_WIDTH * MAX_HEIGHT, WORKERS = 4 };
+enum { FEWEST = SHD_IS_SANITIZED ? WORKERS : 1 }; /* workers */
 
 /* The tiles that a callback received. */
 struct receiver {
@@ -217,7 +218,7 @@ static void test_frame(void **state)
 {
     const struct frame_case *c = (const struct frame_case *)*state;
     size_t workers, kind, f;
-    for (workers = 1; workers <= WORKERS; workers += 3) {
+    for (workers = FEWEST; workers <= WORKERS; workers += 3) {
         shd_pool pool;
         shd_context_desc desc;
         shd_context *context = NULL;
@@ -259,7 +260,7 @@ static void test_fail(void **state)
     const struct fail_case *c = (const struct fail_case *)*state;
     const uint64_t want = shd_scene_reference(SHD_SCENE_SMALL);
     uint32_t workers, supersampling;
-    for (workers = 1; workers <= WORKERS; workers += 3) {
+    for (workers = FEWEST; workers <= WORKERS; workers += 3) {
         shd_pool pool;
         shd_context_desc desc;
         shd_context *context = NULL;

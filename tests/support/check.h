@@ -24,9 +24,9 @@ extern "C" {
 /* An oracle that takes most of a test's time checks one result in this many. It is code of the test alone, so a
    sanitizer learns nothing from it; the library computes every result, and without a sanitizer all are checked. */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-enum { SHD_ORACLE_STRIDE = 7 };
+enum { SHD_IS_SANITIZED = 1, SHD_ORACLE_STRIDE = 7 };
 #else
-enum { SHD_ORACLE_STRIDE = 1 };
+enum { SHD_IS_SANITIZED = 0, SHD_ORACLE_STRIDE = 1 };
 #endif
 
 /** `|got - want| <= abs_tol + rel_tol * |want|`. NaN matches only NaN; infinities only themselves. */
