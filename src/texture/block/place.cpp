@@ -344,7 +344,7 @@ class Placer {
   BlockCache& cache_;
   const DecodeBlock decode_;
   const uint32_t size_;
-  Known known_[2][2];  // of the two latest levels, in even and in odd rows of blocks
+  Known known_[2][2];  // runs of the two latest levels, in even and in odd rows of blocks
   uint32_t recent_ = 0;
   DecodedBlock decoded_;
 };
