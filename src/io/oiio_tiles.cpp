@@ -103,6 +103,7 @@ class TiledSet {
     for (info.level_count = 1; info.level_count < full; ++info.level_count) {
       if (!reader->input.handle->seek_subimage(0, static_cast<int>(info.level_count))) break;
       check_level(file, base, reader->input.handle->spec(), info.level_count);
+      reader->level = static_cast<int>(info.level_count);
     }
     (void)reader->input.error();  // the reason why there is no further level
     if (info.level_count == 1 && (info.width > info.tile_width || info.height > info.tile_height)) {
@@ -114,10 +115,12 @@ class TiledSet {
       core::refuse(SHD_ERROR_UNSUPPORTED, "%s: its size, channels or levels differ from those of %s",
                    name(file).c_str(), name(0).c_str());
     }
-    if (file > 0) return;
-    info_ = info;
-    channels_ = base.nchannels;
-    type_ = OIIO::TypeDesc(static_cast<OIIO::TypeDesc::BASETYPE>(base.format.basetype));
+    if (file == 0) {
+      info_ = info;
+      channels_ = base.nchannels;
+      type_ = OIIO::TypeDesc(static_cast<OIIO::TypeDesc::BASETYPE>(base.format.basetype));
+    }
+    if (info.level_count == full) give(std::move(reader));  // the state is not known after a level that is not there
   }
 
   void check_base(size_t file, const OIIO::ImageSpec& spec) const {
