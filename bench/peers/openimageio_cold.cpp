@@ -31,7 +31,7 @@ TiledFile::TiledFile(const std::string& extension, uint32_t edge, const std::vec
   const OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 4, OIIO::TypeDesc::UINT8),
                              const_cast<uint8_t*>(texels.data()));
   OIIO::ImageSpec config;
-  config.tile_width = config.tile_height = 64;
+  config.tile_width = config.tile_height = static_cast<int>(kFileTile);
   config.format = extension == "exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8;
   config.attribute("compression", "zip");
   config.attribute("maketx:highlightcomp", 0);
