@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What every shd target is compiled and linked with.
+# Options and libraries of every shd target.
 
-# The SIMD targets that SHD_SIMD stands for, as a list that Highway's HWY_DISABLED_TARGETS excludes the rest of. Kernels
+# The SIMD targets of each value of SHD_SIMD. Highway's HWY_DISABLED_TARGETS excludes all others. Kernels
 # hold vectors in structs, which scalable vectors (SVE, RVV) do not allow. The other targets that are left out (AVX3_DL,
 # AVX3_ZEN4, AVX3_SPR, AVX10, NEON_WITHOUT_AES and more) would double the size of the library without new instructions
-# for its kernels. core/simd_target.cpp refuses to compile for a target that no shd_simd stands for.
+# for its kernels. core/simd_target.cpp refuses to compile for a target that is in no list.
 set(shd_simd_baseline HWY_SCALAR HWY_EMU128 "(1LL<<14)" HWY_NEON HWY_WASM)  # the bit is HWY_SSE2, new after Highway 1.0.3
 set(shd_simd_few ${shd_simd_baseline} HWY_AVX2)
 set(shd_simd_auto ${shd_simd_few} HWY_SSE4 HWY_AVX3)

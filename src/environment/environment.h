@@ -27,8 +27,8 @@
 namespace shd::environment {
 
 struct Environment {
-  shd_projection projection;        // of the image
-  core::Array<PackedTexel> texels;  // of all maps
+  shd_projection projection;        // projection of the image
+  core::Array<PackedTexel> texels;  // all maps, one after another
   Chain radiance;                   // levels of the image alone: Chain::lobes is 0
   Chain ggx, phong;                 // count 0 = absent
   Level irradiance;                 // size 0 = harmonics

@@ -155,8 +155,8 @@ struct TablePoint {
   using VI = hn::Vec<hn::RebindToSigned<D>>;
   VI index, column;
   V down, right;
-  size_t row;     // of the first lane
-  bool only_row;  // of all lanes: most vectors have one roughness
+  size_t row;     // row of the first lane
+  bool only_row;  // all lanes read `row`: most vectors have one roughness
 
   HWY_INLINE TablePoint(D d, V t, V n_dot_v) {
     const hn::RebindToSigned<D> di;

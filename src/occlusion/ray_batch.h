@@ -37,7 +37,7 @@ void allocate(const core::Allocator& allocator, float length, RayBatch* out);
 struct RayOrigin {
   float origin[3];                            // above the surface
   float normal[3], tangent[3], bitangent[3];  // unit
-  uint32_t shift[2];                          // of the ray set, modulo 2^32
+  uint32_t shift[2];                          // added to each point of the ray set, modulo 2^32
 };
 
 /// Makes the origin of the rays of a point. Returns false if the position is not finite or there is no normal.

@@ -83,7 +83,7 @@ template <class Noise>
 struct SumPattern {
   const Solid& solid;
   Noise noise;
-  float low;  // of the range, whose end is 1
+  float low;  // the lowest value; the highest is 1
 
   template <bool kGradient, class D, class V>
   HWY_INLINE Sample<V> At(D d, const Place<V>& place) const {

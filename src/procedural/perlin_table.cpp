@@ -36,7 +36,7 @@ struct TablePerlin {
     VI of_k[2], of_j[2][2];
     Pair(di, table.permutation, iz, of_k);
     for (int k = 0; k < 2; ++k) Pair(di, table.permutation, iy + of_k[k], of_j[k]);
-    V gx[2], gy[2], gz[2];  // of the two corners of a row
+    V gx[2], gy[2], gz[2];  // gradients at the two corners of a row
     const auto corner = [&](int i, int j, int k) {
       if (i == 0) {
         Pair(d, table.x, ix + of_j[k][j], gx);

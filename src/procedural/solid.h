@@ -23,13 +23,13 @@ struct Octave {
 /// A checked shd_solid_desc in the form that kernels read.
 struct Solid {
   shd_solid kind;
-  float size, inverse_size;  // of a cell
+  float size, inverse_size;  // edge of a cell
   Octave octave[kMaxOctaves];
   uint32_t octave_count;
   bool is_turbulence, is_cubic;
   bool has_table;
   shd_solid_distance distance;
-  float mean;        // of one octave, which replaces octaves that are too fine
+  float mean;        // mean value of one octave, which replaces octaves that are too fine
   float normalizer;  // factor of the noise
   float distortion;
   float low, color_scale;  // value of the first colour, and number of colour steps per unit of value

@@ -51,7 +51,7 @@ struct LatLong {
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
   static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI, V* solid_angle) {
     const auto latitude = simd::HWY_NAMESPACE::SineCosinePi(d, v);
-    const auto longitude = simd::HWY_NAMESPACE::SineCosinePi(d, hn::Set(d, 1.0f) - (u + u));  // of x, towards +x
+    const auto longitude = simd::HWY_NAMESPACE::SineCosinePi(d, hn::Set(d, 1.0f) - (u + u));  // turn towards +x
     *solid_angle = hn::Set(d, 19.7392088f) * latitude.sine;                                   // 2 pi^2
     return {longitude.sine * latitude.sine, latitude.cosine, longitude.cosine * latitude.sine};
   }

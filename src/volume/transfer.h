@@ -21,7 +21,7 @@ struct TransferPoint {
 /// A transfer function: values interpolated between points of non-decreasing density.
 struct Transfer {
   uint32_t count;             // 1..kMaxPoints
-  float density[kMaxPoints];  // of the points
+  float density[kMaxPoints];  // density of each point
   TransferPoint point[kMaxPoints];
 };
 

@@ -25,7 +25,7 @@ run_golden() {
   echo "golden hashes: equal"
 }
 
-# name, definition, libraries...; texts that gcc sees to be cut are cut on purpose
+# name, definition, libraries...; snprintf cuts texts on purpose, hence -Wno-format-truncation
 build_amalgamated() {
   local name=$1 definition=$2 start=$SECONDS
   shift 2

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Runs the port of vcpkg without vcpkg: functions of the same names do what vcpkg documents for one triplet,
 # x64-linux-release (static libraries, no debug build). The archive replaces the download. Dependencies are those of the
-# system. What this cannot show: versions of vcpkg's other ports, other triplets, and vcpkg's own checks.
+# system. Not shown: versions of vcpkg's other ports, other triplets, and vcpkg's own checks.
 #
 #   cmake -DPORT_DIR= -DARCHIVE= -DWORK= -DFEATURES=tbb -DOPTIONS= -DJOBS=1 -P vcpkg_harness.cmake
 #
@@ -181,7 +181,7 @@ function(vcpkg_install_copyright)
   file(INSTALL ${arg_FILE_LIST} DESTINATION ${CURRENT_PACKAGES_DIR}/share/${PORT} RENAME copyright)
 endfunction()
 
-# What vcpkg checks after a build.
+# The checks of vcpkg after a build.
 function(check_package)
   foreach(name IN ITEMS share/${PORT}/copyright share/${PORT}/usage share/${PORT}/${PORT}Config.cmake include lib)
     if(NOT EXISTS ${CURRENT_PACKAGES_DIR}/${name})

@@ -14,9 +14,7 @@ import sys
 sys.dont_write_bytecode = True
 import prose
 
-# The data flow. An include may point to the same stage or to one before it; abi may include all.
-STAGES = ["core", "data", "shapes", "simd", "projection", "image", "texture", "environment", "procedural", "geometry", "raster", "material", "light", "shade", "volume", "film",
-          "frame", "occlusion", "extension", "color", "io", "scene", "embree", "abi", "tool"]
+CONTRIBUTING = ".github/CONTRIBUTING.md"
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "docs", "examples", "bindings"]
 DATA_FOLDERS = {"golden", "corpus"}
@@ -52,27 +50,39 @@ def numbered_lines(root, path):
     return enumerate((root / path).read_text(encoding="utf-8").splitlines(), start=1)
 
 
+def stages_of(root):
+    """The stages in the order of the data flow: the first lines of backticked names in CONTRIBUTING.md."""
+    text = (root / CONTRIBUTING).read_text(encoding="utf-8")
+    return re.search(r"^`((?:\w+\s+)+\w+)`$", text, re.MULTILINE).group(1).split(), text
+
+
 def check_includes(root):
-    """Includes in src/ name a stage, and point upward in the list of stages."""
+    """Includes in src/ name a stage, and point to the same stage or to an earlier one. Every folder is a stage with a
+    row in the table of the tree, and every stage is a folder."""
+    stages, text = stages_of(root)
+    for stage in stages:
+        if not (root / "src" / stage).is_dir():
+            yield f"{CONTRIBUTING}: no folder src/{stage}"
+        if f"`src/{stage}/`" not in text:
+            yield f"{CONTRIBUTING}: no row of src/{stage}/ in the table of the tree"
     for path in sources(root, ["src"], {".cpp", ".h"}):
-        if path.parts[1] not in STAGES:
-            yield f"{path}: folder is not a stage"
+        if path.parts[1] not in stages:
+            yield f"{path}: folder is not a stage of {CONTRIBUTING}"
             continue
-        own = STAGES.index(path.parts[1])
+        own = stages.index(path.parts[1])
         for number, line in numbered_lines(root, path):
             match = INCLUDE.match(line)
             if not match or match.group(1) == "<":
                 continue
             stage = match.group(2).split("/")[0]
-            if stage not in STAGES:
+            if stage not in stages:
                 yield f"{path}:{number}: \"{match.group(2)}\" does not begin with a stage"
-            elif STAGES.index(stage) > own:
+            elif stages.index(stage) > own:
                 yield f"{path}:{number}: {path.parts[1]} includes {stage}, a later stage"
 
 
 def check_third_party(root):
-    """Headers of OpenColorIO, OpenImageIO, Embree and assimp stay in the files that are named. Peers of the benchmarks have their
-    own folder."""
+    """Headers of other libraries stay in the files that are named. Peers of the benchmarks have their own folder."""
     for path in sources(root, ["src", "include"], {".cpp", ".h"}):
         for number, line in numbered_lines(root, path):
             match = INCLUDE.match(line)
@@ -157,7 +167,8 @@ def check_struct(path, comment, name, body, text):
     is_sized = fields[0] == "uint32_t struct_size"
     says_so = re.search(r"\b(Frozen|Grows with)\b", comment)
     if is_sized == bool(says_so):
-        yield f"{path}: {name} has " + ("struct_size, but is called frozen" if is_sized else "no struct_size, but is not called frozen")
+        fault = "struct_size, but is called frozen" if is_sized else "no struct_size, but is not called frozen"
+        yield f"{path}: {name} has {fault}"
     if is_sized and "/* ---- end of 0.1; append below ---- */" not in body:
         yield f"{path}: {name} does not mark where fields are appended"
     is_callback = "size of the library's struct" in body

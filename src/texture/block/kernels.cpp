@@ -32,25 +32,27 @@ using WideWords = hn::Repartition<uint16_t, Wide>;
 using WideVec = hn::Vec<Wide>;
 constexpr size_t kRowBytes = 16;
 
-/// Repeats 16 bytes.
-HWY_INLINE ByteVec Repeated(Bytes, ByteVec v) {
-  return v;
-}
-template <class D, class V>
-HWY_INLINE hn::Vec<D> Repeated(D d, V v) {
-  const auto half = Repeated(hn::Half<D>(), v);
-  return hn::Combine(d, half, half);
+/// Repeats 16 bytes. The recursion ends by size, because versions of Highway differ in the type of the last half.
+template <class D>
+HWY_INLINE hn::Vec<D> Repeated(D d, ByteVec v) {
+  if constexpr (hn::MaxLanes(D()) == kRowBytes) {
+    return v;
+  } else {
+    const auto half = Repeated(hn::Half<D>(), v);
+    return hn::Combine(d, half, half);
+  }
 }
 
 /// Writes rows of texels.
-HWY_INLINE void WriteRows(Bytes d, ByteVec rows, uint8_t* texels, size_t) {
-  hn::StoreU(rows, d, texels);
-}
-template <class D, class V>
-HWY_INLINE void WriteRows(D d, V rows, uint8_t* texels, size_t pitch) {
-  const hn::Half<D> half;
-  WriteRows(half, hn::LowerHalf(half, rows), texels, pitch);
-  WriteRows(half, hn::UpperHalf(half, rows), texels + hn::Lanes(half) / kRowBytes * pitch, pitch);
+template <class D>
+HWY_INLINE void WriteRows(D d, hn::Vec<D> rows, uint8_t* texels, size_t pitch) {
+  if constexpr (hn::MaxLanes(D()) == kRowBytes) {
+    hn::StoreU(rows, d, texels);
+  } else {
+    const hn::Half<D> half;
+    WriteRows(half, hn::LowerHalf(half, rows), texels, pitch);
+    WriteRows(half, hn::UpperHalf(half, rows), texels + hn::Lanes(half) / kRowBytes * pitch, pitch);
+  }
 }
 
 /// Bytes 0 to 63: for each byte of four rows, its texel, its channel, and the texel of each word.
