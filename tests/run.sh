@@ -8,7 +8,8 @@
 #   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
 #   asan      address and undefined-behaviour sanitizers; every test but those about the binary
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
-#   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB, on one generic SIMD target
+#   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB, on one generic SIMD target: the same bits, and
+#             what users build with it
 #   arm       libshd for 64-bit ARM; its frames and lookups have the golden hashes under qemu. Skipped without a cross
 #             compiler (g++-aarch64-linux-gnu, qemu-user); SHD_ARM=1 installs both, 320 MB
 #   quick     format and release
@@ -90,25 +91,21 @@ stage_asan() {
   build asan -DSHD_BUILD_EXAMPLES=OFF &&
     ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:allocator_may_return_null=1 \
       LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 \
-      UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -E '^(abi|style|consumer)\.'
+      UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -LE '^(abi|style|consumer|rebuild)$'
 }
-# Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
-# kernels from one thread, and so do tests of bounds. The frames and lookups of some tests and the failures of
-# api.call_faults take minutes here; api.determinism, api.faults and api.threads run the same threads.
-# What does not run is not built; two SIMD targets have the threads of all.
+# Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. libshd starts no
+# thread here, so tests that start none have nothing to show. Two SIMD targets have the threads of all.
 stage_tsan() {
-  local runner=() targets=(api_tests test_unit_raster_bin)
+  local runner=() targets=(tests_threads)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
   build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
-    TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
-      run_tests tsan -R '^(api|unit\.raster\.bin)' \
-        -E '^api\.(bounds(_bad|_mutants)?|call_faults(_directions)?|environment(_texels)?|framebuffer_formats|lookup_(bad_footprints|small)|minified_normals|occlusion|projection_convert|shadow_(contact|scene)|render_(painter|passes|supersampling|window))$'
+    TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^slow$'
 }
-# The release stage has built shd as a part of another project and of a Python package, and has run the unit tests on
-# the generic SIMD target. Failures of allocations do not depend on it, nor do the farm and the longest frames and
-# lookups, whose bits api.determinism compares here.
+# What the absence of the dependencies and the one SIMD target can change: the binary, the bits, the process, and the
+# programs and projects of users.
 stage_core() {
-  build core -DSHD_SIMD=scalar && run_tests core -E '^(bindings\.(cpp|csharp|js|love|lua|packages|python|rust)|consumer\.add_subdirectory$|examples\.(farm|shootout)|unit\.|api\.(call_faults(_directions)?|environment(_texels)?|faults|lookup_many|render_(passes|supersampling|window))$)'
+  local targets=(shd tests_abi tests_bits tests_examples tests_host)
+  build core -DSHD_SIMD=scalar && run_tests core -L '^(abi|bits|consumer|examples|host)$'
 }
 # Only the golden hashes and those of the bindings' programs: the emulator takes a minute for them.
 stage_arm() {

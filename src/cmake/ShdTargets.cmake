@@ -62,6 +62,17 @@ function(shd_kernel_options)
   endforeach()
 endfunction()
 
+# test, target that builds it, labels: tests/run.sh chooses tests by their labels, and tests_<label> builds them.
+function(shd_label test target)
+  set_property(TEST ${test} APPEND PROPERTY LABELS ${ARGN})
+  foreach(label IN LISTS ARGN)
+    if(NOT TARGET tests_${label})
+      add_custom_target(tests_${label})
+    endif()
+    add_dependencies(tests_${label} ${target})
+  endforeach()
+endfunction()
+
 # A library: `name` from the objects of `objects`, exporting what `map` lists.
 function(shd_library name objects map export_name)
   if(SHD_BUILD_SHARED)
