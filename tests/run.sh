@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 # Builds and tests everything on Debian 12, from a fresh machine, as root or with sudo.
 #
-#   tests/run.sh [stage...]      all (default) | quick | format | release | asan | tsan | core | arm
+#   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | arm
 #
 #   format    clang-format 14 over every tracked C and C++ file; the documentation, by Doxygen, without warnings
+#   highway   every file with kernels compiles with the headers of the newest Highway (tests/highway.sh)
 #   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
 #   asan      address and undefined-behaviour sanitizers; every test but those about the binary
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
@@ -14,8 +15,8 @@
 #             compiler (g++-aarch64-linux-gnu, qemu-user); SHD_ARM=1 installs both, 320 MB
 #   quick     format and release
 #
-# Missing Debian packages are installed first, by name and without recommendations; nothing is asked of the network
-# when all are there. SHD_NO_INSTALL=1 never installs. Builds go to build/ci/<stage>; ccache is used when present.
+# Missing Debian packages are installed first, by name and without recommendations. If all are there, only the stage
+# highway uses the network. SHD_NO_INSTALL=1 never installs and skips that stage. Builds go to build/ci/<stage>; ccache is used when present.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
@@ -33,7 +34,7 @@ failed=0
 
 say() { printf '\n== %s\n' "$*"; }
 
-# Those of the packages given that are not installed, one a line.
+# package...: prints those that are not installed, one a line
 missing_packages() {
   local name
   for name in "$@"; do
@@ -85,6 +86,9 @@ run_tests() {
 stage_format() {
   tests/support/check_format.sh && mkdir -p build/ci/docs && SHD_DOCS_OUTPUT=build/ci/docs doxygen docs/Doxyfile
 }
+stage_highway() {
+  tests/highway.sh | tee build/ci/highway.log && tail -n 1 build/ci/highway.log >build/ci/highway.count
+}
 stage_release() { build release && run_tests release; }
 # The binary and the style are the release stage's matter; a sanitized library loads and exports more.
 stage_asan() {
@@ -93,7 +97,7 @@ stage_asan() {
       LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 \
       UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -LE '^(abi|style|consumer|rebuild)$'
 }
-# Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. libshd starts no
+# Without address randomisation: the sanitizer of gcc 12 fails with the layouts of newer kernels. libshd starts no
 # thread here, so tests that start none have nothing to show. Two SIMD targets have the threads of all.
 stage_tsan() {
   local runner=() targets=(tests_threads)
@@ -101,8 +105,8 @@ stage_tsan() {
   build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^slow$'
 }
-# What the absence of the dependencies and the one SIMD target can change: the binary, the bits, the process, and the
-# programs and projects of users.
+# The absence of the dependencies and the one SIMD target can change the binary, the bits, the process, and the programs
+# and projects of users.
 stage_core() {
   local targets=(shd tests_abi tests_bits tests_examples tests_host)
   build core -DSHD_SIMD=scalar && run_tests core -L '^(abi|bits|consumer|examples|host)$'
@@ -133,11 +137,11 @@ run_stage() {
 stages=()
 for argument in "${@:-all}"; do
   case $argument in
-    all) stages+=(format release asan tsan core arm) ;;
+    all) stages+=(format highway release asan tsan core arm) ;;
     quick) stages+=(format release) ;;
-    format | release | asan | tsan | core | arm) stages+=("$argument") ;;
+    format | highway | release | asan | tsan | core | arm) stages+=("$argument") ;;
     *)
-      sed -n '3,20p' "$0" | sed 's/^# \{0,1\}//'
+      sed -n '3,21p' "$0" | sed 's/^# \{0,1\}//'
       exit 2
       ;;
   esac
