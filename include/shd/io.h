@@ -17,12 +17,18 @@
  *
  * The worker: the first load of a process starts it (about 0.3 s), later loads use it again, and each thread's load has
  * a child of its own. A worker that fails is replaced by the next load. It ends when this process ends, when libshd_io
- * is unloaded, and when a load names another worker_path; until then it keeps two descriptors of this process and uses
- * no processor time. It is not a child of this process; only while it starts, this process has a child, and SIGCHLD is
- * sent once. A forked child of this process starts a worker of its own. The worker gets only the environment variables
- * whose names begin with LD_, and the options of sanitizers. It needs Linux. The environment variable SHD_IO_WORKER, if
- * set, is the default of shd_load_desc.worker_path. The child has the rights of this process: it contains accidents of
- * decoders, but is no sandbox for a file that takes over its code.
+ * is unloaded, and when a load names another worker_path; until then it keeps one descriptor of this process and uses
+ * no processor time. If the host closes this descriptor between two loads, the next load starts another worker. It is
+ * not a child of this process; only while it starts, this process has a child, and SIGCHLD is sent once. A forked child
+ * of this process starts a worker of its own. The worker gets only the environment variables whose names begin with
+ * LD_, and the options of sanitizers. Its working directory is /. It needs Linux. The environment variable
+ * SHD_IO_WORKER, if set, is the default of shd_load_desc.worker_path; it must be an absolute path. Otherwise the worker
+ * is found by the folder that libshd_io was loaded from, and a later change of the working directory has no effect. The
+ * child has the rights of this process: it contains accidents of decoders, but is no sandbox for a file that takes over
+ * its code.
+ *
+ * Paths: a load opens regular files only. A folder, a FIFO, a device or a socket is SHD_ERROR_IO, also behind a
+ * symbolic link, and the load neither waits for it nor opens it.
  *
  * OpenImageIO in this process: a shared libshd_io opens it at the first save or load with SHD_LOAD_IN_PROCESS, by the
  * module libshd_io_oiio in the folder shd beside it. A host that only loads in the default setting never opens it; a
@@ -123,9 +129,12 @@ typedef struct shd_load_desc {
     uint64_t max_bytes;             /**< decoded, as RGBA, all levels; 0 = 2^32 */
     double max_ratio;               /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
     double time_limit;              /**< [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
-                                         checked between bands of rows */
-    const char *worker_path;        /**< program that decodes; NULL = shd-io-worker beside libshd_io or in its
-                                         installed place; borrowed for the call */
+                                         checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
+                                         costs a load all of its time; when it has been silent for two seconds, the
+                                         next load starts another one */
+    const char *worker_path;        /**< program that decodes, relative to the working directory at the call; NULL =
+                                         shd-io-worker beside libshd_io or in its installed place; borrowed for the
+                                         call */
     /* ---- end of 0.1; append below ---- */
 } shd_load_desc;
 

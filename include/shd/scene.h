@@ -11,8 +11,12 @@
  * Files are untrusted. Sizes, counts and time have budgets. The load drops triangles with indices out of range or
  * positions that are not finite, instances whose matrices are not finite, and slots whose textures cannot be read, and
  * adds a warning to the scene for each. The model may name other files by any path: its materials, buffers and
- * textures. They are read if they are regular files. assimp itself can still crash, run out of stack or hang on a
- * hostile file: load untrusted models in a separate process.
+ * textures. They are read if they are regular files. assimp itself can still crash, run out of stack, hang, change the
+ * memory of the process or return parts of it as vertices on a hostile file: load untrusted models in a separate
+ * process.
+ *
+ * Nothing is printed. Two readers of assimp 5 print, and have no switch for it: skeletons of Ogre (.skeleton.xml) are
+ * not read, which skins alone need, and OpenGEX (.ogex) is SHD_ERROR_UNSUPPORTED.
  *
  * Memory:        assimp and the tables of a scene use malloc; handles use the context's allocator.
  * Lifetime:      reference counted; load returns an owned reference.

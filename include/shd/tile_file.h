@@ -17,7 +17,8 @@
  * / rows. Files that do not exist have the colour `fill`. A set has the levels whose sizes halve evenly in each file.
  *
  * Files are trusted: OpenImageIO decodes them in this process. Damaged tiles give an error of the lookup that names
- * file, level and place, and the next lookup tries again. shd_texture_load() is for untrusted files.
+ * file, level and place, and the next lookup tries again. shd_texture_load() is for untrusted files. Readers keep their
+ * descriptors: a host must not close descriptors that it did not open while such a texture exists.
  *
  * Thread safety: every function from any thread. Tiles are read by the threads that look up, concurrently: each uses a
  * reader of its own, and no lock is held while it reads.

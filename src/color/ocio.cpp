@@ -10,6 +10,7 @@
 #include "color/config.h"
 #include "color/cycle.h"
 #include "color/ocio_transform.h"
+#include "core/regular_file.h"
 #include "extension/error.h"
 
 namespace shd::color {
@@ -114,7 +115,7 @@ auto call_ocio(const char* what, shd_result otherwise, Body&& body) {
 /// Collects the definitions that each definition of a config uses, for each direction, as OpenColorIO follows them.
 class ReferenceReader {
  public:
-  explicit ReferenceReader(const ocio::Config& config) : config_(config) {}
+  ReferenceReader(const std::string& source, const ocio::Config& config) : source_(source), config_(config) {}
 
   References read() {
     const int spaces = config_.getNumColorSpaces(ocio::SEARCH_REFERENCE_SPACE_ALL, ocio::COLORSPACE_ALL);
@@ -190,6 +191,8 @@ class ReferenceReader {
     if (transform->getDirection() == ocio::TRANSFORM_DIR_INVERSE) inverse = !inverse;
     if (const auto group = ocio::DynamicPtrCast<const ocio::GroupTransform>(transform)) {
       for (int i = 0; i < group->getNumTransforms(); ++i) collect(group->getTransform(i), inverse, out);
+    } else if (const auto file = ocio::DynamicPtrCast<const ocio::FileTransform>(transform)) {
+      check_table(file->getSrc());
     } else if (const auto space = ocio::DynamicPtrCast<const ocio::ColorSpaceTransform>(transform)) {
       collect_space(space->getSrc(), !inverse, out);
       collect_space(space->getDst(), inverse, out);
@@ -208,6 +211,20 @@ class ReferenceReader {
     }
   }
 
+  /// Refuses a lookup table that is no regular file: OpenColorIO, which opens it later by its path, could block forever.
+  /// A table that is missing is refused by the transforms that need it.
+  void check_table(const char* name) const {
+    std::string path;
+    try {
+      path = config_.getCurrentContext()->resolveFileLocation(name);
+    } catch (const ocio::ExceptionMissingFile&) {
+      return;
+    }
+    if (core::open_regular(path.c_str()).other_kind) {
+      refuse(SHD_ERROR_IO, "%s: its table \"%.256s\" is not a regular file", source_.c_str(), path.c_str());
+    }
+  }
+
   /// Whether a conversion is between scene-referred and display-referred, which uses the default view transform.
   bool crosses_references(const char* a, const char* b) const {
     const auto context = config_.getCurrentContext();
@@ -216,6 +233,7 @@ class ReferenceReader {
     return left && right && left->getReferenceSpaceType() != right->getReferenceSpaceType();
   }
 
+  const std::string& source_;  // used in messages
   const ocio::Config& config_;
   References references_;
 };
@@ -278,7 +296,7 @@ std::unique_ptr<Config> load_config(const Source& source) {
     stream.imbue(std::locale::classic());
     const ocio::ConfigRcPtr config = ocio::Config::CreateFromStream(stream)->createEditableCopy();
     config->setWorkingDir(source.directory.c_str());
-    check_references(source.name, ReferenceReader(*config).read());
+    check_references(source.name, ReferenceReader(source.name, *config).read());
     config->validate();
     return std::make_unique<OcioConfig>(config);
   });

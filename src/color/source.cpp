@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "color/source.h"
 
-#include <cstdio>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 #include "color/default_config.h"
+#include "core/regular_file.h"
 #include "extension/error.h"
 
 namespace shd::color {
@@ -19,25 +20,18 @@ using extension::refuse;
 constexpr size_t kMaxBytes = size_t{64} << 20;
 
 std::string read_file(const char* field, const char* path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) refuse(SHD_ERROR_NOT_FOUND, "%s: no file \"%.256s\"", field, path);
-  // Other kinds of files could block forever or be endless.
-  if (!fs::is_regular_file(status)) refuse(SHD_ERROR_IO, "%s: \"%.256s\" is not a regular file", field, path);
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path, "rb"));
-  if (!file) refuse(SHD_ERROR_IO, "%s: cannot open \"%.256s\"", field, path);
-  std::string text;
-  char block[16384];
-  while (const size_t got = std::fread(block, 1, sizeof block, file.get())) {
-    if (text.size() + got > kMaxBytes) {
-      refuse(SHD_ERROR_LIMIT, "%s: \"%.256s\" is above %zu bytes", field, path, kMaxBytes);
-    }
-    text.append(block, got);
+  const core::RegularFile opened = core::open_regular(path);
+  const bool missing = opened.error == ENOENT || opened.error == ENOTDIR;
+  if (missing) refuse(SHD_ERROR_NOT_FOUND, "%s: no file \"%.256s\"", field, path);
+  if (opened.other_kind) refuse(SHD_ERROR_IO, "%s: \"%.256s\" is not a regular file", field, path);
+  if (opened.error) refuse(SHD_ERROR_IO, "%s: cannot open \"%.256s\": %s", field, path, std::strerror(opened.error));
+  if (opened.size > kMaxBytes) {
+    refuse(SHD_ERROR_LIMIT, "%s: \"%.256s\" is above %zu bytes", field, path, kMaxBytes);
   }
-  if (std::ferror(file.get())) refuse(SHD_ERROR_IO, "%s: cannot read \"%.256s\"", field, path);
+  std::string text(static_cast<size_t>(opened.size), 0);
+  int error = 0;
+  text.resize(core::read_at(opened.file.fd, 0, text.size(), text.data(), &error));
+  if (error) refuse(SHD_ERROR_IO, "%s: cannot read \"%.256s\": %s", field, path, std::strerror(error));
   return text;
 }
 

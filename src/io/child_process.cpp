@@ -44,6 +44,9 @@ int fill_options(SpawnOptions& options, int socket) {
   if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 1, "/dev/null", O_WRONLY, 0);
   if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 2, "/dev/null", O_WRONLY, 0);
 #if defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 29)
+  if (!error) error = ::posix_spawn_file_actions_addchdir_np(&options.files, "/");
+#endif
 #if __GLIBC_PREREQ(2, 34)
   if (!error) error = ::posix_spawn_file_actions_addclosefrom_np(&options.files, 3);
 #endif

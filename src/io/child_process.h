@@ -7,9 +7,10 @@
 
 namespace shd::io {
 
-/// Starts a program with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask,
-/// default signal handlers, and no environment variable except those of the dynamic linker and of sanitizers. Throws
-/// Failure; SHD_ERROR_NOT_FOUND if the program is missing.
+/// Starts the program of an absolute path with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor,
+/// an empty signal mask, default signal handlers, and no environment variable except those of the dynamic linker and of
+/// sanitizers. Its working directory is /, so that a relative folder in LD_LIBRARY_PATH never names libraries of the
+/// host's working directory. Throws Failure; SHD_ERROR_NOT_FOUND if the program is missing.
 pid_t start_process(const std::string& program, int socket);
 
 /// Waits a moment for the end of a process that seems to end, then kills it. Returns a description of how it ended.

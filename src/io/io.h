@@ -6,8 +6,9 @@
 /// Output:     Bitmap, rows from the top in one of libshd's formats: RGBA, or one channel of volumes; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
-///             memory, and a path only by oiio_tiles.cpp, whose files are trusted; only the worker sets the
-///             process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
+///             memory, and open files only by oiio_tiles.cpp, whose files are trusted; files are opened by
+///             core/regular_file.h and write_file.cpp alone; only the worker sets the process-wide attributes of
+///             OpenImageIO; what a child of the worker sends is untrusted.
 ///
 /// | file             | contents                                                             |
 /// |------------------|----------------------------------------------------------------------|

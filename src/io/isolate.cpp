@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "core/failure.h"
 #include "core/printable.h"
@@ -87,6 +89,14 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   request.limits = options.limits;
   request.size = size;
   return request;
+}
+
+/// A path as it is at this moment: the working directory can change before another load names it.
+std::string absolute_path(const char* path) {
+  std::error_code error;
+  const std::string absolute = std::filesystem::absolute(path, error).string();
+  if (error) refuse_errno("cannot find", path, error.value());
+  return absolute;
 }
 
 /// Hands the source to the worker. Returns false if the worker is dead and has not taken it.
@@ -306,7 +316,7 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
 
 Bitmap load_isolated(const char* worker_path, const Source& source, const LoadOptions& options, const Memory& memory,
                      const Deadline& deadline) {
-  const std::string program = worker_path ? std::string(worker_path) : default_worker_path();
+  const std::string program = worker_path ? absolute_path(worker_path) : default_worker_path();
   const WorkerRequest request = make_request(options, source.size);
   // A worker that has died since the last load is replaced, once.
   for (int attempt = 0; attempt < 2; ++attempt) {

@@ -29,4 +29,11 @@ MemoryFile::MemoryFile(bool wanted, const unsigned char* bytes, size_t size) {
 #endif
 }
 
+std::string MemoryFile::without_path(std::string message) const {
+  for (size_t at = 0; !path_.empty() && (at = message.find(path_, at)) != std::string::npos;) {
+    message.replace(at, path_.size(), "the file");
+  }
+  return message;
+}
+
 }  // namespace shd::io

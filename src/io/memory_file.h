@@ -14,6 +14,8 @@ class MemoryFile {
   /// Creates the file if `wanted`; copies the bytes.
   MemoryFile(bool wanted, const unsigned char* bytes, size_t size);
   const std::string& path() const { return path_; }
+  /// A message of a decoder with "the file" in place of the path, which differs from load to load.
+  std::string without_path(std::string message) const;
 
  private:
   FileDescriptor file_;

@@ -17,6 +17,7 @@ namespace {
 
 std::string module_path(const char* file) {
   const std::string folder = library_folder();
+  if (folder.empty()) core::refuse(SHD_ERROR_NOT_FOUND, "cannot open %s: the folder of libshd_io is not known", file);
   const std::string installed = folder + "/shd/" + file;
   return ::access(installed.c_str(), R_OK) == 0 ? installed : folder + "/" + file;
 }

@@ -50,6 +50,7 @@ struct Decoder {
   const Deadline& deadline;
   const Sink* sink;
   OIIO::Filesystem::IOMemReader* proxy;
+  const MemoryFile& memory_file;
   Quiet<OIIO::ImageInput> input;
   OIIO::ImageSpec spec;      // describes `level` of `part`
   int level = 0;             // mip level of the file
@@ -64,23 +65,27 @@ struct Decoder {
   size_t sent = 0;         // bytes of the bitmap that the sink has got, unless `streams`
 };
 
+/// Why OpenImageIO refused the last call.
+std::string reason(Decoder& d) {
+  return printable(d.memory_file.without_path(d.input.error()));
+}
+
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
   if (d.level > 0) {
     core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %d: %s: %s", format_name(d.file.format), d.level, action,
-                 printable(d.input.error()).c_str());
+                 reason(d).c_str());
   }
-  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.file.format), action, printable(d.input.error()).c_str());
+  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.file.format), action, reason(d).c_str());
 }
 
-void open_input(Decoder& d, const MemoryFile& file) {
+void open_input(Decoder& d) {
   silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   if (d.file.format == SHD_FILE_FORMAT_ANY) {
-    d.input.handle = OIIO::ImageInput::open(file.path(), &config);
+    d.input.handle = OIIO::ImageInput::open(d.memory_file.path(), &config);
     if (!d.input.handle) {
-      core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s",
-                   printable(d.input.error()).c_str());
+      core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s", reason(d).c_str());
     }
     d.spec = d.input.handle->spec();
     return;
@@ -413,8 +418,8 @@ void describe(const Decoder& d, Bitmap* out) {
   if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 
-Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
-  open_input(d, file);
+Bitmap decode_with(Decoder& d, const Memory& memory) {
+  open_input(d);
   d.input.handle->threads(1);
   check_spec(d);
   d.part = d.options.subimage;
@@ -456,17 +461,18 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
 
 Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
               const Sink* sink) {
+  const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
-    const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
-    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, 0, false, {}, 0, 0, {}, {}, false, 0};
-    return decode_with(decoder, file, memory);
+    Decoder decoder{input, options, deadline, sink, &proxy, file, {}, {}, 0, 0, false, {}, 0, 0, {}, {}, false, 0};
+    return decode_with(decoder, memory);
   } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(input.format), printable(error.what()).c_str());
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(input.format),
+                 printable(file.without_path(error.what())).c_str());
   }
 }
 

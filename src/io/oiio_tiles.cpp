@@ -3,21 +3,21 @@
 // for a file that several threads read.
 #include "io/oiio_tiles.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <new>
 
 #include "core/failure.h"
-#include "io/file_descriptor.h"
 #include "io/levels.h"
 #include "io/oiio_handle.h"
 #include "io/printable.h"
+#include "io/read_file.h"
 #include "io/silence.h"
 #include "io/transfer.h"
 
@@ -28,10 +28,21 @@ namespace {
 constexpr int kMaxTiledSide = 1 << 20;
 constexpr uint64_t kMaxTileBytes = uint64_t{1} << 26;
 
+struct CloseStream {
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
 /// An open file, at one of its levels.
 struct Reader {
+  Reader(size_t number, FileDescriptor&& opened) : file(number), stream(::fdopen(opened.fd, "rb")) {
+    if (!stream) throw std::bad_alloc();
+    opened.fd = -1;
+  }
+
   size_t file;
   int level = 0;
+  std::unique_ptr<std::FILE, CloseStream> stream;
+  OIIO::Filesystem::IOFile proxy{stream.get(), OIIO::Filesystem::IOProxy::Read};
   Quiet<OIIO::ImageInput> input;
 };
 
@@ -75,12 +86,10 @@ class TiledSet {
   std::string name(size_t file) const { return "\"" + printable(paths_[file]) + "\""; }
 
   std::unique_ptr<Reader> open(size_t file) const {
-    if (::access(paths_[file].c_str(), R_OK) != 0) refuse_errno("cannot open", paths_[file].c_str(), errno);
-    auto reader = std::make_unique<Reader>();
-    reader->file = file;
+    auto reader = std::make_unique<Reader>(file, io::open_file(paths_[file].c_str()).file);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // numbers as they are stored
-    reader->input.handle = OIIO::ImageInput::open(paths_[file], &config);
+    reader->input.handle = OIIO::ImageInput::open(paths_[file], &config, &reader->proxy);
     if (!reader->input.handle) {
       core::refuse(SHD_ERROR_CORRUPT, "%s: cannot open: %s", name(file).c_str(),
                    printable(reader->input.error()).c_str());

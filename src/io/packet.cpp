@@ -57,6 +57,26 @@ void take_descriptors(msghdr* message, FileDescriptor* descriptors, int count) {
   }
 }
 
+Stream receive(int socket, void* bytes, size_t size, FileDescriptor* descriptors, int count, const Deadline& deadline,
+               int flags) {
+  while (true) {
+    const Stream ready = wait_ready(socket, POLLIN, deadline);
+    if (ready != Stream::kDone) return ready;
+    iovec part = {bytes, size};
+    ControlData control = {};
+    msghdr message = {};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    message.msg_control = &control;
+    message.msg_controllen = sizeof control;
+    const ssize_t got = ::recvmsg(socket, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC | flags);
+    if (again(got)) continue;
+    if (got >= 0) take_descriptors(&message, descriptors, count);
+    const bool whole = got == static_cast<ssize_t>(size) && !(message.msg_flags & (MSG_TRUNC | MSG_CTRUNC));
+    return whole ? Stream::kDone : Stream::kClosed;
+  }
+}
+
 }  // namespace
 
 Stream send_packet(int socket, const void* bytes, size_t size, const int* descriptors, int count,
@@ -86,22 +106,12 @@ Stream send_packet(int socket, const void* bytes, size_t size, const int* descri
 
 Stream receive_packet(int socket, void* bytes, size_t size, FileDescriptor* descriptors, int count,
                       const Deadline& deadline) {
-  while (true) {
-    const Stream ready = wait_ready(socket, POLLIN, deadline);
-    if (ready != Stream::kDone) return ready;
-    iovec part = {bytes, size};
-    ControlData control = {};
-    msghdr message = {};
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = &control;
-    message.msg_controllen = sizeof control;
-    const ssize_t got = ::recvmsg(socket, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-    if (again(got)) continue;
-    if (got >= 0) take_descriptors(&message, descriptors, count);
-    const bool whole = got == static_cast<ssize_t>(size) && !(message.msg_flags & (MSG_TRUNC | MSG_CTRUNC));
-    return whole ? Stream::kDone : Stream::kClosed;
-  }
+  return receive(socket, bytes, size, descriptors, count, deadline, 0);
+}
+
+Stream peek_packet(int socket, void* bytes, size_t size, FileDescriptor* descriptors, int count,
+                   const Deadline& deadline) {
+  return receive(socket, bytes, size, descriptors, count, deadline, MSG_PEEK);
 }
 
 Stream send_all(int socket, const void* bytes, size_t size, const Deadline& deadline) {

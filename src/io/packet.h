@@ -22,6 +22,10 @@ Stream send_packet(int socket, const void* bytes, size_t size, const int* descri
 Stream receive_packet(int socket, void* bytes, size_t size, FileDescriptor* descriptors, int count,
                       const Deadline& deadline);
 
+/// As receive_packet(), but the packet stays in the socket.
+Stream peek_packet(int socket, void* bytes, size_t size, FileDescriptor* descriptors, int count,
+                   const Deadline& deadline);
+
 /// Sends `size` bytes over a SOCK_STREAM socket.
 Stream send_all(int socket, const void* bytes, size_t size, const Deadline& deadline);
 

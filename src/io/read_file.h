@@ -13,7 +13,10 @@ struct OpenFile {
   size_t size = 0;
 };
 
-/// Opens a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
+/// Opens a regular file. Throws Failure.
+core::RegularFile open_file(const char* path);
+
+/// Opens a regular file of 1..limits.file_bytes bytes. Throws Failure.
 OpenFile open_file(const char* path, const Limits& limits);
 
 /// Reads `size` bytes of a file from offset `at` on, or the next ones of a socket.

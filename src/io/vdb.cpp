@@ -141,11 +141,8 @@ Bitmap sample(const Grid& grid, const Box& box, const Memory& memory, const Dead
   return out;
 }
 
-Bitmap read_grid(const unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
-                 const Deadline& deadline, const Sink* sink) {
-  const std::vector<VdbGrid> grids = list_vdb_grids(bytes, size);
-  const VdbGrid& chosen = grids[find_vdb_grid(grids, options.grid.name[0] ? options.grid.name : nullptr)];
-  const MemoryFile memory_file(true, bytes, size);
+Bitmap read_grid(const MemoryFile& memory_file, size_t size, const VdbGrid& chosen, const LoadOptions& options,
+                 const Memory& memory, const Deadline& deadline, const Sink* sink) {
   openvdb::initialize();
   openvdb::io::File file(memory_file.path());
   file.open(false);
@@ -172,14 +169,17 @@ Bitmap read_grid(const unsigned char* bytes, size_t size, const LoadOptions& opt
 
 Bitmap decode_grid(const unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
                    const Deadline& deadline, const Sink* sink) {
+  const std::vector<VdbGrid> grids = list_vdb_grids(bytes, size);
+  const VdbGrid& chosen = grids[find_vdb_grid(grids, options.grid.name[0] ? options.grid.name : nullptr)];
+  const MemoryFile memory_file(true, bytes, size);
   try {
-    return read_grid(bytes, size, options, memory, deadline, sink);
+    return read_grid(memory_file, size, chosen, options, memory, deadline, sink);
   } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    core::refuse(SHD_ERROR_CORRUPT, "OpenVDB: %s", printable(error.what()).c_str());
+    core::refuse(SHD_ERROR_CORRUPT, "OpenVDB: %s", printable(memory_file.without_path(error.what())).c_str());
   }
 }
 

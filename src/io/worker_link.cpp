@@ -7,6 +7,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/syscall.h>
@@ -37,7 +38,9 @@ struct Worker {
   pid_t owner = 0;    // process that started the worker
   pid_t starter = 0;  // our child, which forks the worker and ends; 0 once it is reaped
   int socket = -1;
-  int pidfd = -1;  // refers to the worker
+  // Identity of the socket when it was made: the host may close it, and its number may become a file of the host.
+  dev_t socket_device = 0;
+  ino_t socket_inode = 0;
   bool ready = false;
   bool silent = false;
   uint64_t generation = 0;
@@ -48,10 +51,16 @@ struct Worker {
 
 Worker g_worker;
 
-void close_both() {
-  if (g_worker.socket >= 0) ::close(g_worker.socket);
-  if (g_worker.pidfd >= 0) ::close(g_worker.pidfd);
-  g_worker.socket = g_worker.pidfd = -1;
+/// Whether the descriptor is still the socket that start() made.
+bool has_socket() {
+  struct stat status;
+  return g_worker.socket >= 0 && ::fstat(g_worker.socket, &status) == 0 && status.st_dev == g_worker.socket_device &&
+         status.st_ino == g_worker.socket_inode;
+}
+
+void close_socket() {
+  if (has_socket()) ::close(g_worker.socket);
+  g_worker.socket = -1;
   g_worker.ready = g_worker.silent = false;
 }
 
@@ -59,22 +68,26 @@ void close_both() {
 /// thread of the parent may have locked it, and that thread does not exist in the child.
 void forget_after_fork() {
   ::new (&g_worker.mutex) std::timed_mutex;
-  close_both();
+  close_socket();
   g_worker.starter = 0;
 }
 
-void end_process(int pidfd) {
+/// Kills the worker by the descriptor of its process. That descriptor comes with the first message of the worker, which
+/// stays in the socket: unlike sockets, stored descriptors of processes all have one inode in older kernels.
+void kill_worker() {
 #if defined(__linux__) && defined(SYS_pidfd_send_signal)
-  if (pidfd >= 0) (void)::syscall(SYS_pidfd_send_signal, pidfd, SIGKILL, nullptr, 0);
-#else
-  (void)pidfd;
+  WorkerHello hello;
+  FileDescriptor process;
+  if (!has_socket()) return;
+  (void)peek_packet(g_worker.socket, &hello, sizeof hello, &process, 1, Deadline(0.001));
+  if (process.fd >= 0) (void)::syscall(SYS_pidfd_send_signal, process.fd, SIGKILL, nullptr, 0);
 #endif
 }
 
 /// A worker whose socket is closed ends by itself when its last load has ended.
 void stop(bool at_once) {
-  if (at_once) end_process(g_worker.pidfd);
-  close_both();
+  if (at_once) kill_worker();
+  close_socket();
   kill_process(g_worker.starter);
   g_worker.starter = 0;
 }
@@ -109,13 +122,17 @@ void start(const std::string& program) {
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     refuse_errno("cannot connect to", program.c_str(), errno);
   }
+  struct stat status = {};
+  (void)::fstat(ends[0], &status);
   g_worker.socket = ends[0];
+  g_worker.socket_device = status.st_dev;
+  g_worker.socket_inode = status.st_ino;
   const FileDescriptor theirs(ends[1]);
   g_worker.owner = ::getpid();
   try {
     g_worker.starter = start_process(program, theirs.fd);
   } catch (...) {
-    close_both();
+    close_socket();
     throw;
   }
   program.copy(g_worker.program, program.size());
@@ -127,8 +144,7 @@ void start(const std::string& program) {
 /// Waits for the first message of the worker.
 void await_hello(const Deadline& deadline) {
   WorkerHello hello = {};
-  FileDescriptor pidfd;
-  const Stream stream = receive_packet(g_worker.socket, &hello, sizeof hello, &pidfd, 1, deadline);
+  const Stream stream = peek_packet(g_worker.socket, &hello, sizeof hello, nullptr, 0, deadline);
   const std::string name = printable(g_worker.program);
   if (stream == Stream::kLate) {
     if (Clock::now() - g_worker.started > kStartLimit) stop(true);
@@ -141,7 +157,6 @@ void await_hello(const Deadline& deadline) {
                  "the worker \"%s\" did not start (%s); a load with SHD_LOAD_IN_PROCESS needs no worker", name.c_str(),
                  end.c_str());
   }
-  g_worker.pidfd = std::exchange(pidfd.fd, -1);
   if (hello.magic != kWorkerMagic) {
     stop(true);
     core::refuse(SHD_ERROR_INTERNAL, "the worker \"%s\" belongs to another version of shd", name.c_str());
@@ -163,9 +178,10 @@ WorkerLink connect_worker(const std::string& program, const Deadline& deadline) 
     core::refuse(SHD_ERROR_LIMIT, "another thread still starts the worker");
   }
   if (g_worker.socket >= 0 && g_worker.owner != ::getpid()) {  // fork handlers do not run for a raw clone()
-    close_both();
+    close_socket();
     g_worker.starter = 0;
   }
+  if (g_worker.socket >= 0 && !has_socket()) stop(false);  // closed by the host, and so the worker ends
   if (g_worker.socket >= 0 && program != g_worker.program) stop(!g_worker.ready);
   if (g_worker.socket < 0) start(program);
   if (!g_worker.ready) await_hello(deadline);

@@ -46,7 +46,8 @@ std::string resolve(const char* path) {
   return resolved;
 }
 
-void open_temporary(const std::string& path, Temporary* out) {
+/// Creates a file beside `path`, with these permissions less those that the umask takes.
+void open_temporary(const std::string& path, mode_t mode, Temporary* out) {
   const std::string folder = folder_of(path);
   int error = EEXIST;
   // The process id and the address make the name unique among threads and processes; names of leftover files are
@@ -56,7 +57,7 @@ void open_temporary(const std::string& path, Temporary* out) {
     std::snprintf(name, sizeof name, "/.shd-%ld-%zx-%d", static_cast<long>(::getpid()), reinterpret_cast<size_t>(out),
                   attempt);
     out->name = folder + name;
-    out->file = FileDescriptor(::open(out->name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, 0666));
+    out->file = FileDescriptor(::open(out->name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode));
     if (out->file.fd >= 0) return;
     error = errno;
   }
@@ -85,8 +86,10 @@ void write_file(const char* path_in, const void* bytes, size_t size) {
     core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file: not replaced", printable(path).c_str());
   }
   Temporary temporary;
-  open_temporary(path, &temporary);
-  if (replaces && ::fchmod(temporary.file.fd, old.st_mode & 07777) != 0) {
+  // A new file has its final permissions from the start. An old file may have narrower ones than the umask leaves, and
+  // nobody may open its successor in between.
+  open_temporary(path, replaces ? 0600 : 0666, &temporary);
+  if (replaces && ::fchmod(temporary.file.fd, old.st_mode & 0777) != 0) {
     refuse_errno("cannot keep the permissions of", path.c_str(), errno);
   }
   write_all(temporary.file.fd, bytes, size, path);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <set>
 #include <vector>
 
 #include <assimp/IOStream.hpp>
 
+#include "core/regular_file.h"
 #include "scene/assimp_parts.h"
 
 namespace shd::scene {
@@ -58,55 +54,32 @@ class MemoryStream : public Assimp::IOStream {
   int empty_reads_ = 0;
 };
 
-/// Opens a regular file and returns it with its size, or an empty result.
-struct RegularFile {
-  explicit RegularFile(const char* path) : fd(::open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
-    struct stat status;
-    if (fd >= 0 && ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
-      size = static_cast<uint64_t>(status.st_size);
-      is_good = true;
-    }
-  }
-  ~RegularFile() {
-    if (fd >= 0) ::close(fd);
-  }
-  RegularFile(const RegularFile&) = delete;
-  RegularFile& operator=(const RegularFile&) = delete;
-
-  int fd;
-  uint64_t size = 0;
-  bool is_good = false;
-};
-
-bool read_all(int fd, std::vector<unsigned char>& bytes) {
-  constexpr size_t kChunk = size_t{1} << 26;
-  for (size_t done = 0; done < bytes.size();) {
-    const ssize_t got = ::read(fd, bytes.data() + done, std::min(bytes.size() - done, kChunk));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    done += static_cast<size_t>(got);
-  }
-  return true;
+/// Skins are left out, so that no skeleton is read. assimp 5 prints a line to stdout for each skeleton of Ogre.
+bool is_skeleton(const std::string& path) {
+  const std::string end = ".skeleton.xml";
+  return path.size() >= end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
 class BudgetedFiles : public Assimp::IOSystem {
  public:
   BudgetedFiles(FileBudget& budget, const Deadline& deadline) : budget_(budget), deadline_(deadline) {}
 
-  bool Exists(const char* path) const override { return RegularFile(path).is_good; }
+  bool Exists(const char* path) const override { return !is_skeleton(path) && core::open_regular(path).file.fd >= 0; }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (std::strchr(mode, 'w') || std::strchr(mode, 'a') || std::strchr(mode, '+')) return nullptr;
-    const RegularFile file(path);
-    if (!file.is_good) return nullptr;
+    if (is_skeleton(path)) return nullptr;
+    const core::RegularFile opened = core::open_regular(path);
+    if (opened.file.fd < 0) return nullptr;
     const bool known = counted_.count(path) != 0;  // readers open a file several times
-    if (!known && file.size > budget_.left) {
+    if (!known && opened.size > budget_.left) {
       if (budget_.exceeded.empty()) budget_.exceeded = path;
       return nullptr;
     }
-    std::vector<unsigned char> bytes(static_cast<size_t>(file.size));
-    if (!read_all(file.fd, bytes)) return nullptr;
-    if (!known) budget_.left -= file.size;
+    std::vector<unsigned char> bytes(static_cast<size_t>(opened.size));
+    int error = 0;
+    if (core::read_at(opened.file.fd, 0, bytes.size(), bytes.data(), &error) < bytes.size()) return nullptr;
+    if (!known) budget_.left -= opened.size;
     counted_.insert(path);
     return new MemoryStream(std::move(bytes), deadline_);
   }

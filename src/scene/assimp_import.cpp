@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 
 #include "core/printable.h"
+#include "core/regular_file.h"
 #include "scene/assimp_parts.h"
 #include "scene/bounds.h"
 #include "scene/import.h"
@@ -38,18 +38,18 @@ class Stopwatch : public Assimp::ProgressHandler {
   const Deadline& deadline_;
 };
 
-/// Throws Failure, with the reason, if the path is not a regular file.
+/// Throws Failure, with the reason, unless the path is a regular file that can be read.
 void check_file(const std::string& path, const Limits& limits) {
   const std::string name = text_of(path.c_str());
-  struct stat status;
-  if (::stat(path.c_str(), &status) != 0) {
-    const bool missing = errno == ENOENT || errno == ENOTDIR;
+  const core::RegularFile opened = core::open_regular(path.c_str());
+  if (opened.other_kind) core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file", name.c_str());
+  if (opened.error) {
+    const bool missing = opened.error == ENOENT || opened.error == ENOTDIR;
     core::refuse(missing ? SHD_ERROR_NOT_FOUND : SHD_ERROR_IO, "cannot open \"%s\": %s", name.c_str(),
-                 std::strerror(errno));
+                 std::strerror(opened.error));
   }
-  if (!S_ISREG(status.st_mode)) core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file", name.c_str());
-  if (status.st_size == 0) core::refuse(SHD_ERROR_CORRUPT, "\"%s\" is empty", name.c_str());
-  const auto size = static_cast<uint64_t>(status.st_size);
+  const uint64_t size = opened.size;
+  if (size == 0) core::refuse(SHD_ERROR_CORRUPT, "\"%s\" is empty", name.c_str());
   if (size > limits.file_bytes) {
     core::refuse(SHD_ERROR_LIMIT, "\"%s\" has %llu bytes, above scene.max_file_bytes %llu", name.c_str(),
                  static_cast<unsigned long long>(size), static_cast<unsigned long long>(limits.file_bytes));
@@ -170,10 +170,17 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::string& path, c
   return *scene;
 }
 
+/// Removes the readers that print. The one of OpenGEX writes about damaged files to stderr.
+void remove_loud_readers(Assimp::Importer& importer) {
+  Assimp::BaseImporter* const reader = importer.GetImporter("ogex");
+  if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
+}
+
 Model import_checked(const std::string& path, const Limits& limits, const Deadline& deadline) {
   FileBudget budget;
   budget.left = limits.file_bytes;
   Assimp::Importer importer;
+  remove_loud_readers(importer);
   importer.SetIOHandler(make_file_system(budget, deadline).release());
   importer.SetProgressHandler(new Stopwatch(deadline));
   Model model;

@@ -6,7 +6,7 @@
 /// Output:     an import gives a Model, plain data; make_objects() turns it into handles of libshd.
 /// Invariants: only the files named assimp_* include headers of assimp. libshd and libshd_io are used only through
 ///             their public functions. A problem with the whole file is a Failure. A problem with a part of it, such as
-///             a missing texture, is a warning, and the part is left out.
+///             a missing texture, is a warning, and the part is left out. Nothing is printed.
 ///
 /// | file                | contents                                                |
 /// |---------------------|---------------------------------------------------------|

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Colour configs: sources, refusals and names. */
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE
 #include "support/color.h"
+#include "support/odd_paths.h"
 
 #include <fcntl.h>
 #include <locale.h>
@@ -325,6 +326,39 @@ static void test_files(void **state)
     shd_context_release(context);
 }
 
+/** Configs, and tables that a config names, which are no readable regular files. */
+static void test_odd_paths(void **state)
+{
+    static const char k_text[] =
+        HEAD SPACES SPACE("table", "    to_scene_reference: !<FileTransform> {src: %s}\n");
+    shd_context *context = make_context();
+    char text[4096], path[600];
+    size_t i;
+    assert_int_equal(io_make_folder(state), 0);
+    make_odd_paths();
+    for (i = 0; i < ODD_PATHS; ++i) {
+        const odd_path *p = &k_odd_paths[i];
+        shd_color_desc desc = shd_color_desc_default();
+        shd_color *color = (shd_color *)&desc;
+        if (!has_odd_path(p)) continue;
+        snprintf(path, sizeof path, "%s", io_path(p->name));
+        desc.config_path = path;
+        alarm(20); /* ends the test if the load waits */
+        shd_assert_result(p->name, shd_color_create(context, &desc, &color), p->expected, p->message);
+        assert_null(color);
+        assert_non_null(strstr(shd_last_error(), p->name));
+        if (strcmp(p->message, "is not a regular file") != 0) continue; /* refused by the transforms that need it */
+        snprintf(text, sizeof text, k_text, path);
+        desc.config_path = NULL;
+        desc.config_text = text;
+        shd_assert_result(p->name, shd_color_create(context, &desc, &color), SHD_ERROR_IO, p->message);
+        assert_non_null(strstr(shd_last_error(), p->name));
+    }
+    alarm(0);
+    io_remove_folder(state);
+    shd_context_release(context);
+}
+
 /** A view whose lookup table is missing is refused with its name; the other views work. */
 static void test_missing_table(void **state)
 {
@@ -470,6 +504,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"lifecycle", test_lifecycle, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"names", test_names, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"files", test_files, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"odd_paths", test_odd_paths, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"missing_table", test_missing_table, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"silent", test_silent, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"locale", test_locale, NULL, NULL, NULL};

@@ -197,6 +197,28 @@ static void test_null_arguments(void **state)
     shd_bitmap_release(NULL);
 }
 
+/* A decoder that needs a path gets the one of an anonymous file, which is in no message: it differs from load to load. */
+static void test_anonymous_path(void **state)
+{
+    static const shd_load_flags flags[] = {SHD_LOAD_DEFAULT, SHD_LOAD_IN_PROCESS};
+    char text[2][1024];
+    int used[4], i;
+    (void)state;
+    for (i = 0; i < 4; ++i) {
+        shd_load_desc desc = shd_load_desc_default();
+        shd_bitmap *bitmap = NULL;
+        used[i] = dup(1); /* so that the next load gets other numbers */
+        desc.formats = SHD_FILE_FORMAT_ANY;
+        desc.flags = flags[i / 2];
+        shd_assert_result("any", shd_bitmap_load(g_context, io_path("text.png"), &desc, &bitmap), SHD_ERROR_UNSUPPORTED,
+                          "has no reader for the file");
+        snprintf(text[i % 2], sizeof text[0], "%s", shd_last_error());
+        assert_null(strstr(text[i % 2], "/proc/"));
+        if (i % 2) assert_string_equal(text[0], text[1]);
+    }
+    for (i = 0; i < 4; ++i) close(used[i]);
+}
+
 static void test_lifecycle(void **state)
 {
     const io_bytes *png = &g_corpus[0].bytes;
@@ -565,6 +587,7 @@ int main(void)
     ADD_ROWS(k_colors, test_color);
     ADD_ROWS(k_exr, test_exr);
     add("path/1_mib_long", test_long_path, NULL);
+    add("path/anonymous", test_anonymous_path, NULL);
     add("null_arguments", test_null_arguments, NULL);
     add("lifecycle", test_lifecycle, NULL);
     add("flip", test_flip, NULL);

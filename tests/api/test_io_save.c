@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 
 enum { WIDTH = 7, HEIGHT = 5, PIXELS = WIDTH * HEIGHT };
 
@@ -202,6 +203,49 @@ static void test_link(void **state)
     assert_int_equal(stat(io_path("target.png"), &status), 0);
     assert_true(status.st_size > 3);
     assert_int_equal(status.st_mode & 0777, 0640);
+}
+
+/* Permissions of the file that a save changes, just before the change; -1 = none was changed. Replaces the function of
+ * the C library. */
+static int g_mode_before = -1;
+__attribute__((visibility("default"))) int fchmod(int fd, mode_t mode)
+{
+    struct stat status;
+    if (fstat(fd, &status) == 0) g_mode_before = (int)(status.st_mode & 0777);
+    return (int)syscall(SYS_fchmod, fd, mode);
+}
+
+struct mode_case {
+    const char *name;
+    mode_t old, mask; /* permissions of the file that is replaced (0 = none), and the umask */
+    mode_t expected;
+};
+
+static const struct mode_case k_modes[] = {
+    {"mode/private", 0600, 0022, 0600}, {"mode/group", 0640, 0022, 0640},  {"mode/all", 0666, 0077, 0666},
+    {"mode/as_user", 04755, 0022, 0755}, {"mode/new", 0, 0022, 0644},      {"mode/new_private", 0, 0077, 0600},
+};
+
+/* A save keeps the permissions of a file, and nobody may open its successor before. A new file has those of the umask. */
+static void test_mode(void **state)
+{
+    const struct mode_case *c = (const struct mode_case *)*state;
+    const shd_image image = make_image(SHD_FORMAT_RGBA8);
+    struct stat status;
+    mode_t mask;
+    unlink(io_path("mode.png"));
+    if (c->old) {
+        io_write(io_path("mode.png"), "old", 3);
+        assert_int_equal(chmod(io_path("mode.png"), c->old), 0);
+    }
+    g_mode_before = -1;
+    mask = umask(c->mask);
+    shd_assert_ok(shd_image_save(&image, io_path("mode.png"), NULL));
+    umask(mask);
+    assert_int_equal(stat(io_path("mode.png"), &status), 0);
+    assert_int_equal(status.st_mode & 07777, c->expected);
+    assert_true(status.st_size > 3);
+    assert_int_equal(g_mode_before, c->old ? 0600 : -1);
 }
 
 /* Overwriting a file that is open: a reader continues to read the old contents. */
@@ -538,6 +582,7 @@ int main(void)
     io_write(io_path("old.png"), "old", 3);
     ADD_ROWS(k_images, test_image);
     ADD_ROWS(k_places, test_place);
+    ADD_ROWS(k_modes, test_mode);
     ADD_ROWS(k_frames, test_frame);
     ADD_ROWS(k_textures, test_texture);
     add("all_planes", test_all_planes, NULL);

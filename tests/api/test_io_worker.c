@@ -371,6 +371,50 @@ static void test_out_of_descriptors(void **state)
     assert_int_equal(settle().server, before.server);
 }
 
+/* Runs in a child: closes all descriptors above 2 as daemons do, gives their numbers to own files or leaves them free,
+ * and loads. Returns 0, or the number of what failed. */
+static int load_without_descriptors(int own_files)
+{
+    struct stat before[64], now;
+    uint64_t hash = 0;
+    double start;
+    char byte;
+    int fd;
+    if (load(2, 60, &hash) != SHD_OK || hash != g_hash[2]) return 1;
+    for (fd = 3; fd < 64; ++fd) close(fd);
+    for (fd = 3; own_files && fd < 64; ++fd) {
+        if (open(io_path("own"), O_RDWR | O_CREAT | O_APPEND, 0600) != fd || fstat(fd, &before[fd]) != 0) return 2;
+    }
+    start = io_seconds();
+    if (load(2, 60, &hash) != SHD_OK || hash != g_hash[2]) return 3;
+    if (load(3, 60, &hash) != SHD_OK || hash != g_hash[3]) return 4;
+    if (io_seconds() - start > 20) return 5; /* a new worker starts in less than a second */
+    for (fd = 3; own_files && fd < 64; ++fd) {
+        if (fstat(fd, &now) != 0 || now.st_ino != before[fd].st_ino || now.st_dev != before[fd].st_dev) return 6;
+        if (pread(fd, &byte, 1, 0) != 0) return 7; /* nothing was written */
+    }
+    return 0;
+}
+
+/* A host that closes descriptors that it did not open: the next load starts another worker, and touches no file of the
+ * host that has the number of a closed descriptor. */
+static void test_descriptors_closed(void **state)
+{
+    int own_files;
+    (void)state;
+    for (own_files = 0; own_files < 2; ++own_files) {
+        int status = 0;
+        const pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) {
+            alarm(120);
+            exit(load_without_descriptors(own_files)); /* the unload of the library touches none, either */
+        }
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_int_equal(status, 0);
+    }
+}
+
 /* Makes the samples and their hashes in a child: exit() may hang in a process that has opened OpenImageIO. */
 static int prepare(void)
 {
@@ -413,6 +457,7 @@ int main(void)
         {"exit_in_flight", test_exit_in_flight, NULL, NULL, NULL},
         {"nothing_inherited", test_nothing_inherited, NULL, NULL, NULL},
         {"out_of_descriptors", test_out_of_descriptors, NULL, NULL, NULL},
+        {"descriptors_closed", test_descriptors_closed, NULL, NULL, NULL},
     };
     shd_context_desc one_worker = shd_context_desc_default();
     char worker[600];

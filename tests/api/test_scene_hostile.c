@@ -2,6 +2,7 @@
 /* Damaged files, and files that are not models: each load either fails with a message that names the file, or leaves
  * out unusable parts and reports them. */
 #define _GNU_SOURCE
+#include "support/odd_paths.h"
 #include "support/rows.h"
 #include "support/scene_files.h"
 
@@ -72,18 +73,81 @@ static void test_file(void **state)
     shd_assert_result(c->name, survive(c->name), c->result, c->message);
 }
 
-/* Paths that are not regular files. */
+/* Models, and materials, textures and buffers of models, that are no readable regular files. */
 static void test_paths(void **state)
 {
-    char folder[300];
+    size_t i;
     (void)state;
-    snprintf(folder, sizeof folder, "%s", io_path("folder.obj"));
-    assert_int_equal(survive("missing.obj"), SHD_ERROR_NOT_FOUND);
-    assert_int_equal(mkdir(folder, 0700), 0);
-    assert_int_equal(survive("folder.obj"), SHD_ERROR_IO);
-    assert_int_equal(rmdir(folder), 0);
-    assert_int_equal(mkfifo(io_path("fifo.obj"), 0600), 0); /* a plain open() of a FIFO would wait for a writer */
-    assert_int_equal(survive("fifo.obj"), SHD_ERROR_IO);
+    make_odd_paths();
+    for (i = 0; i < ODD_PATHS; ++i) {
+        const odd_path *p = &k_odd_paths[i];
+        shd_scene *scene = NULL;
+        char text[1024];
+        if (!has_odd_path(p)) continue;
+        alarm(20); /* ends the test if a load waits */
+        shd_assert_result(p->name, survive(p->name), p->expected, p->message);
+        snprintf(text, sizeof text, "mtllib %s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", p->name);
+        scene_write_text("odd.obj", text);
+        assert_int_equal(survive("odd.obj"), SHD_OK);
+        snprintf(text, sizeof text, "mtllib odd.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+        scene_write_text("odd.obj", text);
+        snprintf(text, sizeof text, "newmtl a\nKd 1 1 1\nmap_Kd %s\n", p->name);
+        scene_write_text("odd.mtl", text);
+        shd_assert_ok(shd_scene_load(g_context, io_path("odd.obj"), NULL, &scene));
+        assert_non_null(shd_scene_warning(scene, 0));
+        shd_scene_release(scene);
+        snprintf(text, sizeof text,
+                 "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+                 "\"buffers\":[{\"uri\":\"%s\",\"byteLength\":36}],"
+                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+                 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]}",
+                 p->name);
+        scene_write_text("odd.gltf", text);
+        assert_int_equal(survive("odd.gltf"), SHD_ERROR_CORRUPT);
+        alarm(0);
+    }
+}
+
+/* Number of bytes that a load prints to standard output and standard error. */
+static long printed_by(const char *name, shd_result expected)
+{
+    const int out = dup(1), error = dup(2), file = open(io_path("printed"), O_RDWR | O_CREAT | O_TRUNC, 0600);
+    struct stat status;
+    shd_result result;
+    fflush(NULL);
+    dup2(file, 1);
+    dup2(file, 2);
+    result = survive(name);
+    fflush(NULL);
+    dup2(out, 1);
+    dup2(error, 2);
+    assert_int_equal(fstat(file, &status), 0);
+    close(file);
+    close(out);
+    close(error);
+    assert_int_equal(result, expected);
+    return (long)status.st_size;
+}
+
+/* A valid Ogre mesh with a skeleton, and a damaged file of OpenGEX: assimp's readers print about both. */
+static void test_silent(void **state)
+{
+    (void)state;
+    scene_write_text("fish.mesh.xml",
+                     "<mesh><sharedgeometry vertexcount=\"3\"><vertexbuffer positions=\"true\">"
+                     "<vertex><position x=\"0\" y=\"0\" z=\"0\"/></vertex>"
+                     "<vertex><position x=\"1\" y=\"0\" z=\"0\"/></vertex>"
+                     "<vertex><position x=\"0\" y=\"1\" z=\"0\"/></vertex></vertexbuffer></sharedgeometry>"
+                     "<submeshes><submesh usesharedvertices=\"true\" use32bitindexes=\"false\" "
+                     "operationtype=\"triangle_list\"><faces count=\"1\"><face v1=\"0\" v2=\"1\" v3=\"2\"/></faces>"
+                     "</submesh></submeshes><skeletonlink name=\"fish.skeleton\"/></mesh>");
+    scene_write_text("fish.skeleton.xml",
+                     "<skeleton><bones><bone id=\"0\" name=\"tail\"><position x=\"0\" y=\"0\" z=\"0\"/>"
+                     "<rotation angle=\"0\"><axis x=\"1\" y=\"0\" z=\"0\"/></rotation></bone></bones></skeleton>");
+    scene_write_text("empty.ogex", "Metric (key = \"up\") {string {\"z\"}}\nGeometryNode {float[0] {}}\n");
+    assert_int_equal(printed_by("fish.mesh.xml", SHD_OK), 0);
+    assert_int_equal(printed_by("empty.ogex", SHD_ERROR_UNSUPPORTED), 0);
 }
 
 /* Unusable triangles are left out and reported; the others stay. */
@@ -195,5 +259,6 @@ int main(void)
     add("wild_matrix", test_wild_matrix, NULL);
     add("cut", test_cut, NULL);
     add("names", test_names, NULL);
+    add("silent", test_silent, NULL);
     return _cmocka_run_group_tests("api.scene_hostile", g_tests, g_count, set_up, tear_down);
 }

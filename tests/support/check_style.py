@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """House rules that a compiler does not see, over the tracked sources of the tree.
 
-    check_style.py includes|third_party|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
+    check_style.py includes|third_party|files|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
 
 Each check prints file:line and what is wrong, and exits 1 if anything is.
 """
@@ -34,6 +34,21 @@ THIRD_PARTY = {
     "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
                 "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},
 }
+# Calls that open files by a path, and the files that may have them. core/regular_file.h opens all files that are read,
+# write_file.cpp opens its temporary files, the worker reads /proc, and decoders that need a path get an anonymous file
+# (memory_file.h) or a file system of shd (assimp_files.cpp). maketx/ has files of its own.
+OPENERS = {
+    r"(?<![\w>])::(?:open|openat|creat)\s*\(|(?<![\w.>:])open(?:at)?\s*\([^;{]*\bO_(?:RDONLY|WRONLY|RDWR)\b":
+        {"src/core/regular_file.h", "src/io/write_file.cpp"},
+    r"\bf(?:re)?open\s*\(": {"src/io/worker_job.cpp", "src/io/worker_main.cpp"},
+    r"\b(?:basic_)?(?:[io]?fstream|filebuf)\b": set(),
+    r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio.cpp", "src/io/oiio_tiles.cpp"},
+    r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},
+    r"\bReadFile\s*\(": {"src/scene/assimp_import.cpp"},
+    r"\bCreateFrom(?:File|Env)\s*\(": set(),
+    r"\bdlopen\s*\(": {"src/io/module.cpp", "src/io/silence.cpp"},
+}
+OPENERS_OF_THEIR_OWN = "src/tool/maketx/"
 FORBIDDEN_CALLS = re.compile(
     r"\b(MulAdd|MulSub|NegMulAdd|NegMulSub|MulAddSub|ApproximateReciprocal\w*|fma|fmaf|ffast-math)\b")
 
@@ -91,6 +106,26 @@ def check_third_party(root):
             for prefix, allowed in THIRD_PARTY.items():
                 if match.group(2).startswith(prefix) and str(path) not in allowed:
                     yield f"{path}:{number}: {match.group(2)} belongs in {', '.join(sorted(allowed))}"
+
+
+def check_files(root):
+    """Files are opened in one place, which refuses everything except regular files."""
+    used = set()
+    for path in sources(root, ["src"], {".c", ".cpp", ".h"}):
+        if str(path).startswith(OPENERS_OF_THEIR_OWN):
+            continue
+        code = re.sub(r"//[^\n]*", "", (root / path).read_text(encoding="utf-8"))
+        for pattern, allowed in OPENERS.items():
+            for match in re.finditer(pattern, code):
+                used.add((pattern, str(path)))
+                if str(path) not in allowed:
+                    number = code.count("\n", 0, match.start()) + 1
+                    call = " ".join(match.group(0).split())
+                    yield f"{path}:{number}: {call}: files are opened by core/regular_file.h"
+    for pattern, allowed in OPENERS.items():
+        for path in sorted(allowed):
+            if (pattern, path) not in used:
+                yield f"{path}: is listed in OPENERS for {pattern}, which it does not use"
 
 
 def check_arithmetic(root):
@@ -202,6 +237,7 @@ CHECKS = {
     "includes": check_includes,
     "third_party": check_third_party,
     "arithmetic": check_arithmetic,
+    "files": check_files,
     "spdx": check_spdx,
     "prose": prose.check,
 }

@@ -5,16 +5,18 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
+#include "core/regular_file.h"
 #include "tool/failure.h"
 
 std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file.good() && !file.eof()) throw Failure(kExitInput, path + ": cannot be read");
-  if (!file.is_open()) throw Failure(kExitInput, path + ": cannot be opened");
+  const shd::core::RegularFile opened = shd::core::open_regular(path.c_str());
+  if (opened.other_kind) throw Failure(kExitInput, path + ": is not a regular file");
+  if (opened.error) throw Failure(kExitInput, path + ": cannot be opened: " + std::strerror(opened.error));
+  std::string bytes(static_cast<size_t>(opened.size), 0);
+  int error = 0;
+  bytes.resize(shd::core::read_at(opened.file.fd, 0, bytes.size(), bytes.data(), &error));
+  if (error) throw Failure(kExitInput, path + ": cannot be read: " + std::strerror(error));
   return bytes;
 }
 
