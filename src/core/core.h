@@ -15,6 +15,7 @@
 /// | errno_scope.h | the host's errno, restored at the end of a scope                  |
 /// | fp_env.h      | IEEE default floating-point control for a scope                   |
 /// | printable.h   | bytes as one line of UTF-8                                        |
+/// | sized_structs.h | the table of the structs that carry their size                  |
 /// | desc_size.h   | smallest sizes of the structs that carry their size               |
 /// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
