@@ -19,6 +19,7 @@ from ._projection import convert_projection as convert_projection, project as pr
 from ._shadow import Shadow as Shadow
 from ._solid import evaluate_solid as evaluate_solid
 from ._texture import Lookup as Lookup, Texture as Texture
+from ._tiles import TileCache as TileCache
 from ._volume import Volume as Volume
 from .color import Color as Color
 from .renderer import Renderer as Renderer
@@ -2279,12 +2280,12 @@ class Tile(Desc):
                  ) -> None: ...
 
 class TileSource(Desc):
-    cache: _Array
+    cache: TileCache
     load: Callable[..., object]
     release: Callable[..., object]
     user_data: _Array
     def __init__(self, *,
-                 cache: _Array = ...,
+                 cache: TileCache = ...,
                  load: Callable[..., object] = ...,
                  release: Callable[..., object] = ...,
                  user_data: _Array = ...,
@@ -2320,12 +2321,12 @@ class TileCacheStats(Desc):
 
 class TileFileDesc(Desc):
     color_space: Union[int, str]
-    cache: _Array
+    cache: TileCache
     max_readers: int
     fill: _Array
     def __init__(self, *,
                  color_space: Union[int, str] = ...,
-                 cache: _Array = ...,
+                 cache: TileCache = ...,
                  max_readers: int = ...,
                  fill: _Array = ...,
                  ) -> None: ...
