@@ -2,7 +2,7 @@
 // Types of descs, enums and functions. Written by generate.py; do not edit.
 import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, Texture, Volume, Context, Column,
               OutColumn, Columns, OutColumns, Numbers, Pixels, Fragments, Radiance, Vertices, VertexOutputs, Rays,
-              PresentTile } from "./index.js";
+              PresentTile, Tile, TileCache } from "./index.js";
 
 /**
  * Source of the value of a baked texel.
@@ -3210,12 +3210,12 @@ export interface TileSource {
   /** retained; NULL = the texture has its texels in memory */
   cache?: TileCache | null;
   /** required with `cache` */
-  load?: number;
+  load?: (tiles: Tile[]) => void;
   /**
    * called once, after the last `load`, when the texture is destroyed; may be
    * NULL. It is not called if shd_texture_create() fails
    */
-  release?: number;
+  release?: () => void;
 }
 
 /** Counters of a tile cache since its creation. */
