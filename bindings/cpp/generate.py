@@ -83,8 +83,10 @@ class Generator:
         yield from ["#endif"] * bool(current)
 
     def output(self, function):
-        """The last parameter, if the C++ function returns it, and its type without the pointer."""
-        last = function["parameters"][-1] if function.get("parameters") else {"name": "", "type": ""}
+        """The parameter that the C++ function returns, and its owner if it has one: an object, or a last struct."""
+        parameters = function.get("parameters", [{"name": "", "type": ""}])
+        last = next((p for p in parameters if p["name"].startswith("out_") and p["type"].endswith("**") and
+                     p["type"].rstrip("* ") in self.owned), parameters[-1])
         target = last["type"].rstrip("* ")
         if not last["name"].startswith("out_"):
             return None, None
@@ -111,27 +113,33 @@ class Generator:
         last, made = self.output(function)
         if not made:
             return None
-        declared, names = self.arguments(function["parameters"][:-1])
+        declared, names = self.arguments(function["parameters"])
+        at = function["parameters"].index(last)
+        declared[at], names[at] = f"shd::{made}& {last['name']}", "&handle"
         handle = last["type"].removesuffix("**").strip()
         head = "[[nodiscard]] " + declare("shd_result", function["name"].removeprefix("shd_"),
-                       [*declared, f"shd::{made}& {last['name']}"], " noexcept")
+                                             declared, " noexcept")
         return "\n".join([comment(function["doc"], function["name"]), head, f"  {handle}* handle = nullptr;",
-                          f"  const shd_result result = {function['name']}({', '.join([*names, '&handle'])});",
+                          f"  const shd_result result = {function['name']}({', '.join(names)});",
                           f"  {last['name']}.reset(handle);", "  return result;", "}", ""])
 
     def thrower(self, function):
         """The form of a function that throws."""
         name = function["name"].removeprefix("shd_")
         last, made = self.output(function)
-        declared, names = self.arguments([p for p in function.get("parameters", []) if p is not last])
+        declared, names = self.arguments(function.get("parameters", []))
+        if last:
+            at = function["parameters"].index(last)
+            declared.pop(at)
+            names[at] = "made" if made else "&made"
         lines = [comment(function["doc"], function["name"])]
         if made:
             lines += [declare(f"shd::{made}", name, declared), f"  shd::{made} made;",
-                      f"  check({name}({', '.join([*names, 'made'])}));", "  return made;"]
+                      f"  check({name}({', '.join(names)}));", "  return made;"]
         elif last:
             target = last["type"].rstrip("* ")
             lines += [declare(target, name, declared), f"  {target} made = {self.initial(target)};",
-                      f"  check({function['name']}({', '.join([*names, '&made'])}));", "  return made;"]
+                      f"  check({function['name']}({', '.join(names)}));", "  return made;"]
         else:
             lines += [declare("void", name, declared), f"  check({function['name']}({', '.join(names)}));"]
         return "\n".join([*lines, "}", ""])

@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -144,5 +145,38 @@ shd_f32_out out(Range& records, float Record::*member) noexcept {
 }  // namespace shd
 
 #include "shd_api.hpp"
+
+#ifdef __cpp_exceptions
+namespace shd {
+
+/// Make a texture whose tiles are written by `load(span<const shd_tile>)`, on any thread, when a lookup first needs them.
+/// The function object lives as long as the texture. The lookup fails with SHD_ERROR_CALLBACK and the text of what the
+/// function throws. See shd_texture_create() and shd/tile_cache.h.
+/// @param desc  its `tiles` are not read
+template <class Load>
+texture texture_create(shd_context* context_, const shd_texture_desc* desc, shd_tile_cache* cache, Load load) {
+  auto kept = std::make_unique<Load>(std::move(load));
+  shd_texture_desc tiled = *desc;
+  tiled.tiles.cache = cache;
+  tiled.tiles.load = [](void* user_data, const shd_tile* tiles, std::size_t count) noexcept -> shd_result {
+    try {
+      (*static_cast<Load*>(user_data))(span<const shd_tile>(tiles, count));
+      return SHD_OK;
+    } catch (const std::exception& problem) {
+      shd_report_error(SHD_ERROR_CALLBACK, problem.what());
+    } catch (...) {
+      shd_report_error(SHD_ERROR_CALLBACK, "an exception that is no std::exception");
+    }
+    return SHD_ERROR_CALLBACK;
+  };
+  tiled.tiles.release = [](void* user_data) noexcept { delete static_cast<Load*>(user_data); };
+  tiled.tiles.user_data = kept.get();
+  shd::texture made = texture_create(context_, &tiled);
+  kept.release();
+  return made;
+}
+
+}  // namespace shd
+#endif
 
 #endif  // SHD_HPP

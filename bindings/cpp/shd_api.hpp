@@ -364,6 +364,21 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/tile_file.h>)
+/// Open a tiled file, or a UDIM set, as a texture. See shd_texture_open().
+[[nodiscard]] inline shd_result texture_open(
+    shd_context* context_,
+    const char* path,
+    const shd_tile_file_desc* desc,
+    shd::texture& out_texture,
+    shd_tile_file_info* out_info) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_open(context_, path, desc, &handle, out_info);
+  out_texture.reset(handle);
+  return result;
+}
+
+#endif
 /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
 /// the pictures have the same bits as without skipping. See shd_volume_create().
 [[nodiscard]] inline shd_result volume_create(
@@ -1100,13 +1115,13 @@ inline void tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles,
 
 #if __has_include(<shd/tile_file.h>)
 /// Open a tiled file, or a UDIM set, as a texture. See shd_texture_open().
-inline shd_tile_file_info texture_open(
+inline shd::texture texture_open(
     shd_context* context_,
     const char* path,
     const shd_tile_file_desc* desc,
-    shd_texture** out_texture) {
-  shd_tile_file_info made = shd_tile_file_info_default();
-  check(shd_texture_open(context_, path, desc, out_texture, &made));
+    shd_tile_file_info* out_info) {
+  shd::texture made;
+  check(texture_open(context_, path, desc, made, out_info));
   return made;
 }
 

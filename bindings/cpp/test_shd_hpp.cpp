@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <shd.hpp>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -178,10 +180,117 @@ void test_blocks() {
   expect(refused, "blocks/level of another size");
 }
 
+constexpr std::uint32_t kWidth = 100, kHeight = 70;
+
+/// Writes the texel (31 x + 17 y) mod 256 at (x, y).
+struct Load {
+  int* calls;
+  bool* fails;
+  std::shared_ptr<int> kept;
+  void operator()(shd::span<const shd_tile> tiles) const {
+    ++*calls;
+    if (*fails) throw std::runtime_error("no tile");
+    for (const shd_tile& tile : tiles) {
+      for (std::uint32_t y = 0; y < tile.height; ++y) {
+        auto* row = static_cast<std::uint8_t*>(tile.texels) + y * tile.row_stride;
+        for (std::uint32_t x = 0; x < tile.width; ++x) row[x] = texel(tile.x + x, tile.y + y);
+      }
+    }
+  }
+  static std::uint8_t texel(std::uint32_t x, std::uint32_t y) { return static_cast<std::uint8_t>(31 * x + 17 * y); }
+};
+
+std::array<float, 200> look_up(const shd::context& context, const shd::texture& texture) {
+  std::array<float, 200> u, v, out = {};
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    u[i] = static_cast<float>(i * 37 % 200) / 200;
+    v[i] = static_cast<float>(i * 91 % 200) / 200;
+  }
+  shd_lookups lookups = shd_lookups_default();
+  shd_texels texels = shd_texels_default();
+  lookups.count = u.size();
+  lookups.u = shd::in(u), lookups.v = shd::in(v);
+  texels.channel[0] = shd::out(out);
+  const shd::sampler sampler = shd::sampler_create(context, nullptr);
+  shd::texture_sample(texture, sampler, &lookups, &texels);
+  return out;
+}
+
+/// Tiles that a function object writes: its bits, its exception, and when it is destroyed.
+void test_tiles() {
+  int calls = 0;
+  bool fails = false;
+  const auto kept = std::make_shared<int>(1);
+  const shd::context context = shd::context_create(nullptr);
+  shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
+  cache_desc.tile_bytes = 1024, cache_desc.budget_bytes = 1 << 20;
+  const shd::tile_cache cache = shd::tile_cache_create(context, &cache_desc);
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = SHD_FORMAT_R8;
+  desc.width = kWidth, desc.height = kHeight;
+  std::vector<std::uint8_t> texels(kWidth * kHeight);
+  for (std::uint32_t i = 0; i < texels.size(); ++i) texels[i] = Load::texel(i % kWidth, i / kWidth);
+  desc.texels = texels.data();
+  const shd::texture memory = shd::texture_create(context, &desc);
+  desc.texels = nullptr;
+  shd::texture texture = shd::texture_create(context, &desc, cache, Load{&calls, &fails, kept});
+  expect(kept.use_count() == 2, "tiles/one copy of the function");
+  fails = true;
+  bool thrown = false;
+  try {
+    look_up(context, texture);
+  } catch (const shd::error& failure) {
+    thrown = failure.result() == SHD_ERROR_CALLBACK && std::strstr(failure.what(), "no tile");
+  }
+  expect(thrown, "tiles/exception");
+  fails = false;
+  expect(look_up(context, texture) == look_up(context, memory), "tiles/bits");
+  const shd_tile_cache_stats stats = shd::tile_cache_get_stats(cache);
+  expect(stats.loads == static_cast<std::uint64_t>(calls) && stats.failed_tiles > 0, "tiles/loads");
+  texture.reset();
+  expect(kept.use_count() == 1, "tiles/released");
+  desc.depth = 2;
+  thrown = false;
+  try {
+    texture = shd::texture_create(context, &desc, cache, Load{&calls, &fails, kept});
+  } catch (const shd::error&) {
+    thrown = true;
+  }
+  expect(thrown && kept.use_count() == 1, "tiles/refused");
+}
+
+#ifdef SHD_TEST_TILED_FILE
+void test_tiled_file() {
+  const shd::context context = shd::context_create(nullptr);
+  const shd::tile_cache cache = shd::tile_cache_create(context, nullptr);
+  shd_tile_file_desc desc = shd_tile_file_desc_default();
+  desc.cache = cache;
+  desc.color_space = SHD_COLOR_ENCODING_LINEAR;
+  shd_tile_file_info info = shd_tile_file_info_default();
+  const shd::texture file = shd::texture_open(context, SHD_TEST_TILED_FILE, &desc, &info);
+  expect(info.files == 1 && info.tile_width == 16, "file/info");
+  std::array<std::uint8_t, 256> texels;
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i);
+  shd_texture_desc memory = shd_texture_desc_default();
+  memory.format = SHD_FORMAT_R8;
+  memory.width = memory.height = 16;
+  memory.texels = texels.data();
+  const shd::texture copy = shd::texture_create(context, &memory);
+  expect(look_up(context, file) == look_up(context, copy), "file/bits");
+  shd::texture missing;
+  expect(shd::texture_open(context, "nothing.tif", &desc, missing, nullptr) == SHD_ERROR_NOT_FOUND && !missing,
+         "file/not found");
+}
+#endif
+
 }  // namespace
 
 int main() {
   test_blocks();
+  test_tiles();
+#ifdef SHD_TEST_TILED_FILE
+  test_tiled_file();
+#endif
   test_ownership();
   test_errors();
   test_columns();

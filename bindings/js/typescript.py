@@ -9,7 +9,7 @@ HEAD = """// SPDX-License-Identifier: MIT
 // Types of descs, enums and functions. Written by generate.py; do not edit.
 import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, Texture, Volume, Context, Column,
               OutColumn, Columns, OutColumns, Numbers, Pixels, Fragments, Radiance, Vertices, VertexOutputs, Rays,
-              PresentTile } from "./index.js";
+              PresentTile, Tile, TileCache } from "./index.js";
 """
 # Structs that the library writes: every field is there.
 WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step)$")
@@ -18,6 +18,8 @@ FUNCTIONS = {"fragment_fn": "(fragments: Fragments, out: Radiance) => void",
              "vertex_fn": "(vertices: Vertices, out: VertexOutputs) => void",
              "slot_fn": "(fragments: Fragments, out: (Float32Array | null)[]) => void",
              "trace_fn": "(rays: Rays, blocked: Uint32Array) => void",
+             "load_tiles_fn": "(tiles: Tile[]) => void",
+             "tile_source.release": "() => void",
              "log.write": "(level: LogLevel, message: string) => void",
              "progress.report": "(fraction: number) => boolean | void",
              "present.tile": "(tile: PresentTile) => void"}

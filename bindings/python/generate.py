@@ -35,6 +35,7 @@ from ._projection import convert_projection as convert_projection, project as pr
 from ._shadow import Shadow as Shadow
 from ._solid import evaluate_solid as evaluate_solid
 from ._texture import Lookup as Lookup, Texture as Texture
+from ._tiles import TileCache as TileCache
 from ._volume import Volume as Volume
 from .color import Color as Color
 from .renderer import Renderer as Renderer
@@ -45,7 +46,7 @@ _Array = Union[np.ndarray, Sequence[Any]]
 def version() -> tuple[int, int, int]: ...
 '''
 CLASSES = {"shd_color", "shd_context", "shd_environment", "shd_framebuffer", "shd_light", "shd_material", "shd_mesh",
-           "shd_sampler", "shd_shadow", "shd_texture", "shd_volume"}
+           "shd_sampler", "shd_shadow", "shd_texture", "shd_tile_cache", "shd_volume"}
 
 
 def camel(name):

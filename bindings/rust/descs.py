@@ -36,6 +36,11 @@ DESCS = {
     "shd_load_desc": set(),
     "shd_save_desc": set(),
     "shd_color_desc": set(),
+    "shd_tile_cache_desc": set(),
+    "shd_tile_cache_stats": set(),
+    "shd_tile_region": set(),
+    "shd_tile_file_desc": set(),
+    "shd_tile_file_info": set(),
 }
 RENAMED = {"shd_box": "FilterBox", "shd_draw": "DrawDesc", "shd_slot": "SlotDesc", "shd_result": "ResultCode"}
 

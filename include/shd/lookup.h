@@ -98,10 +98,10 @@ typedef struct shd_texels {
     shd_f32_out dv[4];
     size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
     shd_f32_out dw[4];      /**< d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-                                 SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0 */
+                                 SHD_ERROR_UNSUPPORTED */
     /**
      * 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
-     * and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+     * and coarser levels were filtered instead. NULL = not wanted.
      */
     shd_u32_out coarser;
     /* ---- end of 0.1; append below ---- */

@@ -67,12 +67,11 @@ class CallInPlace {
 
   /// Whether derivatives are wanted, or the column that textures in tiles have.
   static bool wants_more(const shd_texels& texels) {
-    uintptr_t any = 0;
+    auto any = reinterpret_cast<uintptr_t>(texels.coarser.data);
     for (size_t c = 0; c < 4; ++c) {
-      any |= reinterpret_cast<uintptr_t>(texels.du[c].data) | reinterpret_cast<uintptr_t>(texels.dv[c].data);
+      any |= reinterpret_cast<uintptr_t>(texels.du[c].data) | reinterpret_cast<uintptr_t>(texels.dv[c].data) |
+             reinterpret_cast<uintptr_t>(texels.dw[c].data);
     }
-    for (size_t c = 0; texels.struct_size != 0 && c < 4; ++c) any |= reinterpret_cast<uintptr_t>(texels.dw[c].data);
-    if (texels.struct_size != 0) any |= reinterpret_cast<uintptr_t>(texels.coarser.data);
     return any != 0;
   }
 

@@ -3,14 +3,6 @@
 
 #include <cstring>
 
-#include <shd/color.h>
-#include <shd/desc.h>
-#include <shd/io.h>
-#include <shd/scene.h>
-#include <shd/shd.h>
-#include <shd/texture_file.h>
-#include <shd/volume_file.h>
-
 #include "image/read_image.h"
 
 namespace shd::abi {
@@ -128,75 +120,10 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
   using shd::abi::write_defaults;
   SHD_TRY(shd::abi::check_not_null("desc_init.ptr", ptr));
   switch (shd::abi::enum_bits(kind)) {
-    case SHD_DESC_KIND_CONTEXT_DESC: return write_defaults(shd_context_desc_default(), ptr, size);
-    case SHD_DESC_KIND_IMAGE: return write_defaults(shd_image_default(), ptr, size);
-    case SHD_DESC_KIND_TEXTURE_DESC: return write_defaults(shd_texture_desc_default(), ptr, size);
-    case SHD_DESC_KIND_TEXTURE_INFO: return write_defaults(shd_texture_info_default(), ptr, size);
-    case SHD_DESC_KIND_MIP_DESC: return write_defaults(shd_mip_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SAMPLER_DESC: return write_defaults(shd_sampler_desc_default(), ptr, size);
-    case SHD_DESC_KIND_LOOKUPS: return write_defaults(shd_lookups_default(), ptr, size);
-    case SHD_DESC_KIND_TEXELS: return write_defaults(shd_texels_default(), ptr, size);
-    case SHD_DESC_KIND_LEVELS: return write_defaults(shd_levels_default(), ptr, size);
-    case SHD_DESC_KIND_EXPLANATION: return write_defaults(shd_explanation_default(), ptr, size);
-    case SHD_DESC_KIND_RAY_DIFFERENTIALS: return write_defaults(shd_ray_differentials_default(), ptr, size);
-    case SHD_DESC_KIND_RAY_CONES: return write_defaults(shd_ray_cones_default(), ptr, size);
-    case SHD_DESC_KIND_DERIVATIVES: return write_defaults(shd_derivatives_default(), ptr, size);
-    case SHD_DESC_KIND_MESH_DESC: return write_defaults(shd_mesh_desc_default(), ptr, size);
-    case SHD_DESC_KIND_MESH_INFO: return write_defaults(shd_mesh_info_default(), ptr, size);
-    case SHD_DESC_KIND_EDGES_DESC: return write_defaults(shd_edges_desc_default(), ptr, size);
-    case SHD_DESC_KIND_EDGES: return write_defaults(shd_edges_default(), ptr, size);
-    case SHD_DESC_KIND_TESSELLATION_DESC: return write_defaults(shd_tessellation_desc_default(), ptr, size);
-    case SHD_DESC_KIND_MATERIAL_DESC: return write_defaults(shd_material_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SLOT: return write_defaults(shd_slot_default(SHD_SLOT_DIFFUSE), ptr, size);
-    case SHD_DESC_KIND_LIGHT_DESC: return write_defaults(shd_light_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SHADOW_DESC: return write_defaults(shd_shadow_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SHADOW_RENDER_DESC: return write_defaults(shd_shadow_render_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SHADOW_LOOKUPS: return write_defaults(shd_shadow_lookups_default(), ptr, size);
-    case SHD_DESC_KIND_FRAMEBUFFER_DESC: return write_defaults(shd_framebuffer_desc_default(), ptr, size);
-    case SHD_DESC_KIND_FRAMEBUFFER_INFO: return write_defaults(shd_framebuffer_info_default(), ptr, size);
-    case SHD_DESC_KIND_PLANE_VIEW: return write_defaults(shd_plane_view_default(), ptr, size);
-    case SHD_DESC_KIND_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
-    case SHD_DESC_KIND_DRAW: return write_defaults(shd_draw_default(), ptr, size);
-    case SHD_DESC_KIND_RENDER_DESC: return write_defaults(shd_render_desc_default(), ptr, size);
-    case SHD_DESC_KIND_RENDER_STATS: return write_defaults(shd_render_stats_default(), ptr, size);
-    case SHD_DESC_KIND_COLOR_DESC: return write_defaults(shd_color_desc_default(), ptr, size);
-    case SHD_DESC_KIND_LOAD_DESC: return write_defaults(shd_load_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SAVE_DESC: return write_defaults(shd_save_desc_default(), ptr, size);
-    case SHD_DESC_KIND_BITMAP_INFO: return write_defaults(shd_bitmap_info_default(), ptr, size);
-    case SHD_DESC_KIND_RAW_DESC: return write_defaults(shd_raw_desc_default(), ptr, size);
-    case SHD_DESC_KIND_STACK_DESC: return write_defaults(shd_stack_desc_default(), ptr, size);
-    case SHD_DESC_KIND_VDB_DESC: return write_defaults(shd_vdb_desc_default(), ptr, size);
-    case SHD_DESC_KIND_VDB_INFO: return write_defaults(shd_vdb_info_default(), ptr, size);
-    case SHD_DESC_KIND_TEXTURE_FILE_INFO: return write_defaults(shd_texture_file_info_default(), ptr, size);
-    case SHD_DESC_KIND_KTX2_DESC: return write_defaults(shd_ktx2_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SHAPE_DESC: return write_defaults(shd_shape_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
-    case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
-    case SHD_DESC_KIND_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
-    case SHD_DESC_KIND_SOLID_DESC: return write_defaults(shd_solid_desc_default(), ptr, size);
-    case SHD_DESC_KIND_SOLID_POINTS: return write_defaults(shd_solid_points_default(), ptr, size);
-    case SHD_DESC_KIND_SOLID_VALUES: return write_defaults(shd_solid_values_default(), ptr, size);
-    case SHD_DESC_KIND_POLYGON_DESC: return write_defaults(shd_polygon_desc_default(), ptr, size);
-    case SHD_DESC_KIND_POLYGON_POINTS: return write_defaults(shd_polygon_points_default(), ptr, size);
-    case SHD_DESC_KIND_POLYGON_WEIGHTS: return write_defaults(shd_polygon_weights_default(), ptr, size);
-    case SHD_DESC_KIND_ENVIRONMENT_DESC: return write_defaults(shd_environment_desc_default(), ptr, size);
-    case SHD_DESC_KIND_ENVIRONMENT_INFO: return write_defaults(shd_environment_info_default(), ptr, size);
-    case SHD_DESC_KIND_ENVIRONMENT_LOOKUPS: return write_defaults(shd_environment_lookups_default(), ptr, size);
-    case SHD_DESC_KIND_ENVIRONMENT_LIGHT: return write_defaults(shd_environment_light_default(), ptr, size);
-    case SHD_DESC_KIND_DIRECTIONS: return write_defaults(shd_directions_default(), ptr, size);
-    case SHD_DESC_KIND_PROJECTED_POINTS: return write_defaults(shd_projected_points_default(), ptr, size);
-    case SHD_DESC_KIND_IMAGE_POINTS: return write_defaults(shd_image_points_default(), ptr, size);
-    case SHD_DESC_KIND_POINT_DIRECTIONS: return write_defaults(shd_point_directions_default(), ptr, size);
-    case SHD_DESC_KIND_DIRECTION_IMAGES: return write_defaults(shd_direction_images_default(), ptr, size);
-    case SHD_DESC_KIND_VOLUME_DESC: return write_defaults(shd_volume_desc_default(), ptr, size);
-    case SHD_DESC_KIND_VOLUME_DRAW: return write_defaults(shd_volume_draw_default(), ptr, size);
-    case SHD_DESC_KIND_BAKE_DESC: return write_defaults(shd_bake_desc_default(), ptr, size);
-    case SHD_DESC_KIND_BAKE_STATS: return write_defaults(shd_bake_stats_default(), ptr, size);
-    case SHD_DESC_KIND_OCCLUSION_DESC: return write_defaults(shd_occlusion_desc_default(), ptr, size);
-    case SHD_DESC_KIND_OCCLUSION_POINTS: return write_defaults(shd_occlusion_points_default(), ptr, size);
-    case SHD_DESC_KIND_OCCLUSION_ATLAS: return write_defaults(shd_occlusion_atlas_default(), ptr, size);
-    case SHD_DESC_KIND_BOUNDS_DESC: return write_defaults(shd_bounds_desc_default(), ptr, size);
+#define SHD_CASE(kind, type, required, last, size_in_0_1, arguments) \
+  case SHD_DESC_KIND_##kind: return write_defaults(type##_default arguments, ptr, size);
+    SHD_SIZED_STRUCTS(SHD_CASE)
+#undef SHD_CASE
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

@@ -7,26 +7,27 @@
 /// Invariants: no global state except the per-thread error text; no static constructors; every byte is allocated by the
 ///             context's allocator; exceptions end in guard.h.
 ///
-/// | file           | contents                                                          |
-/// |----------------|-------------------------------------------------------------------|
-/// | failure.h      | Failure, a result as an exception, and refuse(), which throws it  |
-/// | status.h       | fail(), which returns a result, and the per-thread error text     |
-/// | guard.h        | exceptions to results                                             |
-/// | errno_scope.h  | the host's errno, restored at the end of a scope                  |
-/// | fp_env.h       | IEEE default floating-point control for a scope                   |
-/// | printable.h    | bytes as one line of UTF-8                                        |
-/// | regular_file.h | opening of regular files                                          |
-/// | desc_size.h    | smallest sizes of the structs that carry their size               |
-/// | read_desc.h    | sized structs of the caller, in and out                           |
-/// | allocator.h    | the host's allocator; Array, Objects and Buffer, which own memory |
-/// | scratch.h      | working memory that is kept from call to call                     |
-/// | cache_pool.h   | copies of data of objects that are kept from call to call         |
-/// | simd_name.h    | names of SIMD targets                                             |
-/// | simd_target.h  | the SIMD target of a context and the dispatch to it               |
-/// | simd_narrow.h  | the SIMD target of a few elements                                 |
-/// | context.h      | Context: allocator, executor, log, target, handles, scratch       |
-/// | executor.h     | parallel_for over a Context                                       |
-/// | object.h       | handles: slabs, reference counts, type and life tags              |
+/// | file            | contents                                                          |
+/// |-----------------|-------------------------------------------------------------------|
+/// | failure.h       | Failure, a result as an exception, and refuse(), which throws it  |
+/// | status.h        | fail(), which returns a result, and the per-thread error text     |
+/// | guard.h         | exceptions to results                                             |
+/// | errno_scope.h   | the host's errno, restored at the end of a scope                  |
+/// | fp_env.h        | IEEE default floating-point control for a scope                   |
+/// | printable.h     | bytes as one line of UTF-8                                        |
+/// | sized_structs.h | the table of the structs that carry their size                    |
+/// | regular_file.h  | opening of regular files                                          |
+/// | desc_size.h     | smallest sizes of the structs that carry their size               |
+/// | read_desc.h     | sized structs of the caller, in and out                           |
+/// | allocator.h     | the host's allocator; Array, Objects and Buffer, which own memory |
+/// | scratch.h       | working memory that is kept from call to call                     |
+/// | cache_pool.h    | copies of data of objects that are kept from call to call         |
+/// | simd_name.h     | names of SIMD targets                                             |
+/// | simd_target.h   | the SIMD target of a context and the dispatch to it               |
+/// | simd_narrow.h   | the SIMD target of a few elements                                 |
+/// | context.h       | Context: allocator, executor, log, target, handles, scratch       |
+/// | executor.h      | parallel_for over a Context                                       |
+/// | object.h        | handles: slabs, reference counts, type and life tags              |
 ///
 /// The headers up to read_desc.h, except status.h, need no library: libshd_color, libshd_io and its worker process
 /// include them as well. simd_name.h needs Highway's headers only: libshd_color includes it.

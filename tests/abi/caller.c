@@ -8,21 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <shd/color.h>
+#include <shd/scene.h>
 #include <shd/shd.h>
 #include <shd/texture_file.h>
 #include <shd/tile_file.h>
 #include <shd/volume_file.h>
-#ifdef SHD_TEST_COLOR
-#include <shd/color.h>
-#endif
-#ifdef SHD_TEST_IO
-#include <shd/io.h>
-#endif
-#ifdef SHD_TEST_SCENE
-#include <shd/scene.h>
-#endif
 
-enum { CANARY = 96, BLOCKS = 128, EDGE = 16 };
+#include "../../src/core/sized_structs.h"
+
+enum { CANARY = 96, BLOCKS = 256, EDGE = 16 };
 
 static struct block {
     unsigned char *memory;
@@ -89,6 +84,18 @@ static const uint32_t k_zero[4];
         expect((desc)->struct_size == sizeof *(desc) && (is_right), #desc " is written"); \
         EXPECT_CLEARED(desc);                                                             \
     } while (0)
+
+/* The defaults that the library writes into the structs of these headers. */
+static void use_kinds(void)
+{
+#define USE_KIND(kind, type, required, last, size, arguments)                                            \
+    do {                                                                                                 \
+        type *const desc = (type *)guarded(#type " of shd_desc_init()", sizeof *desc);                   \
+        expect(shd_desc_init(SHD_DESC_KIND_##kind, desc, sizeof *desc) == SHD_OK, "defaults of " #type); \
+        EXPECT_WRITTEN(desc, 1);                                                                         \
+    } while (0);
+    SHD_SIZED_STRUCTS(USE_KIND)
+}
 
 static shd_context *g_context;
 static shd_texture *g_texture;
@@ -505,6 +512,22 @@ static void use_volume_files(const char *path)
     EXPECT_WRITTEN(info, info->active_voxels == 0);
 }
 
+/* The file is not tiled. */
+static void use_tile_files(const char *path)
+{
+    shd_tile_cache *cache = NULL;
+    shd_texture *texture = NULL;
+    MAKE(shd_tile_file_desc, desc);
+    MAKE(shd_tile_file_info, info);
+    expect(shd_tile_cache_create(g_context, NULL, &cache) == SHD_OK, "cache of tiles of a file");
+    desc->cache = cache;
+    EXPECT_READ(desc, shd_texture_open(g_context, path, desc, &texture, info));
+    SPOIL(info);
+    expect(shd_texture_open(g_context, path, desc, &texture, info) == SHD_ERROR_UNSUPPORTED, "tiles of a file");
+    EXPECT_WRITTEN(info, info->files == 0);
+    shd_tile_cache_release(cache);
+}
+
 /* A texture of one pixel as KTX2 file. */
 static void use_texture_files(const char *path)
 {
@@ -552,6 +575,7 @@ static void use_io(const char *path)
     expect(shd_bitmap_image(bitmap, loaded) == SHD_OK, "bitmap");
     EXPECT_WRITTEN(loaded, loaded->width == 2 && loaded->pixels);
     shd_bitmap_release(bitmap);
+    use_tile_files(path);
     use_volume_files(path);
     use_texture_files(path);
     remove(path);
@@ -595,6 +619,7 @@ static void use_scene(void)
 
 int main(int argc, char **argv)
 {
+    use_kinds();
     use_context();
     use_texture();
     use_mip();

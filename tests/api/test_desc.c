@@ -4,11 +4,13 @@
 #include "support/check.h"
 
 #include <shd/color.h>
-#include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
 #include <shd/texture_file.h>
+#include <shd/tile_file.h>
 #include <shd/volume_file.h>
+
+#include "../../src/core/sized_structs.h"
 
 enum { LARGEST = 4096 };
 
@@ -20,217 +22,19 @@ struct kind_case {
     void (*defaults)(void *out);
 };
 
-#define DEFAULTS(type)                       \
-    static void defaults_##type(void *p)     \
-    {                                        \
-        const type value = type##_default(); \
-        memcpy(p, &value, sizeof value);     \
+/* A function for each struct, and a row. */
+#define DEFAULTS(kind, type, required, last, size, arguments) \
+    static void defaults_##type(void *p)                      \
+    {                                                         \
+        const type value = type##_default arguments;          \
+        memcpy(p, &value, sizeof value);                      \
     }
-DEFAULTS(shd_context_desc)
-DEFAULTS(shd_image)
-DEFAULTS(shd_texture_desc)
-DEFAULTS(shd_texture_info)
-DEFAULTS(shd_mip_desc)
-DEFAULTS(shd_sampler_desc)
-DEFAULTS(shd_lookups)
-DEFAULTS(shd_texels)
-DEFAULTS(shd_levels)
-DEFAULTS(shd_explanation)
-DEFAULTS(shd_ray_differentials)
-DEFAULTS(shd_ray_cones)
-DEFAULTS(shd_solid_desc)
-DEFAULTS(shd_polygon_desc)
-DEFAULTS(shd_polygon_points)
-DEFAULTS(shd_polygon_weights)
-DEFAULTS(shd_solid_points)
-DEFAULTS(shd_solid_values)
-DEFAULTS(shd_bake_desc)
-DEFAULTS(shd_bake_stats)
-DEFAULTS(shd_occlusion_desc)
-DEFAULTS(shd_occlusion_points)
-DEFAULTS(shd_occlusion_atlas)
-DEFAULTS(shd_bounds_desc)
-DEFAULTS(shd_derivatives)
-DEFAULTS(shd_mesh_desc)
-DEFAULTS(shd_mesh_info)
-DEFAULTS(shd_edges_desc)
-DEFAULTS(shd_edges)
-DEFAULTS(shd_tessellation_desc)
-DEFAULTS(shd_material_desc)
-DEFAULTS(shd_light_desc)
-DEFAULTS(shd_shadow_desc)
-DEFAULTS(shd_shadow_render_desc)
-DEFAULTS(shd_shadow_lookups)
-DEFAULTS(shd_environment_desc)
-DEFAULTS(shd_environment_info)
-DEFAULTS(shd_environment_lookups)
-DEFAULTS(shd_environment_light)
-DEFAULTS(shd_framebuffer_desc)
-DEFAULTS(shd_framebuffer_info)
-DEFAULTS(shd_plane_view)
-DEFAULTS(shd_camera)
-DEFAULTS(shd_draw)
-DEFAULTS(shd_render_desc)
-DEFAULTS(shd_render_stats)
-DEFAULTS(shd_color_desc)
-DEFAULTS(shd_load_desc)
-DEFAULTS(shd_save_desc)
-DEFAULTS(shd_bitmap_info)
-DEFAULTS(shd_raw_desc)
-DEFAULTS(shd_stack_desc)
-DEFAULTS(shd_vdb_desc)
-DEFAULTS(shd_vdb_info)
-DEFAULTS(shd_texture_file_info)
-DEFAULTS(shd_ktx2_desc)
-DEFAULTS(shd_shape_desc)
-DEFAULTS(shd_shape_columns)
-DEFAULTS(shd_scene_desc)
-DEFAULTS(shd_scene_info)
-DEFAULTS(shd_scene_instance)
-DEFAULTS(shd_directions)
-DEFAULTS(shd_projected_points)
-DEFAULTS(shd_image_points)
-DEFAULTS(shd_point_directions)
-DEFAULTS(shd_direction_images)
-DEFAULTS(shd_volume_desc)
-DEFAULTS(shd_volume_draw)
-static void defaults_shd_slot(void *p)
-{
-    const shd_slot value = shd_slot_default(SHD_SLOT_DIFFUSE);
-    memcpy(p, &value, sizeof value);
-}
+SHD_SIZED_STRUCTS(DEFAULTS)
 
-#define REQUIRED(type, field) (offsetof(type, field) + sizeof(((type *)0)->field))
-
-static const struct kind_case k_kinds[] = {
-    {"context_desc", SHD_DESC_KIND_CONTEXT_DESC, sizeof(shd_context_desc), REQUIRED(shd_context_desc, simd),
-     defaults_shd_context_desc},
-    {"image", SHD_DESC_KIND_IMAGE, sizeof(shd_image), REQUIRED(shd_image, pixels), defaults_shd_image},
-    {"texture_desc", SHD_DESC_KIND_TEXTURE_DESC, sizeof(shd_texture_desc), REQUIRED(shd_texture_desc, texels),
-     defaults_shd_texture_desc},
-    {"texture_info", SHD_DESC_KIND_TEXTURE_INFO, sizeof(shd_texture_info), REQUIRED(shd_texture_info, height),
-     defaults_shd_texture_info},
-    {"mip_desc", SHD_DESC_KIND_MIP_DESC, sizeof(shd_mip_desc), REQUIRED(shd_mip_desc, content), defaults_shd_mip_desc},
-    {"sampler_desc", SHD_DESC_KIND_SAMPLER_DESC, sizeof(shd_sampler_desc), REQUIRED(shd_sampler_desc, filter),
-     defaults_shd_sampler_desc},
-    {"lookups", SHD_DESC_KIND_LOOKUPS, sizeof(shd_lookups), REQUIRED(shd_lookups, v), defaults_shd_lookups},
-    {"texels", SHD_DESC_KIND_TEXELS, sizeof(shd_texels), REQUIRED(shd_texels, channel), defaults_shd_texels},
-    {"levels", SHD_DESC_KIND_LEVELS, sizeof(shd_levels), REQUIRED(shd_levels, lod), defaults_shd_levels},
-    {"explanation", SHD_DESC_KIND_EXPLANATION, sizeof(shd_explanation), REQUIRED(shd_explanation, blend_count),
-     defaults_shd_explanation},
-    {"ray_differentials", SHD_DESC_KIND_RAY_DIFFERENTIALS, sizeof(shd_ray_differentials),
-     REQUIRED(shd_ray_differentials, direction), defaults_shd_ray_differentials},
-    {"ray_cones", SHD_DESC_KIND_RAY_CONES, sizeof(shd_ray_cones), REQUIRED(shd_ray_cones, width),
-     defaults_shd_ray_cones},
-    {"derivatives", SHD_DESC_KIND_DERIVATIVES, sizeof(shd_derivatives), REQUIRED(shd_derivatives, dudx),
-     defaults_shd_derivatives},
-    {"mesh_desc", SHD_DESC_KIND_MESH_DESC, sizeof(shd_mesh_desc), REQUIRED(shd_mesh_desc, position),
-     defaults_shd_mesh_desc},
-    {"mesh_info", SHD_DESC_KIND_MESH_INFO, sizeof(shd_mesh_info), REQUIRED(shd_mesh_info, triangle_count),
-     defaults_shd_mesh_info},
-    {"edges_desc", SHD_DESC_KIND_EDGES_DESC, sizeof(shd_edges_desc), REQUIRED(shd_edges_desc, edges),
-     defaults_shd_edges_desc},
-    {"edges", SHD_DESC_KIND_EDGES, sizeof(shd_edges), REQUIRED(shd_edges, vertex), defaults_shd_edges},
-    {"tessellation_desc", SHD_DESC_KIND_TESSELLATION_DESC, sizeof(shd_tessellation_desc),
-     REQUIRED(shd_tessellation_desc, mode), defaults_shd_tessellation_desc},
-    {"polygon_desc", SHD_DESC_KIND_POLYGON_DESC, sizeof(shd_polygon_desc), REQUIRED(shd_polygon_desc, vertex_count),
-     defaults_shd_polygon_desc},
-    {"polygon_points", SHD_DESC_KIND_POLYGON_POINTS, sizeof(shd_polygon_points), REQUIRED(shd_polygon_points, position),
-     defaults_shd_polygon_points},
-    {"polygon_weights", SHD_DESC_KIND_POLYGON_WEIGHTS, sizeof(shd_polygon_weights),
-     REQUIRED(shd_polygon_weights, weight), defaults_shd_polygon_weights},
-    {"solid_desc", SHD_DESC_KIND_SOLID_DESC, sizeof(shd_solid_desc), REQUIRED(shd_solid_desc, kind),
-     defaults_shd_solid_desc},
-    {"solid_points", SHD_DESC_KIND_SOLID_POINTS, sizeof(shd_solid_points), REQUIRED(shd_solid_points, position),
-     defaults_shd_solid_points},
-    {"solid_values", SHD_DESC_KIND_SOLID_VALUES, sizeof(shd_solid_values), REQUIRED(shd_solid_values, value),
-     defaults_shd_solid_values},
-    {"bake_desc", SHD_DESC_KIND_BAKE_DESC, sizeof(shd_bake_desc), REQUIRED(shd_bake_desc, dilation),
-     defaults_shd_bake_desc},
-    {"bake_stats", SHD_DESC_KIND_BAKE_STATS, sizeof(shd_bake_stats), REQUIRED(shd_bake_stats, triangles),
-     defaults_shd_bake_stats},
-    {"occlusion_desc", SHD_DESC_KIND_OCCLUSION_DESC, sizeof(shd_occlusion_desc), REQUIRED(shd_occlusion_desc, rays),
-     defaults_shd_occlusion_desc},
-    {"occlusion_points", SHD_DESC_KIND_OCCLUSION_POINTS, sizeof(shd_occlusion_points),
-     REQUIRED(shd_occlusion_points, normal), defaults_shd_occlusion_points},
-    {"occlusion_atlas", SHD_DESC_KIND_OCCLUSION_ATLAS, sizeof(shd_occlusion_atlas),
-     REQUIRED(shd_occlusion_atlas, height), defaults_shd_occlusion_atlas},
-    {"bounds_desc", SHD_DESC_KIND_BOUNDS_DESC, sizeof(shd_bounds_desc), REQUIRED(shd_bounds_desc, srgb_error),
-     defaults_shd_bounds_desc},
-    {"material_desc", SHD_DESC_KIND_MATERIAL_DESC, sizeof(shd_material_desc), REQUIRED(shd_material_desc, model),
-     defaults_shd_material_desc},
-    {"slot", SHD_DESC_KIND_SLOT, sizeof(shd_slot), REQUIRED(shd_slot, user_data), defaults_shd_slot},
-    {"light_desc", SHD_DESC_KIND_LIGHT_DESC, sizeof(shd_light_desc), REQUIRED(shd_light_desc, position),
-     defaults_shd_light_desc},
-    {"shadow_desc", SHD_DESC_KIND_SHADOW_DESC, sizeof(shd_shadow_desc), REQUIRED(shd_shadow_desc, filter),
-     defaults_shd_shadow_desc},
-    {"shadow_render_desc", SHD_DESC_KIND_SHADOW_RENDER_DESC, sizeof(shd_shadow_render_desc),
-     REQUIRED(shd_shadow_render_desc, light), defaults_shd_shadow_render_desc},
-    {"shadow_lookups", SHD_DESC_KIND_SHADOW_LOOKUPS, sizeof(shd_shadow_lookups), REQUIRED(shd_shadow_lookups, position),
-     defaults_shd_shadow_lookups},
-    {"framebuffer_desc", SHD_DESC_KIND_FRAMEBUFFER_DESC, sizeof(shd_framebuffer_desc),
-     REQUIRED(shd_framebuffer_desc, height), defaults_shd_framebuffer_desc},
-    {"framebuffer_info", SHD_DESC_KIND_FRAMEBUFFER_INFO, sizeof(shd_framebuffer_info),
-     REQUIRED(shd_framebuffer_info, height), defaults_shd_framebuffer_info},
-    {"plane_view", SHD_DESC_KIND_PLANE_VIEW, sizeof(shd_plane_view), REQUIRED(shd_plane_view, f32),
-     defaults_shd_plane_view},
-    {"camera", SHD_DESC_KIND_CAMERA, sizeof(shd_camera), REQUIRED(shd_camera, target), defaults_shd_camera},
-    {"draw", SHD_DESC_KIND_DRAW, sizeof(shd_draw), REQUIRED(shd_draw, mesh), defaults_shd_draw},
-    {"render_desc", SHD_DESC_KIND_RENDER_DESC, sizeof(shd_render_desc), REQUIRED(shd_render_desc, framebuffer),
-     defaults_shd_render_desc},
-    {"render_stats", SHD_DESC_KIND_RENDER_STATS, sizeof(shd_render_stats), REQUIRED(shd_render_stats, rasterised),
-     defaults_shd_render_stats},
-    {"color_desc", SHD_DESC_KIND_COLOR_DESC, sizeof(shd_color_desc), REQUIRED(shd_color_desc, config_path),
-     defaults_shd_color_desc},
-    {"load_desc", SHD_DESC_KIND_LOAD_DESC, sizeof(shd_load_desc), REQUIRED(shd_load_desc, formats),
-     defaults_shd_load_desc},
-    {"save_desc", SHD_DESC_KIND_SAVE_DESC, sizeof(shd_save_desc), REQUIRED(shd_save_desc, bit_depth),
-     defaults_shd_save_desc},
-    {"bitmap_info", SHD_DESC_KIND_BITMAP_INFO, sizeof(shd_bitmap_info), REQUIRED(shd_bitmap_info, file_format),
-     defaults_shd_bitmap_info},
-    {"raw_desc", SHD_DESC_KIND_RAW_DESC, sizeof(shd_raw_desc), REQUIRED(shd_raw_desc, depth), defaults_shd_raw_desc},
-    {"stack_desc", SHD_DESC_KIND_STACK_DESC, sizeof(shd_stack_desc), REQUIRED(shd_stack_desc, pattern),
-     defaults_shd_stack_desc},
-    {"vdb_desc", SHD_DESC_KIND_VDB_DESC, sizeof(shd_vdb_desc), REQUIRED(shd_vdb_desc, flags), defaults_shd_vdb_desc},
-    {"vdb_info", SHD_DESC_KIND_VDB_INFO, sizeof(shd_vdb_info), REQUIRED(shd_vdb_info, background),
-     defaults_shd_vdb_info},
-    {"texture_file_info", SHD_DESC_KIND_TEXTURE_FILE_INFO, sizeof(shd_texture_file_info),
-     REQUIRED(shd_texture_file_info, level_count), defaults_shd_texture_file_info},
-    {"ktx2_desc", SHD_DESC_KIND_KTX2_DESC, sizeof(shd_ktx2_desc), REQUIRED(shd_ktx2_desc, supercompression),
-     defaults_shd_ktx2_desc},
-    {"shape_desc", SHD_DESC_KIND_SHAPE_DESC, sizeof(shd_shape_desc), REQUIRED(shd_shape_desc, shape),
-     defaults_shd_shape_desc},
-    {"shape_columns", SHD_DESC_KIND_SHAPE_COLUMNS, sizeof(shd_shape_columns), REQUIRED(shd_shape_columns, position),
-     defaults_shd_shape_columns},
-    {"scene_desc", SHD_DESC_KIND_SCENE_DESC, sizeof(shd_scene_desc), REQUIRED(shd_scene_desc, flags),
-     defaults_shd_scene_desc},
-    {"scene_info", SHD_DESC_KIND_SCENE_INFO, sizeof(shd_scene_info), REQUIRED(shd_scene_info, instance_count),
-     defaults_shd_scene_info},
-    {"scene_instance", SHD_DESC_KIND_SCENE_INSTANCE, sizeof(shd_scene_instance),
-     REQUIRED(shd_scene_instance, object_to_world), defaults_shd_scene_instance},
-    {"environment_desc", SHD_DESC_KIND_ENVIRONMENT_DESC, sizeof(shd_environment_desc),
-     REQUIRED(shd_environment_desc, image), defaults_shd_environment_desc},
-    {"environment_info", SHD_DESC_KIND_ENVIRONMENT_INFO, sizeof(shd_environment_info),
-     REQUIRED(shd_environment_info, map_size), defaults_shd_environment_info},
-    {"environment_lookups", SHD_DESC_KIND_ENVIRONMENT_LOOKUPS, sizeof(shd_environment_lookups),
-     REQUIRED(shd_environment_lookups, direction), defaults_shd_environment_lookups},
-    {"environment_light", SHD_DESC_KIND_ENVIRONMENT_LIGHT, sizeof(shd_environment_light),
-     REQUIRED(shd_environment_light, rgb), defaults_shd_environment_light},
-    {"directions", SHD_DESC_KIND_DIRECTIONS, sizeof(shd_directions), REQUIRED(shd_directions, direction),
-     defaults_shd_directions},
-    {"projected_points", SHD_DESC_KIND_PROJECTED_POINTS, sizeof(shd_projected_points),
-     REQUIRED(shd_projected_points, u), defaults_shd_projected_points},
-    {"image_points", SHD_DESC_KIND_IMAGE_POINTS, sizeof(shd_image_points), REQUIRED(shd_image_points, v),
-     defaults_shd_image_points},
-    {"point_directions", SHD_DESC_KIND_POINT_DIRECTIONS, sizeof(shd_point_directions),
-     REQUIRED(shd_point_directions, direction), defaults_shd_point_directions},
-    {"direction_images", SHD_DESC_KIND_DIRECTION_IMAGES, sizeof(shd_direction_images),
-     REQUIRED(shd_direction_images, images), defaults_shd_direction_images},
-    {"volume_desc", SHD_DESC_KIND_VOLUME_DESC, sizeof(shd_volume_desc), REQUIRED(shd_volume_desc, extinction),
-     defaults_shd_volume_desc},
-    {"volume_draw", SHD_DESC_KIND_VOLUME_DRAW, sizeof(shd_volume_draw), REQUIRED(shd_volume_draw, volume),
-     defaults_shd_volume_draw},
-};
+#define KIND(kind, type, required, last, size, arguments)                                                 \
+    {#type, SHD_DESC_KIND_##kind, sizeof(type), offsetof(type, required) + sizeof(((type *)0)->required), \
+     defaults_##type},
+static const struct kind_case k_kinds[] = {SHD_SIZED_STRUCTS(KIND)};
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */
 static void level_padding(const char *name, size_t end, unsigned char *a, unsigned char *b)
@@ -250,7 +54,7 @@ static void level_padding(const char *name, size_t end, unsigned char *a, unsign
     };
     size_t i;
     for (i = 0; i < sizeof k_padding / sizeof k_padding[0]; ++i) {
-        if (strcmp(k_padding[i].type + strlen("shd_"), name) || k_padding[i].offset + k_padding[i].size > end) continue;
+        if (strcmp(k_padding[i].type, name) || k_padding[i].offset + k_padding[i].size > end) continue;
         memset(a + k_padding[i].offset, 0, k_padding[i].size);
         memset(b + k_padding[i].offset, 0, k_padding[i].size);
     }
@@ -305,7 +109,7 @@ static void test_kind(void **state)
 
 static void test_unknown_kinds(void **state)
 {
-    const int32_t kinds[] = {0, 999, 1000, 0x7fffffff, -1};
+    const int32_t kinds[] = {0, sizeof k_kinds / sizeof k_kinds[0] + 1, 999, 1000, 0x7fffffff, -1};
     unsigned char bytes[LARGEST];
     size_t i;
     (void)state;

@@ -196,19 +196,51 @@ def check_abi_names(root):
                 yield f"{path}:{number}: a word of flags that is not of a type shd_<noun>_flags"
 
 
-def check_struct(path, comment, name, body, text):
-    """One public struct: sized with defaults, or frozen and says so."""
+ROW = re.compile(r"^ +ROW\((\w+), (shd_\w+), (\w+), (\w+), (\d+), \(\w*\)\)", re.M)
+END_OF_FIRST = "/* ---- end of 0.1; append below ---- */"
+LAST_FIELD = re.compile(r"(?:\(\*(\w+)\)\([^;]*\)|(\w+)(?:\[\w+\])*);\s*$")
+
+
+def check_row(path, name, body, rows):
+    """The row of a sized struct in the table: its kind is its name, and its last field the last before the marker."""
+    if name not in rows:
+        yield f"{path}: {name} has no row in src/core/sized_structs.h"
+        return
+    kind, last = rows[name]
+    fields = C_COMMENT.sub("", body.split(END_OF_FIRST)[0])
+    match = LAST_FIELD.search(fields)
+    if last != (match.group(1) or match.group(2)):
+        yield f"{path}: the last field of {name} in 0.1 is {match.group(1) or match.group(2)}, in its row {last}"
+    if kind != name.removeprefix("shd_").upper():
+        yield f"{path}: the kind of {name} is SHD_DESC_KIND_{kind}"
+
+
+def check_kinds(root, rows):
+    """The kinds are those of the rows, in order, and leave out no number."""
+    text = (root / "include/shd/desc.h").read_text(encoding="utf-8")
+    kinds = re.findall(r"SHD_DESC_KIND_(\w+) = (\d+),", text)
+    wanted = [("NONE", "0"), *((kind, str(i)) for i, (kind, _) in enumerate(rows.values(), start=1))]
+    for kind in sorted(set(kinds) ^ set(wanted)):
+        yield f"SHD_DESC_KIND_{kind[0]} = {kind[1]} is in " + ("desc.h alone" if kind in kinds else "the table alone")
+
+
+def check_struct(path, comment, name, body, text, rows):
+    """One public struct: sized with defaults and a row in the table, or frozen and says so."""
     fields = [" ".join(f.split()) for f in C_COMMENT.sub("", body).split(";") if f.strip()]
     is_sized = fields[0] == "uint32_t struct_size"
     says_so = re.search(r"\b(Frozen|Grows with)\b", comment)
     if is_sized == bool(says_so):
         fault = "struct_size, but is called frozen" if is_sized else "no struct_size, but is not called frozen"
         yield f"{path}: {name} has {fault}"
-    if is_sized and "/* ---- end of 0.1; append below ---- */" not in body:
+    if is_sized and END_OF_FIRST not in body:
         yield f"{path}: {name} does not mark where fields are appended"
     is_callback = "size of the library's struct" in body
     if is_sized and not is_callback and f"static inline {name} {name}_default(" not in text:
         yield f"{path}: no {name}_default()"
+    if is_sized and not is_callback:
+        yield from check_row(path, name, body, rows)
+    elif name in rows:
+        yield f"{path}: {name} has a row in src/core/sized_structs.h"
     for field in fields:
         if re.search(r"\breserved\w*$", field):
             yield f"{path}: {name}.{field.split()[-1]}"
@@ -216,6 +248,9 @@ def check_struct(path, comment, name, body, text):
 
 def check_abi_structs(root):
     """Public structs grow or are frozen, none keeps a place free, and none goes by value but out of inline functions."""
+    table = (root / "src/core/sized_structs.h").read_text(encoding="utf-8")
+    rows = {name: (kind, last) for kind, name, _, last, _ in ROW.findall(table)}
+    yield from check_kinds(root, rows)
     texts = list(public_headers(root))
     structs = {m.group(2) for _, text in texts for m in PUBLIC_STRUCT.finditer(text)}
     for path, text in texts:
@@ -224,7 +259,7 @@ def check_abi_structs(root):
             if match.group(1) not in structs:
                 yield f"{path}: {match.group(1)} has no comment"
         for match in PUBLIC_STRUCT.finditer(text):
-            yield from check_struct(path, *match.groups(), text)
+            yield from check_struct(path, *match.groups(), text, rows)
         for declaration in re.findall(r"SHD_API\b([^;]*);", code):
             for name in re.findall(r"\b(shd_\w+)\b(?! *\*| *const *\*)", declaration):
                 if name in structs:

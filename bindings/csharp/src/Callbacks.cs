@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 using System;
+using System.Runtime.InteropServices;
 
 namespace Shd
 {
@@ -17,6 +18,27 @@ namespace Shd
 
     /// <summary>Sets blocked[i] to 1 if ray i meets a surface, else to 0. Runs on any worker.</summary>
     public delegate void TraceProgram(Rays rays, Span<uint> blocked);
+
+    /// <summary>
+    /// Writes the texels of tiles, in the format of the texture. Runs on any thread, concurrently for different tiles.
+    /// What it throws, the call that needed the tiles throws.
+    /// </summary>
+    public delegate void TileLoader(TextureTiles tiles);
+
+    /// <summary>The source of the tiles of a texture.</summary>
+    public sealed class TileSource
+    {
+        public TileCache Cache;
+        public TileLoader Load;
+        internal int PixelSize;
+
+        public TileSource() { }
+        public TileSource(TileCache cache, TileLoader load)
+        {
+            Cache = cache;
+            Load = load;
+        }
+    }
 
     /// <summary>The programs of a material of Model.Program.</summary>
     public sealed class MaterialProgram
@@ -97,5 +119,56 @@ namespace Shd
             return Inline.Read<float>(first == null ? null : first + Inline.Check(y, raw->Height) * raw->RowStride,
                                       Width);
         }
+    }
+
+    /// <summary>Tiles to write. Their memory ends with the call of the TileLoader.</summary>
+    public readonly unsafe ref struct TextureTiles
+    {
+        private readonly Native.Tile* raw;
+        private readonly int pixelSize;
+        public readonly int Count;
+
+        internal TextureTiles(Native.Tile* from, int count, int size)
+        {
+            raw = from;
+            Count = count;
+            pixelSize = size;
+        }
+
+        public TextureTile this[int index]
+        {
+            get { return new TextureTile(raw + Inline.Check(index, Count), pixelSize); }
+        }
+    }
+
+    /// <summary>A rectangle of a level of a texture.</summary>
+    public readonly unsafe ref struct TextureTile
+    {
+        private readonly Native.Tile* raw;
+        private readonly int pixelSize;
+
+        internal TextureTile(Native.Tile* from, int size)
+        {
+            raw = from;
+            pixelSize = size;
+        }
+
+        public int Layer { get { return (int)raw->Layer; } }
+        /// <summary>0 = the base level.</summary>
+        public int Level { get { return (int)raw->Level; } }
+        /// <summary>First column and row of the level.</summary>
+        public int X { get { return (int)raw->X; } }
+        public int Y { get { return (int)raw->Y; } }
+        public int Width { get { return (int)raw->Width; } }
+        public int Height { get { return (int)raw->Height; } }
+
+        /// <summary>The bytes of row `y` of the tile, to be written.</summary>
+        public Span<byte> Row(int y)
+        {
+            return new Span<byte>((byte*)raw->Texels + Inline.Check(y, raw->Height) * raw->RowStride, Width * pixelSize);
+        }
+
+        /// <summary>Row `y` as channels or pixels of another type.</summary>
+        public Span<T> Row<T>(int y) where T : struct { return MemoryMarshal.Cast<byte, T>(Row(y)); }
     }
 }

@@ -108,6 +108,26 @@ namespace Shd
             }
         }
 
+        /// <summary>
+        /// A texture whose tiles stay in a tiled TIFF or OpenEXR file, or a UDIM set, until lookups need them. `desc` has
+        /// the cache. The files are trusted: this process decodes them.
+        /// </summary>
+        public static Texture OpenTexture(Context context, string path, TileFileDesc desc, out TileFileInfo info)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.TileFileDesc built = desc.Build(call, "desc");
+                TileFileInfo found = TileFileInfo.Default;
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureOpen(call.Use(context, "context"), call.Text(path), &built, &made,
+                                                       &found));
+                info = found;
+                return Adopt(call, made);
+            }
+        }
+
         /// <summary>A 3D texture from numbers without a header.</summary>
         public static Texture LoadRaw(Context context, string path, RawDesc raw, LoadDesc desc = null)
         {

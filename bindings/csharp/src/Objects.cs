@@ -163,17 +163,51 @@ namespace Shd
         }
     }
 
-    /// <summary>Memory for the tiles of textures that stay in files.</summary>
+    /// <summary>Memory of a fixed size for the tiles of textures.</summary>
     public sealed unsafe class TileCache : ShdObject
     {
-        public TileCache(Context context, TileCacheDesc desc) : base(new TileCacheHandle())
+        /// <summary>Has the exception of a function that loads tiles, until the call that needed them ends.</summary>
+        internal readonly CallbackRoot Failure;
+
+        /// <summary>A cache of a desc that began as TileCacheDesc.Default; null = all defaults.</summary>
+        public TileCache(Context context, TileCacheDesc? desc = null) : base(new TileCacheHandle())
         {
             using (Call call = new Call())
             {
-                TileCacheDesc built = desc;
+                TileCacheDesc built = desc ?? TileCacheDesc.Default;
                 IntPtr made;
                 call.Check(Native.LibShd.TileCacheCreate(call.Use(context, "context"), &built, &made));
+                Failure = call.Callback(this);
                 Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        /// <summary>Counters since the creation.</summary>
+        public TileCacheStats Stats
+        {
+            get
+            {
+                using (Call call = new Call())
+                {
+                    TileCacheStats stats = TileCacheStats.Default;
+                    call.Check(Native.LibShd.TileCacheGetStats(call.Use(this, "cache"), &stats));
+                    return stats;
+                }
+            }
+        }
+
+        /// <summary>
+        /// Loads up to `maxTiles` tiles that lookups with MissingTiles.Coarser did not find, 0 = all of them, and returns
+        /// their number.
+        /// </summary>
+        public int LoadRequested(int maxTiles = 0)
+        {
+            using (Call call = new Call())
+            {
+                uint loaded;
+                call.Check(Native.LibShd.TileCacheLoadRequested(call.Use(this, "cache"), checked((uint)maxTiles),
+                                                                &loaded));
+                return (int)loaded;
             }
         }
     }

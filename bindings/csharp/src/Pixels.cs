@@ -75,6 +75,8 @@ namespace Shd
         public Array Texels;
         /// <summary>The caller's mip levels, [layers][LevelCount]; null = the library builds the levels.</summary>
         public IList<Image> Levels;
+        /// <summary>The source of a texture that keeps no texels; null = the texture has its texels in memory.</summary>
+        public TileSource Tiles;
 
         public TextureDesc() { }
         public TextureDesc(Format format, int width, int height, Array texels)
@@ -95,6 +97,14 @@ namespace Shd
                 Pixels.Check(Texels, Call.Join(name, "Texels"), Format, Width, Height,
                              Math.Max(1, Math.Max((long)Depth, Layers)), RowStride, LayerStride);
                 made.Texels = call.Pin(Texels);
+            }
+            if (Tiles != null)
+            {
+                TileSource kept = new TileSource(Tiles.Cache, Tiles.Load) {
+                    PixelSize = (int)Native.LibShd.FormatSize(Format) };
+                made.Tiles.Cache = call.Use(kept.Cache, Call.Join(name, "Tiles.Cache"));
+                if (kept.Load != null) made.Tiles.Load = Thunks.Load;
+                made.Tiles.UserData = call.Callback(kept).UserData;
             }
             if (Levels == null) return;
             uint layers = Depth > 0 ? 1 : Math.Max(1, Layers);

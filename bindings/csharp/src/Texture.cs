@@ -117,6 +117,34 @@ namespace Shd
             }
         }
 
+        /// <summary>Loads the tiles of a region that are not in memory.</summary>
+        public void LoadTiles(TileRegion region)
+        {
+            using (Call call = new Call())
+                call.Check(Native.LibShd.TextureLoadTiles(call.Use(this, "texture"), &region));
+        }
+
+        /// <summary>Loads the tiles of a region, and keeps them until UnpinTiles.</summary>
+        public void PinTiles(TileRegion region)
+        {
+            using (Call call = new Call())
+                call.Check(Native.LibShd.TexturePinTiles(call.Use(this, "texture"), &region));
+        }
+
+        /// <summary>Undoes one PinTiles of the same region.</summary>
+        public void UnpinTiles(TileRegion region)
+        {
+            using (Call call = new Call())
+                call.Check(Native.LibShd.TextureUnpinTiles(call.Use(this, "texture"), &region));
+        }
+
+        /// <summary>Drops the tiles of a region and the coarser tiles that cover it: their source has changed.</summary>
+        public void DropTiles(TileRegion region)
+        {
+            using (Call call = new Call())
+                call.Check(Native.LibShd.TextureDropTiles(call.Use(this, "texture"), &region));
+        }
+
         /// <summary>Replaces texels, and rebuilds the tables. No other call may use the texture meanwhile.</summary>
         public void Update(int layer, int x, int y, Image texels)
         {

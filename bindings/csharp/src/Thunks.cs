@@ -17,6 +17,7 @@ namespace Shd
         private static readonly Native.PresentTileFn tile = OnTile;
         private static readonly Native.ProgressReportFn progress = OnProgress;
         private static readonly Native.DisplayApplyFn display = OnDisplay;
+        private static readonly Native.LoadTilesFn load = OnLoad;
 
         internal static readonly IntPtr Fragment = Marshal.GetFunctionPointerForDelegate(fragment);
         internal static readonly IntPtr Vertex = Marshal.GetFunctionPointerForDelegate(vertex);
@@ -25,6 +26,7 @@ namespace Shd
         internal static readonly IntPtr Tile = Marshal.GetFunctionPointerForDelegate(tile);
         internal static readonly IntPtr Progress = Marshal.GetFunctionPointerForDelegate(progress);
         internal static readonly IntPtr Display = Marshal.GetFunctionPointerForDelegate(display);
+        internal static readonly IntPtr Load = Marshal.GetFunctionPointerForDelegate(load);
 
         private static void OnFragment(Native.Fragments* input, Native.Radiance* output, void* userData)
         {
@@ -95,6 +97,18 @@ namespace Shd
             CallbackRoot root = CallbackRoot.Of(userData);
             try { return ((DisplayCall)root.Target).Apply(framebuffer, output); }
             catch (Exception problem) { root.Fail(problem); }
+            return Result.ErrorCallback;
+        }
+
+        private static Result OnLoad(void* userData, Native.Tile* tiles, UIntPtr count)
+        {
+            TileSource source = (TileSource)CallbackRoot.Of(userData).Target;
+            try
+            {
+                source.Load(new TextureTiles(tiles, (int)count, source.PixelSize));
+                return Result.Ok;
+            }
+            catch (Exception problem) { source.Cache.Failure.Fail(problem); }
             return Result.ErrorCallback;
         }
     }

@@ -2,7 +2,7 @@
 // Types of descs, enums and functions. Written by generate.py; do not edit.
 import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, Texture, Volume, Context, Column,
               OutColumn, Columns, OutColumns, Numbers, Pixels, Fragments, Radiance, Vertices, VertexOutputs, Rays,
-              PresentTile } from "./index.js";
+              PresentTile, Tile, TileCache } from "./index.js";
 
 /**
  * Source of the value of a baked texel.
@@ -169,6 +169,11 @@ export type ContextFlag =
  * - `bounds_desc`: shd_bounds_desc
  * - `texture_file_info`: shd_texture_file_info, of shd/texture_file.h
  * - `ktx2_desc`: shd_ktx2_desc, of shd/texture_file.h
+ * - `tile_region`: shd_tile_region
+ * - `tile_cache_desc`: shd_tile_cache_desc
+ * - `tile_cache_stats`: shd_tile_cache_stats
+ * - `tile_file_desc`: shd_tile_file_desc, of shd/tile_file.h
+ * - `tile_file_info`: shd_tile_file_info, of shd/tile_file.h
  */
 export type DescKind =
   | "none"
@@ -241,6 +246,11 @@ export type DescKind =
   | "bounds_desc"
   | "texture_file_info"
   | "ktx2_desc"
+  | "tile_region"
+  | "tile_cache_desc"
+  | "tile_cache_stats"
+  | "tile_file_desc"
+  | "tile_file_info"
   ;
 
 /**
@@ -1979,13 +1989,13 @@ export interface Texels {
   nonfiniteCount?: number;
   /**
    * d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-   * SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0
+   * SHD_ERROR_UNSUPPORTED
    */
   dw?: OutColumns;
   /**
    * 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is
    * missing
-   * and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+   * and coarser levels were filtered instead. NULL = not wanted.
    */
   coarser?: OutColumn;
 }
@@ -3200,12 +3210,12 @@ export interface TileSource {
   /** retained; NULL = the texture has its texels in memory */
   cache?: TileCache | null;
   /** required with `cache` */
-  load?: number;
+  load?: (tiles: Tile[]) => void;
   /**
    * called once, after the last `load`, when the texture is destroyed; may be
    * NULL. It is not called if shd_texture_create() fails
    */
-  release?: number;
+  release?: () => void;
 }
 
 /** Counters of a tile cache since its creation. */

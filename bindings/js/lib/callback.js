@@ -48,6 +48,7 @@ class Record {
       const all = pointers.map((p) => this._view(p, Float32Array, this._rows));
       return Array.from({ length: all.length / 4 }, (_, i) => all.slice(4 * i, 4 * i + 4));
     }
+    if (name === "texels") return this._view(word, Uint8Array, this._word("rowStride") * this._word("height"));
     if (name === "channel") {
       const [stride, width, height] = [this._word("rowStride") / 4, this._word("width"), this._word("height")];
       return this._pointers(this._address + field.offset, 4)
@@ -101,9 +102,13 @@ export class Callbacks {
   remove(id) {
     this.#groups.delete(id);
   }
-  #argument(name, [key, type], word, earlier) {
+  #argument(name, [key, type], word, earlier, count) {
     const memory = this.#memory;
     const [kind, rest] = type.split(":");
+    if (name === "load_tiles_fn") {
+      const { size } = structOf(rest);
+      return Array.from({ length: count }, (_, i) => new (recordOf(rest))(memory, rest, (word >>> 0) + i * size, 0));
+    }
     const rows = earlier.find((e) => e instanceof Record)?._rows;
     if (kind === "list") return new (recordOf(rest))(memory, rest, word >>> 0, rows);
     if (kind === "text") return memory.text(word >>> 0);
@@ -122,7 +127,8 @@ export class Callbacks {
     this.depth += 1;
     try {
       parameters.forEach((parameter, i) => {
-        if (parameter[0] !== "userData") values.push(this.#argument(name, parameter, words[i], values));
+        const isRest = parameter[0] === "userData" || (name === "load_tiles_fn" && parameter[0] === "count");
+        if (!isRest) values.push(this.#argument(name, parameter, words[i], values, words[i + 1]));
       });
       const returned = this.#groups.get(id)[name](...values);
       if (result === "number") return Number(returned ?? 0);
@@ -132,7 +138,7 @@ export class Callbacks {
       return isVoid ? undefined : FAILED;
     } finally {
       this.depth -= 1;
-      for (const value of values) if (value instanceof Record) value._address = 0;
+      for (const value of values.flat()) if (value instanceof Record) value._address = 0;
     }
   }
   /** Throws what a function threw, once the outermost call has returned. */

@@ -63,6 +63,29 @@ export interface Texture extends SharedObject {
   explain(sampler: Sampler, lookups: api.Lookups, index?: number): Required<api.Explanation>;
   readLevel(layer: number, level: number, image: api.Image): api.Image;
   update(layer: number, x: number, y: number, image: api.Image): void;
+  loadTiles(region: api.TileRegion): void;
+  /** Loads the tiles of a region and keeps them until unpinTiles(). */
+  pinTiles(region: api.TileRegion): void;
+  unpinTiles(region: api.TileRegion): void;
+  /** Drops the tiles of a region, and the coarser tiles that cover it: their source has changed. */
+  dropTiles(region: api.TileRegion): void;
+}
+
+/** Memory of a fixed size for the tiles of textures whose desc has `tiles: { cache, load }`. */
+export interface TileCache extends SharedObject {
+  readonly stats: api.TileCacheStats;
+  /** Loads tiles that lookups with missingTiles: "coarser" did not find, 0 = all of them. Returns their number. */
+  loadRequested(maxTiles?: number): number;
+}
+
+/** A tile that a function fills, valid until the function returns. */
+export interface Tile {
+  readonly layer: number; readonly level: number;
+  readonly x: number; readonly y: number; readonly width: number; readonly height: number;
+  /** Bytes between rows. */
+  readonly rowStride: number;
+  /** Bytes of the rows, in the format of the texture. */
+  readonly texels: Uint8Array;
 }
 
 export interface Lookup {
@@ -191,6 +214,7 @@ export interface Shd {
   readonly Framebuffer: Constructor<Framebuffer, api.FramebufferDesc>;
   readonly Environment: Constructor<Environment, api.EnvironmentDesc>;
   readonly Shadow: Constructor<Shadow, api.ShadowDesc>;
+  readonly TileCache: Constructor<TileCache, api.TileCacheDesc>;
   readonly Volume: Constructor<Volume, api.VolumeDesc>;
   readonly ShdError: typeof ShdError;
   /** The functions of C, with addresses for pointers. */

@@ -5,7 +5,7 @@ import { Callbacks } from "./callback.js";
 import { instantiate } from "./instance.js";
 import { Allocation, Memory } from "./memory.js";
 import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture,
-    Volume } from "./objects.js";
+    TileCache, Volume } from "./objects.js";
 import { Framebuffer } from "./framebuffer.js";
 import { ShdError, refuse } from "./error.js";
 
@@ -55,7 +55,7 @@ export async function load(source) {
     constructor(desc) { super(module, desc); }
   }
   return {
-    Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, Volume,
+    Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
     /** The functions of C, with addresses for pointers. */
     raw,
     memory: module.memory,
@@ -82,4 +82,4 @@ export async function load(source) {
   };
 }
 
-export { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, Volume };
+export { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-import { Call } from "./call.js";
-import { ShdError, refuse } from "./error.js";
+import { Call, check } from "./call.js";
+import { refuse } from "./error.js";
 
 /** Lookups whose structs are written once. Columns lie in the memory of WebAssembly; run() filters and writes them. */
 export class Lookup {
@@ -26,10 +26,13 @@ export class Lookup {
       raw.shd_texture_retain(textureHandle);
       raw.shd_sampler_retain(samplerHandle);
       this.keep = [lookups, out];  // arrays whose memory is used
+      const references = call.keep;  // of functions that load tiles
+      for (const reference of references) reference.users += 1;
       this.#run = () => sample(textureHandle, samplerHandle, lookupsAddress, texelsAddress);
       this.end = () => {
         raw.shd_texture_release(textureHandle);
         raw.shd_sampler_release(samplerHandle);
+        for (const reference of references) reference.drop();
       };
     } catch (problem) {
       this.#free();
@@ -40,7 +43,7 @@ export class Lookup {
   run() {
     if (!this.#run) refuse("lookup", "it is closed");
     const result = this.#run();
-    if (result) throw new ShdError(result, this.#module.memory.text(this.#module.raw.shd_last_error() >>> 0));
+    if (result) check(this.#module, result, "shd_texture_sample");
   }
   #free() {
     for (const address of this.#blocks.splice(0)) this.#module.memory.free(address);

@@ -49,6 +49,20 @@ export class Texture extends SharedObject {
   }
   readLevel(layer, level, image) { call(this, "shd_texture_read_level", layer, level, image); return image; }
   update(layer, x, y, image) { call(this, "shd_texture_update", layer, x, y, image); }
+  loadTiles(region) { call(this, "shd_texture_load_tiles", region); }
+  /** Loads the tiles of a region and keeps them until unpinTiles(). */
+  pinTiles(region) { call(this, "shd_texture_pin_tiles", region); }
+  unpinTiles(region) { call(this, "shd_texture_unpin_tiles", region); }
+  /** Drops the tiles of a region, and the coarser tiles that cover it: their source has changed. */
+  dropTiles(region) { call(this, "shd_texture_drop_tiles", region); }
+}
+
+/** Memory of a fixed size for the tiles of textures whose desc has `tiles: { cache, load }`. */
+export class TileCache extends SharedObject {
+  constructor(context, desc = {}) { super(moduleOf(context), "tile_cache", "shd_tile_cache_create", [context, desc]); }
+  get stats() { return call(this, "shd_tile_cache_get_stats"); }
+  /** Loads tiles that lookups with missingTiles: "coarser" did not find, 0 = all of them. Returns their number. */
+  loadRequested(maxTiles = 0) { return call(this, "shd_tile_cache_load_requested", maxTiles); }
 }
 
 export class Sampler extends SharedObject {

@@ -5,5 +5,6 @@ import "./test_lookup.mjs";
 import "./test_objects.mjs";
 import "./test_random.mjs";
 import "./test_render.mjs";
+import "./test_tiles.mjs";
 
 await test.run();

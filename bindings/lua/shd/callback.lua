@@ -17,7 +17,7 @@ local ERROR_CALLBACK = 9
 local USER_DATA_LAST = {shd_fragment_fn = true, shd_vertex_fn = true, shd_slot_fn = true, shd_trace_fn = true}
 local LOOKUPS = {shd_texture_sample = true, shd_solid_evaluate = true}
 -- Functions of the library that a callback may call; true = all.
-local ALLOWED = {shd_fragment_fn = LOOKUPS, shd_vertex_fn = LOOKUPS, shd_slot_fn = LOOKUPS,
+local ALLOWED = {shd_fragment_fn = LOOKUPS, shd_vertex_fn = LOOKUPS, shd_slot_fn = LOOKUPS, shd_load_tiles_fn = true,
   ["shd_display.apply"] = true, ["shd_executor.parallel_for"] = true}
 
 --- `depth` is the number of callbacks that run, `restricted` the set of functions that the innermost may call (nil =
@@ -38,6 +38,10 @@ local adapters = {
   shd_vertex_fn = function(run, input, output) run(input, output) end,
   shd_slot_fn = function(run, input, output) run(input, output) end,
   shd_trace_fn = function(run, rays, blocked) run(rays, blocked) end,
+  shd_load_tiles_fn = function(run, tiles, count)
+    run(tiles, tonumber(count))
+    return 0
+  end,
   ["shd_log.write"] = function(run, level, text)
     run(enums.name("shd_log_level", tonumber(level)), ffi.string(text))
   end,

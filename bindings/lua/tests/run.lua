@@ -3,6 +3,6 @@
 local here = arg[0]:match("^(.*)/") or "."
 package.path = here .. "/?.lua;" .. here .. "/../?.lua;" .. package.path
 local support = require "support"
-for _, name in ipairs {"api", "lookup", "objects", "callbacks", "components", "misuse"} do dofile(here .. "/test_" .. name .. ".lua") end
+for _, name in ipairs {"api", "lookup", "objects", "callbacks", "tiles", "components", "misuse"} do dofile(here .. "/test_" .. name .. ".lua") end
 print(("%d cases, %d failed"):format(support.count, support.failures))
 os.exit(support.failures == 0 and 0 or 1, true)

@@ -33,7 +33,7 @@ _names.update({_api.camel(name): (_api.enum_type, name) for name in _api.enums})
 _modules = {"Environment": "_environment", "Shadow": "_shadow", "Volume": "_volume", "evaluate_solid": "_solid",
             "bake": "_bake", "bake_occlusion": "_bake", "occlusion": "_bake", "vertex_occlusion": "_bake",
             "project": "_projection", "unproject": "_projection", "convert_projection": "_projection",
-            "save_png": "_png", "Color": "color", "Scene": "scene", "Renderer": "renderer"}
+            "save_png": "_png", "TileCache": "_tiles", "Color": "color", "Scene": "scene", "Renderer": "renderer"}
 _submodules = ("color", "embree", "io", "pyrender", "renderer", "scene")
 
 

@@ -19,6 +19,7 @@ from ._projection import convert_projection as convert_projection, project as pr
 from ._shadow import Shadow as Shadow
 from ._solid import evaluate_solid as evaluate_solid
 from ._texture import Lookup as Lookup, Texture as Texture
+from ._tiles import TileCache as TileCache
 from ._volume import Volume as Volume
 from .color import Color as Color
 from .renderer import Renderer as Renderer
@@ -129,21 +130,26 @@ class DescKind(enum.IntEnum):
     ENVIRONMENT_LOOKUPS = 52
     ENVIRONMENT_LIGHT = 53
     DIRECTION_IMAGES = 54
-    POLYGON_DESC = 56
-    POLYGON_POINTS = 57
-    POLYGON_WEIGHTS = 58
-    RAW_DESC = 59
-    STACK_DESC = 60
-    VDB_DESC = 61
-    VDB_INFO = 62
-    BAKE_DESC = 63
-    BAKE_STATS = 64
-    OCCLUSION_DESC = 65
-    OCCLUSION_POINTS = 66
-    OCCLUSION_ATLAS = 67
-    BOUNDS_DESC = 68
-    TEXTURE_FILE_INFO = 80
-    KTX2_DESC = 81
+    POLYGON_DESC = 55
+    POLYGON_POINTS = 56
+    POLYGON_WEIGHTS = 57
+    RAW_DESC = 58
+    STACK_DESC = 59
+    VDB_DESC = 60
+    VDB_INFO = 61
+    BAKE_DESC = 62
+    BAKE_STATS = 63
+    OCCLUSION_DESC = 64
+    OCCLUSION_POINTS = 65
+    OCCLUSION_ATLAS = 66
+    BOUNDS_DESC = 67
+    TEXTURE_FILE_INFO = 68
+    KTX2_DESC = 69
+    TILE_REGION = 70
+    TILE_CACHE_DESC = 71
+    TILE_CACHE_STATS = 72
+    TILE_FILE_DESC = 73
+    TILE_FILE_INFO = 74
 
 class Edge(enum.IntFlag):
     NONE = 0
@@ -2274,12 +2280,12 @@ class Tile(Desc):
                  ) -> None: ...
 
 class TileSource(Desc):
-    cache: _Array
+    cache: TileCache
     load: Callable[..., object]
     release: Callable[..., object]
     user_data: _Array
     def __init__(self, *,
-                 cache: _Array = ...,
+                 cache: TileCache = ...,
                  load: Callable[..., object] = ...,
                  release: Callable[..., object] = ...,
                  user_data: _Array = ...,
@@ -2315,12 +2321,12 @@ class TileCacheStats(Desc):
 
 class TileFileDesc(Desc):
     color_space: Union[int, str]
-    cache: _Array
+    cache: TileCache
     max_readers: int
     fill: _Array
     def __init__(self, *,
                  color_space: Union[int, str] = ...,
-                 cache: _Array = ...,
+                 cache: TileCache = ...,
                  max_readers: int = ...,
                  fill: _Array = ...,
                  ) -> None: ...

@@ -82,7 +82,7 @@ class Record:
 def record_of(text, where, earlier):
     """An argument of a callback as a Python value."""
     base = text.replace("const", "").replace("*", "").strip()
-    if base in _api.structs and text.count("*") == 1 and where:
+    if base in _api.structs and base != "shd_tile" and text.count("*") == 1 and where:
         return Record(base, where, next((r._rows for r in earlier if isinstance(r, Record)), None))
     if text == "float *const *" and where:
         rows = next(r._rows for r in earlier if isinstance(r, Record))

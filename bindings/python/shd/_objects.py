@@ -79,9 +79,9 @@ class Object:
     def __reduce__(self):
         raise TypeError(f"a {type(self).__name__} cannot be pickled; pickle its desc")
 
-    def _info(self, name):
+    def _info(self, name, function=None):
         keep, out = [], _api.new(name)
-        get = getattr(_api.lib, f"{self._kind}_get_info")
+        get = getattr(_api.lib, function or f"{self._kind}_get_info")
         _api.check(get(self.handle(self._kind, keep), ctypes.addressof(out)))
         return read_struct(name, out)
 

@@ -5,8 +5,9 @@ import ctypes
 import numpy as np
 
 from . import _api
-from ._callback import raise_failures
+from ._callback import Callback, raise_failures
 from ._convert import COLUMNS, address, column, columns
+from ._desc import desc_type
 from ._image import array_type, format_of, image, split
 from ._objects import Object, document, make_desc
 
@@ -96,6 +97,50 @@ class Texture(Object):
         self = cls.__new__(cls)
         self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
         return self
+
+    @classmethod
+    def from_tiles(cls, context, cache, load, desc=None, **values):
+        """A texture whose tiles are written by load(tiles) when a lookup first needs them: format, width and height are
+        options.
+
+        `tiles` is a list of tiles with layer, level, x, y, width, height, and `texels`, an array
+        [height][width][channels] to fill. `load` runs on any thread. The call that needed the tiles raises the
+        exception of `load`, and the next one calls `load` again.
+        """
+        from ._tiles import loader
+        keep = []
+        made = make_desc("shd_texture_desc", desc, values)
+        texel_format = made.build([]).format
+        made = made.replace(tiles={"cache": cache, "load": loader(load, texel_format)})
+        built = made.build(keep)
+        self = cls.__new__(cls)
+        self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
+        cache._loads.update(k for k in keep if isinstance(k, Callback))
+        return self
+
+    def _region(self, function, region):
+        keep = []
+        built = desc_type("shd_tile_region")(**region).build(keep)
+        result = function(self.handle("shd_texture", keep), ctypes.addressof(built))
+        if result:
+            raise_failures(keep)
+            _api.check(result)
+
+    def load_tiles(self, **region):
+        """Loads the tiles of a region: level, layer, x, y, width and height, as in TileRegion."""
+        self._region(_api.lib.shd_texture_load_tiles, region)
+
+    def pin_tiles(self, **region):
+        """Loads the tiles of a region and keeps them until unpin_tiles()."""
+        self._region(_api.lib.shd_texture_pin_tiles, region)
+
+    def unpin_tiles(self, **region):
+        """Undoes one pin_tiles() of the same region."""
+        self._region(_api.lib.shd_texture_unpin_tiles, region)
+
+    def drop_tiles(self, **region):
+        """Drops the tiles of a region and the coarser tiles above it, because their source has changed."""
+        self._region(_api.lib.shd_texture_drop_tiles, region)
 
     @property
     def info(self):

@@ -119,6 +119,19 @@ def load_vdb(context, path, desc=None, load=None, **values) -> "tuple[Texture, d
                      "object_to_world": np.array(read["object_to_world"], np.float32).reshape(4, 4).T.copy()}
 
 
+def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, dict]":
+    """A texture whose tiles stay in a tiled TIFF or OpenEXR file, or a set such as "earth.<UDIM>.tx", until lookups need
+    them, and a dict of its files. `cache` is a TileCache; options are the fields of TileFileDesc.
+    """
+    keep, info = [], _api.new("shd_tile_file_info")
+    texture = Texture.__new__(Texture)
+    built = _built("shd_tile_file_desc", desc, {**values, "cache": cache}, keep)
+    texture._adopt(keep, lambda out: _api.lib.shd_texture_open(context.handle("shd_context", keep),
+                                                               text_bytes(path, "path"), built, out,
+                                                               ctypes.addressof(info)))
+    return texture, read_struct("shd_tile_file_info", info)
+
+
 def save(picture, path, desc=None, srgb=False, **values) -> None:
     """Writes a framebuffer, or an image [height][width][channels], to the format of the extension.
 

@@ -733,12 +733,12 @@ namespace Shd
         public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
         /// <summary>
         /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-        /// Result.ErrorUnsupported. Not read if struct_size is 0
+        /// Result.ErrorUnsupported
         /// </summary>
         public readonly Column<float>[] Dw = new Column<float>[4];
         /// <summary>
         /// 0 for lookups that found all their tiles. With MissingTiles.Coarser, l + 1 if a tile of level l is missing
-        /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+        /// and coarser levels were filtered instead. NULL = not wanted.
         /// </summary>
         public Column<uint> Coarser;
 
@@ -2193,7 +2193,7 @@ namespace Shd
     /// <summary>Options of a texture in a file. Required: cache.</summary>
     public sealed unsafe partial class TileFileDesc
     {
-        internal Native.TileFileDesc Raw = new Native.TileFileDesc();
+        internal Native.TileFileDesc Raw = Native.TileFileDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static TileFileDesc Default { get { return new TileFileDesc(); } }

@@ -228,35 +228,45 @@ namespace Shd
         /// <summary>DirectionImages</summary>
         DirectionImages = 54,
         /// <summary>PolygonDesc</summary>
-        PolygonDesc = 56,
+        PolygonDesc = 55,
         /// <summary>PolygonPoints</summary>
-        PolygonPoints = 57,
+        PolygonPoints = 56,
         /// <summary>PolygonWeights</summary>
-        PolygonWeights = 58,
+        PolygonWeights = 57,
         /// <summary>RawDesc, of shd/volume_file.h</summary>
-        RawDesc = 59,
+        RawDesc = 58,
         /// <summary>StackDesc, of shd/volume_file.h</summary>
-        StackDesc = 60,
+        StackDesc = 59,
         /// <summary>VdbDesc, of shd/volume_file.h</summary>
-        VdbDesc = 61,
+        VdbDesc = 60,
         /// <summary>VdbInfo, of shd/volume_file.h</summary>
-        VdbInfo = 62,
+        VdbInfo = 61,
         /// <summary>BakeDesc</summary>
-        BakeDesc = 63,
+        BakeDesc = 62,
         /// <summary>BakeStats</summary>
-        BakeStats = 64,
+        BakeStats = 63,
         /// <summary>OcclusionDesc</summary>
-        OcclusionDesc = 65,
+        OcclusionDesc = 64,
         /// <summary>OcclusionPoints</summary>
-        OcclusionPoints = 66,
+        OcclusionPoints = 65,
         /// <summary>OcclusionAtlas</summary>
-        OcclusionAtlas = 67,
+        OcclusionAtlas = 66,
         /// <summary>BoundsDesc</summary>
-        BoundsDesc = 68,
+        BoundsDesc = 67,
         /// <summary>TextureFileInfo, of shd/texture_file.h</summary>
-        TextureFileInfo = 80,
+        TextureFileInfo = 68,
         /// <summary>Ktx2Desc, of shd/texture_file.h</summary>
-        Ktx2Desc = 81,
+        Ktx2Desc = 69,
+        /// <summary>TileRegion</summary>
+        TileRegion = 70,
+        /// <summary>TileCacheDesc</summary>
+        TileCacheDesc = 71,
+        /// <summary>TileCacheStats</summary>
+        TileCacheStats = 72,
+        /// <summary>TileFileDesc, of shd/tile_file.h</summary>
+        TileFileDesc = 73,
+        /// <summary>TileFileInfo, of shd/tile_file.h</summary>
+        TileFileInfo = 74,
     }
 
     /// <summary>

@@ -910,12 +910,12 @@ namespace Shd.Native
         private UIntPtr nonfiniteCountWord;
         /// <summary>
         /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-        /// Result.ErrorUnsupported. Not read if struct_size is 0
+        /// Result.ErrorUnsupported
         /// </summary>
         public F32Out4 Dw;
         /// <summary>
         /// 0 for lookups that found all their tiles. With MissingTiles.Coarser, l + 1 if a tile of level l is missing
-        /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+        /// and coarser levels were filtered instead. NULL = not wanted.
         /// </summary>
         public U32Out Coarser;
 
@@ -2303,6 +2303,17 @@ namespace Shd.Native
         private UIntPtr maxReadersWord;
         /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
         public Float4 Fill;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileFileDesc Default
+        {
+            get
+            {
+                TileFileDesc made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TileFileDesc, &made, (UIntPtr)sizeof(TileFileDesc)));
+                return made;
+            }
+        }
     }
 
     /// <summary>

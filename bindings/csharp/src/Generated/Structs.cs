@@ -870,6 +870,17 @@ namespace Shd
         /// Half of the tiles can be pinned.
         /// </summary>
         public ulong BudgetBytes;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileCacheDesc Default
+        {
+            get
+            {
+                TileCacheDesc made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TileCacheDesc, &made, (UIntPtr)sizeof(TileCacheDesc)));
+                return made;
+            }
+        }
     }
 
     /// <summary>Counters of a tile cache since its creation.</summary>
@@ -902,6 +913,17 @@ namespace Shd
         public ulong EvictedTiles;
         /// <summary>lookups that waited for a tile that another thread loaded</summary>
         public ulong Waits;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileCacheStats Default
+        {
+            get
+            {
+                TileCacheStats made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TileCacheStats, &made, (UIntPtr)sizeof(TileCacheStats)));
+                return made;
+            }
+        }
     }
 
     /// <summary>Files of a texture.</summary>
@@ -923,6 +945,17 @@ namespace Shd
         public uint TileWidth;
         /// <summary>texels of a tile of a file</summary>
         public uint TileHeight;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileFileInfo Default
+        {
+            get
+            {
+                TileFileInfo made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TileFileInfo, &made, (UIntPtr)sizeof(TileFileInfo)));
+                return made;
+            }
+        }
     }
 
     /// <summary>A rectangle of a level. Required: width, height.</summary>
@@ -943,6 +976,17 @@ namespace Shd
         public uint Width;
         /// <summary>1 or more; y + height is at most the height of the level</summary>
         public uint Height;
+
+        /// <summary>The defaults of the library.</summary>
+        public static TileRegion Default
+        {
+            get
+            {
+                TileRegion made;
+                ShdException.Check(Native.LibShd.DescInit(DescKind.TileRegion, &made, (UIntPtr)sizeof(TileRegion)));
+                return made;
+            }
+        }
     }
 
     /// <summary>

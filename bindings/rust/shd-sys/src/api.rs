@@ -294,35 +294,45 @@ impl shd_desc_kind {
     /// shd_direction_images
     pub const DIRECTION_IMAGES: Self = Self(54);
     /// shd_polygon_desc
-    pub const POLYGON_DESC: Self = Self(56);
+    pub const POLYGON_DESC: Self = Self(55);
     /// shd_polygon_points
-    pub const POLYGON_POINTS: Self = Self(57);
+    pub const POLYGON_POINTS: Self = Self(56);
     /// shd_polygon_weights
-    pub const POLYGON_WEIGHTS: Self = Self(58);
+    pub const POLYGON_WEIGHTS: Self = Self(57);
     /// shd_raw_desc, of shd/volume_file.h
-    pub const RAW_DESC: Self = Self(59);
+    pub const RAW_DESC: Self = Self(58);
     /// shd_stack_desc, of shd/volume_file.h
-    pub const STACK_DESC: Self = Self(60);
+    pub const STACK_DESC: Self = Self(59);
     /// shd_vdb_desc, of shd/volume_file.h
-    pub const VDB_DESC: Self = Self(61);
+    pub const VDB_DESC: Self = Self(60);
     /// shd_vdb_info, of shd/volume_file.h
-    pub const VDB_INFO: Self = Self(62);
+    pub const VDB_INFO: Self = Self(61);
     /// shd_bake_desc
-    pub const BAKE_DESC: Self = Self(63);
+    pub const BAKE_DESC: Self = Self(62);
     /// shd_bake_stats
-    pub const BAKE_STATS: Self = Self(64);
+    pub const BAKE_STATS: Self = Self(63);
     /// shd_occlusion_desc
-    pub const OCCLUSION_DESC: Self = Self(65);
+    pub const OCCLUSION_DESC: Self = Self(64);
     /// shd_occlusion_points
-    pub const OCCLUSION_POINTS: Self = Self(66);
+    pub const OCCLUSION_POINTS: Self = Self(65);
     /// shd_occlusion_atlas
-    pub const OCCLUSION_ATLAS: Self = Self(67);
+    pub const OCCLUSION_ATLAS: Self = Self(66);
     /// shd_bounds_desc
-    pub const BOUNDS_DESC: Self = Self(68);
+    pub const BOUNDS_DESC: Self = Self(67);
     /// shd_texture_file_info, of shd/texture_file.h
-    pub const TEXTURE_FILE_INFO: Self = Self(80);
+    pub const TEXTURE_FILE_INFO: Self = Self(68);
     /// shd_ktx2_desc, of shd/texture_file.h
-    pub const KTX2_DESC: Self = Self(81);
+    pub const KTX2_DESC: Self = Self(69);
+    /// shd_tile_region
+    pub const TILE_REGION: Self = Self(70);
+    /// shd_tile_cache_desc
+    pub const TILE_CACHE_DESC: Self = Self(71);
+    /// shd_tile_cache_stats
+    pub const TILE_CACHE_STATS: Self = Self(72);
+    /// shd_tile_file_desc, of shd/tile_file.h
+    pub const TILE_FILE_DESC: Self = Self(73);
+    /// shd_tile_file_info, of shd/tile_file.h
+    pub const TILE_FILE_INFO: Self = Self(74);
 }
 pub const SHD_DESC_KIND_NONE: shd_desc_kind = shd_desc_kind::NONE;
 pub const SHD_DESC_KIND_CONTEXT_DESC: shd_desc_kind = shd_desc_kind::CONTEXT_DESC;
@@ -394,7 +404,12 @@ pub const SHD_DESC_KIND_OCCLUSION_ATLAS: shd_desc_kind = shd_desc_kind::OCCLUSIO
 pub const SHD_DESC_KIND_BOUNDS_DESC: shd_desc_kind = shd_desc_kind::BOUNDS_DESC;
 pub const SHD_DESC_KIND_TEXTURE_FILE_INFO: shd_desc_kind = shd_desc_kind::TEXTURE_FILE_INFO;
 pub const SHD_DESC_KIND_KTX2_DESC: shd_desc_kind = shd_desc_kind::KTX2_DESC;
-names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS, BOUNDS_DESC, TEXTURE_FILE_INFO, KTX2_DESC);
+pub const SHD_DESC_KIND_TILE_REGION: shd_desc_kind = shd_desc_kind::TILE_REGION;
+pub const SHD_DESC_KIND_TILE_CACHE_DESC: shd_desc_kind = shd_desc_kind::TILE_CACHE_DESC;
+pub const SHD_DESC_KIND_TILE_CACHE_STATS: shd_desc_kind = shd_desc_kind::TILE_CACHE_STATS;
+pub const SHD_DESC_KIND_TILE_FILE_DESC: shd_desc_kind = shd_desc_kind::TILE_FILE_DESC;
+pub const SHD_DESC_KIND_TILE_FILE_INFO: shd_desc_kind = shd_desc_kind::TILE_FILE_INFO;
+names!(shd_desc_kind: NONE, CONTEXT_DESC, IMAGE, TEXTURE_DESC, TEXTURE_INFO, MIP_DESC, SAMPLER_DESC, LOOKUPS, TEXELS, LEVELS, EXPLANATION, RAY_DIFFERENTIALS, RAY_CONES, DERIVATIVES, MESH_DESC, MESH_INFO, EDGES_DESC, EDGES, TESSELLATION_DESC, MATERIAL_DESC, SLOT, LIGHT_DESC, SHADOW_DESC, SHADOW_RENDER_DESC, SHADOW_LOOKUPS, FRAMEBUFFER_DESC, FRAMEBUFFER_INFO, PLANE_VIEW, CAMERA, DRAW, RENDER_DESC, RENDER_STATS, COLOR_DESC, LOAD_DESC, SAVE_DESC, BITMAP_INFO, SHAPE_DESC, SHAPE_COLUMNS, SCENE_DESC, SCENE_INFO, SCENE_INSTANCE, SOLID_DESC, SOLID_POINTS, SOLID_VALUES, DIRECTIONS, PROJECTED_POINTS, IMAGE_POINTS, POINT_DIRECTIONS, VOLUME_DESC, VOLUME_DRAW, ENVIRONMENT_DESC, ENVIRONMENT_INFO, ENVIRONMENT_LOOKUPS, ENVIRONMENT_LIGHT, DIRECTION_IMAGES, POLYGON_DESC, POLYGON_POINTS, POLYGON_WEIGHTS, RAW_DESC, STACK_DESC, VDB_DESC, VDB_INFO, BAKE_DESC, BAKE_STATS, OCCLUSION_DESC, OCCLUSION_POINTS, OCCLUSION_ATLAS, BOUNDS_DESC, TEXTURE_FILE_INFO, KTX2_DESC, TILE_REGION, TILE_CACHE_DESC, TILE_CACHE_STATS, TILE_FILE_DESC, TILE_FILE_INFO);
 
 /// Kinds of edges; combine with |.
 ///
@@ -3503,10 +3518,10 @@ pub struct shd_texels {
     /// written: lookups whose coordinates, derivatives or lod were not finite
     pub nonfinite_count: usize,
     /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-    /// SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0
+    /// SHD_ERROR_UNSUPPORTED
     pub dw: [shd_f32_out; 4],
     /// 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
-    /// and coarser levels were filtered instead. NULL = not wanted. Not read if struct_size is 0.
+    /// and coarser levels were filtered instead. NULL = not wanted.
     pub coarser: shd_u32_out,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5043,7 +5058,7 @@ pub struct shd_tile_cache_desc {
 const _: () = assert!(core::mem::size_of::<shd_tile_cache_desc>() == 16);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_tile_cache_desc>() == 8);
-init!(shd_tile_cache_desc);
+init!(shd_tile_cache_desc, SHD_DESC_KIND_TILE_CACHE_DESC);
 
 /// A tile that a callback fills. Frozen.
 #[repr(C)]
@@ -5127,7 +5142,7 @@ pub struct shd_tile_cache_stats {
 const _: () = assert!(core::mem::size_of::<shd_tile_cache_stats>() == 80);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_tile_cache_stats>() == 8);
-init!(shd_tile_cache_stats);
+init!(shd_tile_cache_stats, SHD_DESC_KIND_TILE_CACHE_STATS);
 
 /// Options of a texture in a file. Required: cache.
 #[repr(C)]
@@ -5150,7 +5165,7 @@ pub struct shd_tile_file_desc {
 const _: () = assert!(core::mem::size_of::<shd_tile_file_desc>() == 40);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_tile_file_desc>() == 8);
-init!(shd_tile_file_desc);
+init!(shd_tile_file_desc, SHD_DESC_KIND_TILE_FILE_DESC);
 
 /// Files of a texture.
 #[repr(C)]
@@ -5174,7 +5189,7 @@ pub struct shd_tile_file_info {
 const _: () = assert!(core::mem::size_of::<shd_tile_file_info>() == 24);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_tile_file_info>() == 4);
-init!(shd_tile_file_info);
+init!(shd_tile_file_info, SHD_DESC_KIND_TILE_FILE_INFO);
 
 /// A rectangle of a level. Required: width, height.
 #[repr(C)]
@@ -5199,7 +5214,7 @@ pub struct shd_tile_region {
 const _: () = assert!(core::mem::size_of::<shd_tile_region>() == 28);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_tile_region>() == 4);
-init!(shd_tile_region);
+init!(shd_tile_region, SHD_DESC_KIND_TILE_REGION);
 
 /// Neighbouring vertices of one draw, one row each, as packed columns of `count` elements; borrowed for the call.
 ///

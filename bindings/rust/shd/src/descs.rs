@@ -1771,3 +1771,235 @@ impl Default for ColorDesc {
         Self::from_raw(&sys::shd_color_desc::default())
     }
 }
+
+/// Size of a tile cache.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TileCacheDesc {
+    /// bytes of a tile, a power of two from 1024 to 2^20; default 65536
+    pub tile_bytes: u32,
+    /// All memory of the cache: tiles, their table, and places for copies of texels; from 4 tiles plus 64 KiB to 2^31
+    /// bytes; default 2^28. It is allocated once. A small budget makes lookups slower, because tiles are loaded again.
+    /// Half of the tiles can be pinned.
+    pub budget_bytes: u64,
+}
+impl TileCacheDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_tile_cache_desc {
+        let mut raw = sys::shd_tile_cache_desc::default();
+        raw.tile_bytes = self.tile_bytes;
+        raw.budget_bytes = self.budget_bytes;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_tile_cache_desc) -> Self {
+        Self {
+            tile_bytes: raw.tile_bytes,
+            budget_bytes: raw.budget_bytes,
+        }
+    }
+}
+impl Default for TileCacheDesc {
+    /// The defaults of `shd_tile_cache_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_tile_cache_desc::default())
+    }
+}
+
+/// Counters of a tile cache since its creation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TileCacheStats {
+    /// bytes of a tile
+    pub tile_bytes: u32,
+    /// as in its desc
+    pub budget_bytes: u64,
+    /// memory of the cache, at most the budget; it does not change
+    pub allocated_bytes: u64,
+    /// tiles that fit
+    pub tile_count: u32,
+    /// tiles in memory now
+    pub resident_tiles: u32,
+    /// tiles that are pinned now
+    pub pinned_tiles: u32,
+    /// tiles that shd_tile_cache_load_requested() would load now
+    pub requested_tiles: u32,
+    /// calls of load callbacks
+    pub loads: u64,
+    /// tiles that callbacks wrote
+    pub loaded_tiles: u64,
+    /// tiles of calls that failed
+    pub failed_tiles: u64,
+    /// tiles that gave their place to others
+    pub evicted_tiles: u64,
+    /// lookups that waited for a tile that another thread loaded
+    pub waits: u64,
+}
+impl TileCacheStats {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_tile_cache_stats {
+        let mut raw = sys::shd_tile_cache_stats::default();
+        raw.tile_bytes = self.tile_bytes;
+        raw.budget_bytes = self.budget_bytes;
+        raw.allocated_bytes = self.allocated_bytes;
+        raw.tile_count = self.tile_count;
+        raw.resident_tiles = self.resident_tiles;
+        raw.pinned_tiles = self.pinned_tiles;
+        raw.requested_tiles = self.requested_tiles;
+        raw.loads = self.loads;
+        raw.loaded_tiles = self.loaded_tiles;
+        raw.failed_tiles = self.failed_tiles;
+        raw.evicted_tiles = self.evicted_tiles;
+        raw.waits = self.waits;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_tile_cache_stats) -> Self {
+        Self {
+            tile_bytes: raw.tile_bytes,
+            budget_bytes: raw.budget_bytes,
+            allocated_bytes: raw.allocated_bytes,
+            tile_count: raw.tile_count,
+            resident_tiles: raw.resident_tiles,
+            pinned_tiles: raw.pinned_tiles,
+            requested_tiles: raw.requested_tiles,
+            loads: raw.loads,
+            loaded_tiles: raw.loaded_tiles,
+            failed_tiles: raw.failed_tiles,
+            evicted_tiles: raw.evicted_tiles,
+            waits: raw.waits,
+        }
+    }
+}
+impl Default for TileCacheStats {
+    /// The defaults of `shd_tile_cache_stats`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_tile_cache_stats::default())
+    }
+}
+
+/// A rectangle of a level. Required: width, height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TileRegion {
+    /// 0..layers - 1; default 0
+    pub layer: u32,
+    /// 0..level_count - 1; default 0
+    pub level: u32,
+    /// first column, in texels of the level; default 0
+    pub x: u32,
+    /// first row; default 0
+    pub y: u32,
+    /// 1 or more; x + width is at most the width of the level
+    pub width: u32,
+    /// 1 or more; y + height is at most the height of the level
+    pub height: u32,
+}
+impl TileRegion {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_tile_region {
+        let mut raw = sys::shd_tile_region::default();
+        raw.layer = self.layer;
+        raw.level = self.level;
+        raw.x = self.x;
+        raw.y = self.y;
+        raw.width = self.width;
+        raw.height = self.height;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_tile_region) -> Self {
+        Self {
+            layer: raw.layer,
+            level: raw.level,
+            x: raw.x,
+            y: raw.y,
+            width: raw.width,
+            height: raw.height,
+        }
+    }
+}
+impl Default for TileRegion {
+    /// The defaults of `shd_tile_region`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_tile_region::default())
+    }
+}
+
+/// Options of a texture in a file. Required: cache.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TileFileDesc {
+    /// meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
+    /// declares nothing. Other numbers must be linear, or be declared so here
+    pub color_space: ColorEncoding,
+    /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
+    /// memory of OpenImageIO; more exist while more threads read
+    pub max_readers: usize,
+    /// colour of absent files of a set, linear; finite; default 0, 0, 0, 1
+    pub fill: [f32; 4],
+}
+impl TileFileDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_tile_file_desc {
+        let mut raw = sys::shd_tile_file_desc::default();
+        raw.color_space = self.color_space;
+        raw.max_readers = self.max_readers;
+        raw.fill = self.fill;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_tile_file_desc) -> Self {
+        Self {
+            color_space: raw.color_space,
+            max_readers: raw.max_readers,
+            fill: raw.fill,
+        }
+    }
+}
+impl Default for TileFileDesc {
+    /// The defaults of `shd_tile_file_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_tile_file_desc::default())
+    }
+}
+
+/// Files of a texture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TileFileInfo {
+    /// files of a set side by side; 1 for a file
+    pub columns: u32,
+    /// files of a set one above the other; 1 for a file
+    pub rows: u32,
+    /// files that exist
+    pub files: u32,
+    /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
+    /// a file once
+    pub tile_width: u32,
+    /// texels of a tile of a file
+    pub tile_height: u32,
+}
+impl TileFileInfo {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_tile_file_info {
+        let mut raw = sys::shd_tile_file_info::default();
+        raw.columns = self.columns;
+        raw.rows = self.rows;
+        raw.files = self.files;
+        raw.tile_width = self.tile_width;
+        raw.tile_height = self.tile_height;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_tile_file_info) -> Self {
+        Self {
+            columns: raw.columns,
+            rows: raw.rows,
+            files: raw.files,
+            tile_width: raw.tile_width,
+            tile_height: raw.tile_height,
+        }
+    }
+}
+impl Default for TileFileInfo {
+    /// The defaults of `shd_tile_file_info`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_tile_file_info::default())
+    }
+}

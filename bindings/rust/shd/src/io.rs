@@ -4,7 +4,10 @@ use std::ffi::CString;
 use std::path::Path;
 
 use crate::error::check;
-use crate::{sys, Context, Error, Framebuffer, LoadDesc, LoadFlag, Result, SaveDesc, Texture};
+use crate::{
+    sys, Context, Error, Framebuffer, LoadDesc, LoadFlag, Result, SaveDesc, Texture, TileCache, TileFileDesc,
+    TileFileInfo,
+};
 
 /// A path as a string of C.
 fn path_of(path: &Path) -> Result<CString> {
@@ -27,6 +30,26 @@ impl Texture<'static> {
         }
         let (path, raw) = (path_of(path.as_ref())?, desc.to_raw());
         Self::of(context, |out| unsafe { sys::shd_texture_load(context.as_raw(), path.as_ptr(), &raw, out) })
+    }
+
+    /// Opens a tiled TIFF or OpenEXR file, or a UDIM set, as a texture whose tiles stay in the file until lookups need
+    /// them.
+    ///
+    /// # Safety
+    /// The files are trusted: this process decodes them, and a hostile file could break the safety of the program.
+    pub unsafe fn open(
+        context: &Context,
+        path: impl AsRef<Path>,
+        cache: &TileCache,
+        desc: &TileFileDesc,
+    ) -> Result<(Self, TileFileInfo)> {
+        let (path, mut raw) = (path_of(path.as_ref())?, desc.to_raw());
+        raw.cache = cache.as_raw();
+        let mut info = sys::shd_tile_file_info::default();
+        let texture = Self::of(context, |out| unsafe {
+            sys::shd_texture_open(context.as_raw(), path.as_ptr(), &raw, out, &mut info)
+        })?;
+        Ok((texture, TileFileInfo::from_raw(&info)))
     }
 }
 

@@ -62,6 +62,7 @@ mod sampler;
 mod shadow;
 mod texture;
 mod tile;
+mod tile_cache;
 
 pub use shd_sys as sys;
 
@@ -84,6 +85,7 @@ pub use sampler::Sampler;
 pub use shadow::Shadow;
 pub use texture::{Texture, TEXTURE_PADDING};
 pub use tile::Tile;
+pub use tile_cache::{Loaded, TextureTile, TileCache};
 
 /// Version of the library that is running: major, minor and patch.
 pub fn version() -> (u32, u32, u32) {

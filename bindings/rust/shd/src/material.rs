@@ -70,7 +70,7 @@ struct Inner<'a> {
     object: Object<sys::shd_material>,
     // Dropped after the material, which has pointers to them.
     _programs: Arc<Programs<'a>>,
-    _textures: Vec<(Texture<'a>, Option<Sampler>)>,
+    textures: Vec<(Texture<'a>, Option<Sampler>)>,
 }
 
 /// Reflectance of a surface. A material never changes; a clone is another owner of the same material.
@@ -119,6 +119,11 @@ impl<'a> Material<'a> {
     #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_material {
         self.0.object.raw()
+    }
+
+    /// Continues the panic of a closure that loaded tiles of its textures.
+    pub(crate) fn resume_panic(&self) {
+        self.0.textures.iter().for_each(|(texture, _)| texture.resume_panic());
     }
 }
 
@@ -220,6 +225,6 @@ impl<'a> MaterialBuilder<'a> {
         raw.program.user_data = Arc::as_ptr(&programs) as *mut _;
         let create = |out| unsafe { sys::shd_material_create(context.as_raw(), &raw, out) };
         let object = Object::create(context, sys::shd_material_release, create)?;
-        Ok(Material(Arc::new(Inner { object, _programs: programs, _textures: textures })))
+        Ok(Material(Arc::new(Inner { object, _programs: programs, textures })))
     }
 }

@@ -11,7 +11,7 @@ use crate::program::{Call, DrawCall};
 use crate::tile::{self, TileCall, TileFn};
 use crate::{
     sys, Camera, Context, DrawDesc, Environment, Error, Framebuffer, Light, Material, Mesh, Region, RenderDesc,
-    RenderStats, Result, Shadow, Tile,
+    RenderStats, Result, ResultCode, Shadow, Tile,
 };
 
 /// One mesh in a frame.
@@ -209,6 +209,9 @@ impl<'a> Frame<'a> {
         let outcome = check(result);
         drop((calls, draws));
         call.finish();
+        if result == ResultCode::ERROR_CALLBACK {
+            self.draws.iter().filter_map(|draw| draw.material).for_each(Material::resume_panic);
+        }
         outcome.map(|()| RenderStats::from_raw(&stats))
     }
 }

@@ -6,9 +6,10 @@ use std::sync::Arc;
 use crate::error::check;
 use crate::object::Object;
 use crate::pixels::{check_alignment, check_size, image_over, pixel_size, span};
+use crate::tile_cache::{Loaded, Loader};
 use crate::{
     sys, Context, Error, Lookups, Plain, Result, ResultCode, Sampler, Table, Texels, TextureDesc, TextureFlag,
-    TextureInfo,
+    TextureInfo, TextureTile, TileCache, TileRegion,
 };
 
 /// An image prepared for filtering. A clone is another owner of the same texture.
@@ -65,6 +66,8 @@ use crate::{
 #[derive(Clone, Debug)]
 pub struct Texture<'a> {
     object: Arc<Object<sys::shd_texture>>,
+    // Dropped after the texture, which may call its closure until then.
+    tiles: Option<Arc<Loader<'a>>>,
     texels: PhantomData<&'a [u8]>,
 }
 
@@ -166,7 +169,84 @@ impl<'a> Texture<'a> {
     /// The texture that a function of C makes.
     pub(crate) fn of(context: &Context, create: impl FnOnce(*mut *mut sys::shd_texture) -> ResultCode) -> Result<Self> {
         let object = Object::create(context, sys::shd_texture_release, create)?;
-        Ok(Self { object: Arc::new(object), texels: PhantomData })
+        Ok(Self { object: Arc::new(object), tiles: None, texels: PhantomData })
+    }
+
+    /// Makes a texture whose tiles are written by `load` when a lookup first needs them. `load` runs on any thread, also
+    /// concurrently. An error of `load` is the error of the call that needed the tiles, a panic continues in this call,
+    /// and the next call runs `load` again. Strides of `desc` must be 0.
+    ///
+    /// ```
+    /// # use shd::*;
+    /// # let context = Context::new()?;
+    /// let cache = TileCache::new(&context, &TileCacheDesc { budget_bytes: 1 << 20, ..Default::default() })?;
+    /// let desc = TextureDesc { format: Format::R8, width: 65536, height: 65536, ..Default::default() };
+    /// let texture = Texture::from_tiles(&context, &cache, &desc, |tiles| {
+    ///     for tile in tiles {
+    ///         let row: Vec<u8> = (tile.x..tile.x + tile.width).map(|x| x as u8).collect();
+    ///         (0..tile.height).for_each(|y| tile.write_row(y, &row));
+    ///     }
+    ///     Ok(())
+    /// })?;
+    /// let mut red = [0.0];
+    /// let mut texels = Texels::new().channel(0, &mut red);
+    /// let sampler = Sampler::new(&context, &SamplerDesc { filter: Filter::NEAREST, ..Default::default() })?;
+    /// texture.sample(&sampler, &Lookups::new(&[0.5], &[0.5]), &mut texels)?;
+    /// assert_eq!(red, [0.0]);
+    /// assert_eq!(cache.stats()?.loaded_tiles, 1);
+    /// # Ok::<(), shd::Error>(())
+    /// ```
+    pub fn from_tiles(
+        context: &Context,
+        cache: &TileCache,
+        desc: &TextureDesc,
+        load: impl Fn(&mut [TextureTile<'_>]) -> Loaded + Send + Sync + 'a,
+    ) -> Result<Self> {
+        let mut raw = desc.to_raw();
+        let loader = Loader::new(cache, pixel_size("texture", raw.format)?, Box::new(load));
+        raw.tiles = loader.source();
+        let mut texture = Self::create(context, &raw).map_err(|error| {
+            Loader::forget(&raw.tiles);
+            error
+        })?;
+        texture.tiles = Some(loader);
+        Ok(texture)
+    }
+
+    /// Loads the tiles of a region that are not in memory.
+    pub fn load_tiles(&self, region: &TileRegion) -> Result<()> {
+        self.check(unsafe { sys::shd_texture_load_tiles(self.as_raw(), &region.to_raw()) })
+    }
+
+    /// Loads the tiles of a region, and keeps them until [`Texture::unpin_tiles`].
+    pub fn pin_tiles(&self, region: &TileRegion) -> Result<()> {
+        self.check(unsafe { sys::shd_texture_pin_tiles(self.as_raw(), &region.to_raw()) })
+    }
+
+    /// Undoes one [`Texture::pin_tiles`] of the same region.
+    pub fn unpin_tiles(&self, region: &TileRegion) -> Result<()> {
+        self.check(unsafe { sys::shd_texture_unpin_tiles(self.as_raw(), &region.to_raw()) })
+    }
+
+    /// Drops the tiles of a region and the coarser tiles that cover it, because their source has changed.
+    pub fn drop_tiles(&self, region: &TileRegion) -> Result<()> {
+        self.check(unsafe { sys::shd_texture_drop_tiles(self.as_raw(), &region.to_raw()) })
+    }
+
+    /// The result of a call that may have loaded tiles.
+    #[inline]
+    fn check(&self, code: ResultCode) -> Result<()> {
+        if code == ResultCode::ERROR_CALLBACK {
+            self.resume_panic();
+        }
+        check(code)
+    }
+
+    /// Continues the panic of a closure that loaded tiles.
+    pub(crate) fn resume_panic(&self) {
+        if let Some(loader) = &self.tiles {
+            loader.cache.resume_panic();
+        }
     }
 
     /// The handle of C, borrowed from this owner.
@@ -188,7 +268,7 @@ impl<'a> Texture<'a> {
     pub fn sample(&self, sampler: &Sampler, lookups: &Lookups<'_>, texels: &mut Texels<'_>) -> Result<()> {
         lookups.check_count(texels)?;
         // All columns have the length of the batch. They are borrowed by `lookups` and `texels`.
-        check(unsafe { sys::shd_texture_sample(self.as_raw(), sampler.as_raw(), &lookups.raw, &mut texels.raw) })
+        self.check(unsafe { sys::shd_texture_sample(self.as_raw(), sampler.as_raw(), &lookups.raw, &mut texels.raw) })
     }
 
     /// Copies a mip level of a layer, or of a slice in 3D, as it is stored. `out` has the size of the level.
