@@ -6,6 +6,9 @@
 /// smaller structs that contain every required field: later fields have defaults. Only the fields in this table are
 /// read from a struct without a check of its struct_size.
 ///
+/// A size is a multiple of the alignment of the struct, as C makes it: other sizes would cut a pointer in two. A field
+/// that raises the alignment needs a row that accepts the older sizes too.
+///
 /// A row names the struct, its last required field, and the size of the struct in 0.1 on LP64. Rows never change once a
 /// version is released; tests/abi/resize_headers.py reads them.
 #pragma once
@@ -21,14 +24,22 @@
 #include <shd/tile_file.h>
 #include <shd/volume_file.h>
 
+#include "core/read_desc.h"
+
 namespace shd::core {
 
-/// `kRequired` is the smallest struct_size that is accepted, `kFirst` the size in 0.1.
+/// `kRule` has the struct_size that are accepted, `kFirst` is the size in 0.1.
 template <class Desc>
 struct DescSize;
 
+constexpr size_t round_up(size_t size, size_t alignment) {
+  return (size + alignment - 1) / alignment * alignment;
+}
+
 #if defined(__LP64__) || defined(_LP64)
-#define SHD_CHECK_FIRST_SIZE(type, size) static_assert(sizeof(type) >= (size), #type " lost a field of 0.1")
+#define SHD_CHECK_FIRST_SIZE(type, size)                                        \
+  static_assert(sizeof(type) >= (size), #type " lost a field of 0.1");           \
+  static_assert((size) % alignof(type) == 0, #type " has an alignment above that of 0.1")
 #else
 #define SHD_CHECK_FIRST_SIZE(type, size) static_assert(true, "stated for LP64 only")
 #endif
@@ -39,6 +50,7 @@ struct DescSize;
     static constexpr size_t kRequired = offsetof(type, required) + sizeof(type::required); \
     static constexpr size_t kFirst = offsetof(type, last) + sizeof(type::last);            \
     static_assert(kRequired <= kFirst, #type);                                             \
+    static constexpr SizeRule kRule = {round_up(kRequired, alignof(type)), alignof(type)}; \
   }
 
 // The struct, its last required field, its last field in 0.1, its size in 0.1.
