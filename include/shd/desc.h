@@ -11,7 +11,8 @@
  *    beyond the library's own must be zero, else the call fails with SHD_ERROR_UNSUPPORTED.
  *  - Structs that the library writes: it never writes beyond struct_size. It clears the bytes of a larger struct beyond
  *    its own, and does not change struct_size.
- *  - A struct_size that does not reach the last required field of the struct is refused.
+ *  - A struct_size that does not reach the last required field of the struct is refused, and one that is not a multiple
+ *    of the alignment of the struct, because no header has such a struct.
  *  - All elements of an array of sized structs have one struct_size, which is the distance between them.
  *  - Padding is never given to a field. No sized struct ends with padding, and appended fields bring none.
  *
@@ -118,7 +119,8 @@ typedef enum shd_desc_kind {
  * @param size  size in bytes of the caller's struct. If it is smaller than the library's struct, only the fields inside
  *              it are written; it must contain every required field. If it is larger, the remaining bytes become
  *              zero
- * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
+ * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields or is
+ *         not a multiple of the alignment of the struct
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_desc_init(shd_desc_kind kind, void *ptr, size_t size);

@@ -102,9 +102,7 @@ namespace {
 
 template <class Desc>
 shd_result write_defaults(const Desc& defaults, void* ptr, size_t size) {
-  constexpr size_t kRequired = core::DescSize<Desc>::kRequired;
-  if (size < kRequired) return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is below %zu", size, kRequired);
-  if (size > (1u << 16)) return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is above 65536", size);
+  SHD_TRY(core::check_size(fail, "desc_init", "size", size, core::DescSize<Desc>::kRule));
   const auto struct_size = static_cast<uint32_t>(size);
   std::memcpy(ptr, &struct_size, sizeof struct_size);
   core::write_desc_bytes(&defaults, sizeof defaults, ptr);

@@ -24,14 +24,14 @@ shd_result read_desc(const char* name, const Desc* in, bool optional, Desc* out)
     if (optional) return SHD_OK;
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
   }
-  return core::read_desc_bytes(core::fail, name, in, core::DescSize<Desc>::kRequired, out, sizeof(Desc));
+  return core::read_desc_bytes(core::fail, name, in, core::DescSize<Desc>::kRule, out, sizeof(Desc));
 }
 
 /// Checks a struct that the library only writes, and clears it: calls that fail leave it zero.
 template <class Desc>
 shd_result begin_output(const char* name, Desc* out) {
   if (!out) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
-  if (const shd_result result = core::check_desc_size(core::fail, name, out, core::DescSize<Desc>::kRequired)) {
+  if (const shd_result result = core::check_desc_size(core::fail, name, out, core::DescSize<Desc>::kRule)) {
     return result;
   }
   core::clear_desc_bytes(out);

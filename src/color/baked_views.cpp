@@ -25,14 +25,32 @@ bool ViewKey::operator<(const ViewKey& other) const {
   return std::tie(from, display, view) < std::tie(other.from, other.display, other.view);
 }
 
-const Program* BakedViews::find(const ViewKey& key, const Transform& exact) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+bool BakedViews::find_baked(const ViewKey& key, const Program** out) const {
+  const std::lock_guard<core::ForkMutex> lock(mutex_);
   const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second.get();
-  return programs_.emplace(key, bake_within_bound(key, exact)).first->second.get();
+  if (found == programs_.end()) return false;
+  *out = found->second.get();
+  return true;
 }
 
-std::unique_ptr<Program> BakedViews::bake_within_bound(const ViewKey& key, const Transform& exact) const {
+const Program* BakedViews::find(const ViewKey& key, const Transform& exact) const {
+  const Program* found = nullptr;
+  if (find_baked(key, &found)) return found;
+  std::string warning;
+  std::unique_ptr<Program> program = bake_within_bound(key, exact, &warning);  // without the lock: it calls the host
+  bool first = false;
+  {
+    const std::lock_guard<core::ForkMutex> lock(mutex_);
+    const auto placed = programs_.try_emplace(key, std::move(program));
+    first = placed.second;
+    found = placed.first->second.get();
+  }
+  if (first && !found) shd_context_log(context_, SHD_LOG_LEVEL_WARNING, warning.c_str());
+  return found;
+}
+
+std::unique_ptr<Program> BakedViews::bake_within_bound(const ViewKey& key, const Transform& exact,
+                                                       std::string* warning) const {
   const core::FpScope environment;
   char reason[96] = "a part of it fits no table";
   std::vector<Part> parts;
@@ -55,7 +73,7 @@ std::unique_ptr<Program> BakedViews::bake_within_bound(const ViewKey& key, const
       "color: view '%.96s' of display '%.96s' from '%.96s' is not baked: %s; 8-bit images take the exact path",
       key.view.c_str(), key.display.c_str(), key.from.c_str(), reason);
   core::make_printable(line, std::char_traits<char>::length(line));
-  shd_context_log(context_, SHD_LOG_LEVEL_WARNING, line);
+  *warning = line;
   return nullptr;
 }
 

@@ -45,7 +45,7 @@ const std::string& Catalog::view(const Display& display, const char* name) {
 
 template <class Build>
 TransformRef Config::cached(const std::vector<std::string>& key, Build&& build) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<core::ForkMutex> lock(mutex_);
   TransformRef& slot = cache_[key];
   if (!slot) slot = build();
   return slot;
@@ -57,7 +57,7 @@ TransformRef Config::to_display(const std::string& from, const std::string& disp
 
 std::vector<Part> Config::display_parts(const std::string& from, const std::string& display,
                                         const std::string& view) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<core::ForkMutex> lock(mutex_);
   return split_to_display(from, display, view);
 }
 

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "color/source.h"
+#include "core/fork.h"
 
 namespace shd::color {
 
@@ -50,6 +50,8 @@ class Config {
  public:
   virtual ~Config() = default;
 
+  /// Makes the config usable in children. Throws std::bad_alloc.
+  void attach() { mutex_.attach(); }
   const Catalog& catalog() const { return catalog_; }
   /// Canonical name of a colour space, alias or role. Throws Failure (SHD_ERROR_NOT_FOUND) that names `field`.
   virtual std::string space(const char* field, const char* name) const = 0;
@@ -71,7 +73,8 @@ class Config {
   template <class Build>
   TransformRef cached(const std::vector<std::string>& key, Build&& build) const;
 
-  mutable std::mutex mutex_;  // guards cache_, and the building of transforms, because OpenColorIO shares its caches
+  // guards cache_, and the building of transforms, because OpenColorIO shares its caches
+  mutable core::ForkMutex mutex_{core::ForkLevel::kColorConfig};
   mutable std::map<std::vector<std::string>, TransformRef> cache_;
 };
 

@@ -3,13 +3,14 @@
 
 #include <exception>
 #include <locale>
-#include <mutex>
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include "color/config.h"
 #include "color/cycle.h"
 #include "color/ocio_transform.h"
+#include "core/fork.h"
 #include "core/regular_file.h"
 #include "extension/error.h"
 
@@ -19,24 +20,19 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 using extension::refuse;
 
+core::StaticForkMutex g_build(core::ForkLevel::kColorBuild);
+
 /// Silences OpenColorIO and makes it read numbers with decimal points, for the duration of a scope. Both settings are
-/// process-wide, so that the scopes of all threads share one count: the first scope changes them, the last restores
-/// them.
+/// process-wide, so that one thread builds while the others wait.
 class GlobalScope {
  public:
-  GlobalScope() {
-    const std::lock_guard<std::mutex> lock(s_mutex);
-    if (s_depth == 0) {
-      swap_locale_in();
-      s_level = ocio::GetLoggingLevel();
-      ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);
-    }
-    ++s_depth;
+  GlobalScope() : lock_(g_build) {
+    swap_locale_in();
+    level_ = ocio::GetLoggingLevel();
+    ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);
   }
   ~GlobalScope() {
-    const std::lock_guard<std::mutex> lock(s_mutex);
-    if (--s_depth != 0) return;
-    ocio::SetLoggingLevel(s_level);
+    ocio::SetLoggingLevel(level_);
     swap_locale_out();
   }
   GlobalScope(const GlobalScope&) = delete;
@@ -45,33 +41,26 @@ class GlobalScope {
  private:
   // yaml-cpp reads numbers through streams of the global C++ locale. The locale is replaced only if it would read
   // numbers wrongly. The replacement has no name, because a named locale would also change the C locale.
-  static void swap_locale_in() {
+  void swap_locale_in() {
     const std::locale host;
     const auto& numbers = std::use_facet<std::numpunct<char>>(host);
     if (numbers.decimal_point() == '.' && numbers.grouping().empty()) return;
     const std::locale plain(std::locale::classic(), new std::numpunct<char>);
-    s_locale = new std::locale(host);
+    locale_.emplace(host);
     std::locale::global(plain);
   }
-  static void swap_locale_out() {
-    if (!s_locale) return;
+  void swap_locale_out() {
+    if (!locale_) return;
     const char* name = setlocale(LC_ALL, nullptr);
     const std::string c_locale = name ? name : "C";
-    std::locale::global(*s_locale);
+    std::locale::global(*locale_);
     setlocale(LC_ALL, c_locale.c_str());
-    delete s_locale;
-    s_locale = nullptr;
   }
 
-  static std::mutex s_mutex;
-  static int s_depth;
-  static ocio::LoggingLevel s_level;
-  static std::locale* s_locale;  // the host's locale while it is replaced
+  const std::lock_guard<core::StaticForkMutex> lock_;
+  ocio::LoggingLevel level_ = ocio::LOGGING_LEVEL_DEFAULT;
+  std::optional<std::locale> locale_;  // the host's locale while it is replaced
 };
-std::mutex GlobalScope::s_mutex;
-int GlobalScope::s_depth = 0;
-ocio::LoggingLevel GlobalScope::s_level = ocio::LOGGING_LEVEL_DEFAULT;
-std::locale* GlobalScope::s_locale = nullptr;
 
 /// Sets the C locale on this thread, so that the C library uses decimal points.
 class ThreadLocale {
@@ -291,7 +280,8 @@ class OcioConfig final : public Config {
 }  // namespace
 
 std::unique_ptr<Config> load_config(const Source& source) {
-  return call_ocio(source.name.c_str(), SHD_ERROR_CORRUPT, [&]() -> std::unique_ptr<Config> {
+  g_build.attach();
+  auto loaded = call_ocio(source.name.c_str(), SHD_ERROR_CORRUPT, [&]() -> std::unique_ptr<Config> {
     std::istringstream stream(source.text);
     stream.imbue(std::locale::classic());
     const ocio::ConfigRcPtr config = ocio::Config::CreateFromStream(stream)->createEditableCopy();
@@ -300,6 +290,8 @@ std::unique_ptr<Config> load_config(const Source& source) {
     config->validate();
     return std::make_unique<OcioConfig>(config);
   });
+  loaded->attach();
+  return loaded;
 }
 
 }  // namespace shd::color

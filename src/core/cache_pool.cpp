@@ -3,8 +3,24 @@
 
 namespace shd::core {
 
+CachePool::CachePool(const Allocator& host, bool keeps, size_t size) : host_(host), keeps_(keeps), size_(size) {
+  hook_.attach(free_lost, this);
+}
+
+/// In a child: the threads that took these slots do not exist, and may have written a part of the content.
+void CachePool::free_lost(void* pool) noexcept {
+  for (Slot& slot : static_cast<CachePool*>(pool)->slots_) {
+    const uintptr_t user = slot.user.load(std::memory_order_relaxed);
+    if (user == 0 || user == thread_number()) continue;
+    slot.owner.store(0, std::memory_order_relaxed);
+    free(slot);
+  }
+}
+
 bool CachePool::claim(Slot& slot) noexcept {
-  return !slot.used.load(std::memory_order_relaxed) && !slot.used.exchange(true, std::memory_order_acquire);
+  uintptr_t nobody = 0;
+  return slot.user.load(std::memory_order_relaxed) == 0 &&
+         slot.user.compare_exchange_strong(nobody, thread_number(), std::memory_order_acquire);
 }
 
 CachePool::Lease CachePool::lease(size_t i, uint64_t owner) noexcept {
@@ -19,7 +35,7 @@ CachePool::Lease CachePool::take(uint64_t owner) noexcept {
   for (size_t i = 0; i < kMost; ++i) {
     if (slots_[i].owner.load(std::memory_order_relaxed) != owner || !claim(slots_[i])) continue;
     if (slots_[i].memory.load(std::memory_order_relaxed)) return lease(i, owner);
-    slots_[i].used.store(false, std::memory_order_release);  // trim() was faster
+    free(slots_[i]);  // trim() was faster
   }
   for (size_t i = 0; i < kMost; ++i) {
     Slot& slot = slots_[i];
@@ -31,7 +47,7 @@ CachePool::Lease CachePool::take(uint64_t owner) noexcept {
       slot.owner.store(0, std::memory_order_relaxed);
     }
     if (memory) return lease(i, owner);
-    slot.used.store(false, std::memory_order_release);
+    free(slot);
     break;
   }
   const uint32_t first = turn_.fetch_add(1, std::memory_order_relaxed);
@@ -39,22 +55,21 @@ CachePool::Lease CachePool::take(uint64_t owner) noexcept {
     const size_t i = (first + k) % kMost;
     if (!slots_[i].memory.load(std::memory_order_relaxed) || !claim(slots_[i])) continue;
     if (slots_[i].memory.load(std::memory_order_relaxed)) return lease(i, owner);
-    slots_[i].used.store(false, std::memory_order_release);
+    free(slots_[i]);
   }
   return {};
 }
 
 void CachePool::put(const Lease& lease) noexcept {
-  slots_[lease.slot].used.store(false, std::memory_order_release);
+  free(slots_[lease.slot]);
 }
 
 void CachePool::trim() noexcept {
   for (Slot& slot : slots_) {
     if (!claim(slot)) continue;
-    if (void* memory = slot.memory.load(std::memory_order_relaxed)) host_.free(memory, size_);
-    slot.memory.store(nullptr, std::memory_order_relaxed);
+    if (void* memory = slot.memory.exchange(nullptr, std::memory_order_relaxed)) host_.free(memory, size_);
     slot.owner.store(0, std::memory_order_relaxed);
-    slot.used.store(false, std::memory_order_release);
+    free(slot);
   }
 }
 

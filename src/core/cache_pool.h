@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "core/fork.h"
 
 namespace shd::core {
 
@@ -26,10 +27,11 @@ class CachePool {
     size_t slot = 0;
   };
 
+  /// Throws std::bad_alloc.
   /// @param host   outlives the pool
   /// @param keeps  false: take() gives no memory
   /// @param size   bytes of a piece
-  CachePool(const Allocator& host, bool keeps, size_t size) : host_(host), keeps_(keeps), size_(size) {}
+  CachePool(const Allocator& host, bool keeps, size_t size);
 
   /// Returns a number that no other owner has; it is not 0.
   uint64_t new_owner() noexcept { return last_owner_.fetch_add(1, std::memory_order_relaxed) + 1; }
@@ -44,12 +46,14 @@ class CachePool {
  private:
   struct Slot {
     std::atomic<uint64_t> owner{0};  // owner of the content; changes while the slot is in use only
-    std::atomic<bool> used{false};
+    std::atomic<uintptr_t> user{0};  // thread that took the slot, or 0
     std::atomic<void*> memory{nullptr};  // changes while the slot is in use only
   };
 
   /// Marks a slot as in use. Returns whether it was free.
   static bool claim(Slot& slot) noexcept;
+  static void free(Slot& slot) noexcept { slot.user.store(0, std::memory_order_release); }
+  static void free_lost(void* pool) noexcept;
   Lease lease(size_t i, uint64_t owner) noexcept;
 
   const Allocator host_;
@@ -58,6 +62,7 @@ class CachePool {
   std::atomic<uint64_t> last_owner_{0};
   std::atomic<uint32_t> turn_{0};
   Slot slots_[kMost];
+  ForkHook hook_;
 };
 
 }  // namespace shd::core

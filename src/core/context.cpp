@@ -26,6 +26,7 @@ Context* create_context(const shd_context_desc& desc) {
   context->executor = desc.executor;
   try {
     const bool keeps = !(desc.flags & SHD_CONTEXT_RETURN_MEMORY);
+    context->objects.attach();
     context->scratch = create<ScratchPool>(allocator, keeps);
     context->caches = create<CachePool>(allocator, allocator, keeps, kCacheSize);
     if (!desc.executor.parallel_for) {

@@ -2,8 +2,6 @@
 #include "core/executor.h"
 
 #ifdef SHD_WITH_TBB
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 
@@ -11,6 +9,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include "core/fork.h"
 #endif
 
 namespace shd::core {
@@ -22,10 +22,38 @@ shd_result serial_parallel_for(void*, uint32_t count, shd_task_fn task, void* ta
 }
 
 #ifdef SHD_WITH_TBB
-struct Arena {
-  explicit Arena(int workers) : arena(workers), process(getpid()) {}
+/// Generation + 1 of the process that ran the first tasks on oneTBB, or 0. Later generations never call oneTBB: its
+/// threads do not exist there, and one of its locks may be taken for ever.
+std::atomic<uint32_t> g_first_use{0};
+
+bool may_use_tbb() noexcept {
+  const uint32_t first = g_first_use.load(std::memory_order_relaxed);
+  return first == 0 || first == fork_generation() + 1;
+}
+
+/// Returns the number of threads of oneTBB, or 1 in a process that must not call oneTBB. Throws std::bad_alloc.
+uint32_t most_workers() {
+  static StaticForkMutex mutex(ForkLevel::kConcurrency);
+  if (!may_use_tbb()) return 1;
+  mutex.attach();
+  const std::lock_guard<StaticForkMutex> lock(mutex);
+  return static_cast<uint32_t>(tbb::info::default_concurrency());
+}
+
+/// The memory of an arena. The arena is destroyed only by the process that made it: in a child, oneTBB would wait.
+union ArenaMemory {
+  explicit ArenaMemory(int workers) : arena(workers) {}
+  ~ArenaMemory() {}
   tbb::task_arena arena;
-  const pid_t process;  // threads do not survive a fork
+};
+
+struct Arena {
+  explicit Arena(int workers) : memory(workers), generation(fork_generation()) {}
+  ~Arena() {
+    if (generation == fork_generation()) memory.arena.~task_arena();
+  }
+  ArenaMemory memory;
+  const uint32_t generation;
 };
 
 /// Distributes the tasks of one parallel_for.
@@ -42,12 +70,14 @@ struct Queue {
 
 shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, void* task_data) {
   auto* body = static_cast<Arena*>(user_data);
-  tbb::task_arena& arena = body->arena;
+  tbb::task_arena& arena = body->memory.arena;
   Queue queue{count, task, task_data};
-  if (getpid() != body->process) {
+  if (body->generation != fork_generation()) {
     queue.drain(0);
     return SHD_OK;
   }
+  uint32_t first = g_first_use.load(std::memory_order_relaxed);
+  if (first == 0) g_first_use.compare_exchange_strong(first, body->generation + 1, std::memory_order_relaxed);
   try {
     const auto drain = [&](uint32_t) {
       queue.drain(static_cast<uint32_t>(tbb::this_task_arena::current_thread_index()));
@@ -72,7 +102,7 @@ void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_exe
   *out = {serial_parallel_for, nullptr, 1};
 #ifdef SHD_WITH_TBB
   // oneTBB has no more threads than default_concurrency(), and prints a warning to stderr for larger requests.
-  const auto max_workers = static_cast<uint32_t>(tbb::info::default_concurrency());
+  const uint32_t max_workers = most_workers();
   if (worker_count == 0 || worker_count > max_workers) worker_count = max_workers;
   if (worker_count <= 1) return nullptr;
   Arena* arena = create<Arena>(allocator, static_cast<int>(worker_count));

@@ -2,29 +2,45 @@
 #include "core/object.h"
 
 #include <new>
+#include <utility>
 
 #include "core/context.h"
 
 namespace shd::core {
 
-Object* ObjectPool::take(const Allocator& allocator) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  // Unused handles are taken first, then dead handles, the longest dead one first, then a new slab.
-  if (fresh_ == kSlabSize && !oldest_) {
-    Slab* slab = new (allocator.allocate(sizeof(Slab))) Slab();
-    slab->next = slabs_;
-    slabs_ = slab;
-    fresh_ = 0;
-  }
+/// Unused handles are taken first, then dead handles, the longest dead one first. Null if there are none.
+Object* ObjectPool::try_take() noexcept {
   if (fresh_ < kSlabSize) return &slabs_->objects[fresh_++];
   Object* object = oldest_;
+  if (!object) return nullptr;
   oldest_ = object->next_free;
   if (!oldest_) newest_ = nullptr;
   return object;
 }
 
+Object* ObjectPool::take(const Allocator& allocator) {
+  {
+    const std::lock_guard<ForkMutex> lock(mutex_);
+    if (Object* object = try_take()) return object;
+  }
+  Slab* slab = new (allocator.allocate(sizeof(Slab))) Slab();  // without the lock: it is the host's code
+  Object* object = nullptr;
+  {
+    const std::lock_guard<ForkMutex> lock(mutex_);
+    object = try_take();  // handles of another thread that was faster
+    if (!object) {
+      slab->next = slabs_;
+      slabs_ = std::exchange(slab, nullptr);
+      fresh_ = 1;
+      object = &slabs_->objects[0];
+    }
+  }
+  if (slab) destroy(allocator, slab);
+  return object;
+}
+
 void ObjectPool::give_back(Object* object) noexcept {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<ForkMutex> lock(mutex_);
   object->next_free = nullptr;
   if (newest_) {
     newest_->next_free = object;
@@ -37,8 +53,7 @@ void ObjectPool::give_back(Object* object) noexcept {
 void ObjectPool::free_all(const Allocator& allocator) noexcept {
   while (slabs_) {
     Slab* next = slabs_->next;
-    slabs_->~Slab();
-    allocator.free(slabs_, sizeof(Slab));
+    destroy(allocator, slabs_);
     slabs_ = next;
   }
 }

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 
 #include "core/allocator.h"
+#include "core/fork.h"
 
 namespace shd::core {
 
@@ -42,6 +42,8 @@ struct Object {
 /// long as possible.
 class ObjectPool {
  public:
+  /// Makes the pool usable in children. Throws std::bad_alloc.
+  void attach() { mutex_.attach(); }
   /// Returns a dead object. Throws std::bad_alloc.
   Object* take(const Allocator& allocator);
   void give_back(Object* object) noexcept;
@@ -54,7 +56,9 @@ class ObjectPool {
     Object objects[kSlabSize];
   };
 
-  std::mutex mutex_;
+  Object* try_take() noexcept;
+
+  ForkMutex mutex_{ForkLevel::kObjects};
   Slab* slabs_ = nullptr;
   Object* oldest_ = nullptr;
   Object* newest_ = nullptr;

@@ -29,29 +29,44 @@ inline uint32_t struct_size_of(const void* desc) {
   return size;
 }
 
-/// Checks the alignment and the struct_size of a caller's struct. `minimum` is the smallest size of any version.
+/// The sizes that a sized struct has in any version: at least `minimum`, and a multiple of `alignment`.
+struct SizeRule {
+  size_t minimum, alignment;
+};
+
+/// Checks a size of a caller's struct; `field` names it.
 template <class Fail>
-shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t minimum) {
+shd_result check_size(Fail fail, const char* name, const char* field, size_t size, const SizeRule& rule) {
+  if (size < rule.minimum) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.%s: %zu is below %zu; use the defaults function", name, field, size,
+                rule.minimum);
+  }
+  constexpr size_t kMaxSize = size_t{1} << 16;
+  if (size > kMaxSize) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.%s: %zu is above %zu", name, field, size, kMaxSize);
+  }
+  if (size % rule.alignment != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.%s: %zu is not a multiple of %zu, the alignment of the struct", name,
+                field, size, rule.alignment);
+  }
+  return SHD_OK;
+}
+
+/// Checks the address and the struct_size of a caller's struct.
+template <class Fail>
+shd_result check_desc_size(Fail fail, const char* name, const void* desc, const SizeRule& rule) {
   if (reinterpret_cast<uintptr_t>(desc) % alignof(uint32_t) != 0) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not aligned to %zu bytes", name, alignof(uint32_t));
   }
-  const uint32_t size = struct_size_of(desc);
-  if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
-                minimum);
-  }
-  constexpr uint32_t kMaxSize = 1u << 16;
-  if (size > kMaxSize) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is above %u", name, size, kMaxSize);
-  }
-  return SHD_OK;
+  return check_size(fail, name, "struct_size", struct_size_of(desc), rule);
 }
 
 /// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc beyond this version's must be
 /// zero.
 template <class Fail>
-shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
-  if (const shd_result result = check_desc_size(fail, name, in, minimum)) return result;
+shd_result read_desc_bytes(Fail fail, const char* name, const void* in, const SizeRule& rule, void* out,
+                           size_t out_size) {
+  if (const shd_result result = check_desc_size(fail, name, in, rule)) return result;
   const uint32_t size = struct_size_of(in);
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {

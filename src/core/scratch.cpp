@@ -129,7 +129,7 @@ void Scratch::release() noexcept {
 
 Scratch* ScratchPool::take(const Allocator& host) {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<ForkMutex> lock(mutex_);
     if (Scratch* scratch = first_) {
       first_ = scratch->next_in_pool_;
       return scratch;
@@ -140,7 +140,7 @@ Scratch* ScratchPool::take(const Allocator& host) {
 
 void ScratchPool::put(const Allocator& host, Scratch* scratch) noexcept {
   if (!keeps_) return destroy(host, scratch);
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<ForkMutex> lock(mutex_);
   scratch->next_in_pool_ = first_;
   first_ = scratch;
 }
@@ -148,7 +148,7 @@ void ScratchPool::put(const Allocator& host, Scratch* scratch) noexcept {
 void ScratchPool::trim(const Allocator& host) noexcept {
   Scratch* scratch = nullptr;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<ForkMutex> lock(mutex_);
     std::swap(scratch, first_);
   }
   while (scratch) destroy(host, std::exchange(scratch, scratch->next_in_pool_));

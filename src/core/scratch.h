@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/context.h"
+#include "core/fork.h"
 
 namespace shd::core {
 
@@ -53,7 +54,7 @@ class Scratch {
 
   const Allocator host_;
   const bool keeps_;
-  std::mutex mutex_;
+  std::mutex mutex_;  // of one call: a child does not go on with the calls of other threads
   Block* free_[kClasses] = {};  // [class]
   Block* chunks_ = nullptr;     // memory of small blocks
   uint8_t* next_ = nullptr;     // rest of the first chunk
@@ -70,8 +71,9 @@ class Scratch {
 /// The working memory that no call uses at present. Any thread.
 class ScratchPool {
  public:
+  /// Throws std::bad_alloc.
   /// @param keeps  as for Scratch
-  explicit ScratchPool(bool keeps) : keeps_(keeps) {}
+  explicit ScratchPool(bool keeps) : keeps_(keeps) { mutex_.attach(); }
 
   /// Returns memory that an earlier call put here, or new memory. Throws std::bad_alloc.
   Scratch* take(const Allocator& host);
@@ -82,7 +84,7 @@ class ScratchPool {
 
  private:
   const bool keeps_;
-  std::mutex mutex_;
+  ForkMutex mutex_{ForkLevel::kScratch};
   Scratch* first_ = nullptr;
 };
 

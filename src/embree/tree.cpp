@@ -12,6 +12,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "core/fork.h"
 #include "extension/error.h"
 
 namespace shd::embree {
@@ -19,6 +20,9 @@ namespace {
 
 using extension::refuse;
 using extension::require;
+
+/// Calls of Embree, except those that trace, which take no lock.
+core::ForkGate g_build(core::ForkLevel::kTree);
 
 const char* name_of(RTCError error) {
   switch (error) {
@@ -50,6 +54,7 @@ struct Tree::Body {
   RTCScene scene = nullptr;
 
   ~Body() {
+    const core::ForkGate::Scope inside(g_build);
     if (scene) rtcReleaseScene(scene);
     if (device) rtcReleaseDevice(device);
   }
@@ -76,6 +81,8 @@ Triangles read_triangles(const shd_mesh* mesh) {
 }
 
 Tree::Tree() : body_(std::make_unique<Body>()) {
+  g_build.attach();
+  const core::ForkGate::Scope inside(g_build);
   body_->device = rtcNewDevice(nullptr);
   check(body_->device);
   if (!body_->device) refuse(SHD_ERROR_INTERNAL, "embree: no device");
@@ -90,6 +97,7 @@ Tree::~Tree() = default;
 void Tree::add(const Triangles& triangles, const float object_to_world[16]) {
   const size_t vertices = triangles.position.size() / 3, count = triangles.indices.size() / 3;
   if (count == 0) return;
+  const core::ForkGate::Scope inside(g_build);
   const RTCGeometry geometry = rtcNewGeometry(body_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* position = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
@@ -114,6 +122,7 @@ void Tree::add(const Triangles& triangles, const float object_to_world[16]) {
 }
 
 void Tree::build() {
+  const core::ForkGate::Scope inside(g_build);
   rtcCommitScene(body_->scene);
   check(body_->device);
 }

@@ -14,14 +14,14 @@ namespace shd::extension {
 /// Copies the caller's desc over the defaults in `out`; a null `in` keeps the defaults. Throws Failure.
 template <class Desc>
 void read_desc(const char* name, const Desc* in, Desc* out) {
-  if (in) require(core::read_desc_bytes(fail, name, in, core::DescSize<Desc>::kRequired, out, sizeof(Desc)));
+  if (in) require(core::read_desc_bytes(fail, name, in, core::DescSize<Desc>::kRule, out, sizeof(Desc)));
 }
 
 /// Checks a struct that the library only writes, and clears it: calls that fail leave it zero. Stores a text.
 template <class Desc>
 shd_result begin_output(const char* name, Desc* out) {
   if (!out) return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
-  const shd_result result = core::check_desc_size(fail, name, out, core::DescSize<Desc>::kRequired);
+  const shd_result result = core::check_desc_size(fail, name, out, core::DescSize<Desc>::kRule);
   if (result == SHD_OK) core::clear_desc_bytes(out);
   return result;
 }

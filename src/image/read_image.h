@@ -20,7 +20,7 @@ shd_result read_image(Fail fail, Takes takes, const char* name, const shd_image*
   constexpr uint32_t kMaxSide = 65536;
   *out = shd_image_default();
   if (!in) return fail(kInvalid, "%s: NULL", name);
-  const shd_result read = core::read_desc_bytes(fail, name, in, core::DescSize<shd_image>::kRequired, out, sizeof *out);
+  const shd_result read = core::read_desc_bytes(fail, name, in, core::DescSize<shd_image>::kRule, out, sizeof *out);
   if (read != SHD_OK) return read;
   const uint32_t format = core::enum_bits(out->format);
   if (!kBlocks && is_block_format(format)) {

@@ -79,6 +79,7 @@ std::string reason(Decoder& d) {
 }
 
 void open_input(Decoder& d) {
+  const core::ForkGate::Scope inside(g_image_files);
   silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -184,6 +185,7 @@ Packing packing_of(const Decoder& d) {
 
 /// Reads rows [y, y_end) of the file into `band`; row 0 is the first row of the data window.
 bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
+  const core::ForkGate::Scope inside(g_image_files);
   const OIIO::ImageSpec& spec = d.spec;
   const int subimage = static_cast<int>(d.part);
   if (spec.tile_width > 0) {
@@ -295,8 +297,11 @@ bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
 /// Makes a level of the current part the current one. Returns false if there is none.
 bool seek_level(Decoder& d, int level) {
   d.level = level;
-  if (!d.input.handle->seek_subimage(static_cast<int>(d.part), level)) return false;
-  d.spec = d.input.handle->spec();
+  {
+    const core::ForkGate::Scope inside(g_image_files);
+    if (!d.input.handle->seek_subimage(static_cast<int>(d.part), level)) return false;
+    d.spec = d.input.handle->spec();
+  }
   check_spec(d);
   return true;
 }
@@ -421,6 +426,7 @@ void describe(const Decoder& d, Bitmap* out) {
 Bitmap decode_with(Decoder& d, const Memory& memory) {
   open_input(d);
   d.input.handle->threads(1);
+  begin_pixels(d.input.handle->format_name());
   check_spec(d);
   d.part = d.options.subimage;
   if (d.part > 0) {
@@ -461,6 +467,7 @@ Bitmap decode_with(Decoder& d, const Memory& memory) {
 
 Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
               const Sink* sink) {
+  g_image_files.attach();
   const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);

@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <cstring>
+#include <optional>
 
 #include "core/failure.h"
 #include "io/oiio.h"
@@ -53,9 +54,12 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
 }  // namespace
 
 std::vector<unsigned char> encode(const EncodeJob& job) {
+  g_image_files.attach();
+  begin_pixels(job.writer);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput proxy(bytes);
   Quiet<OIIO::ImageOutput> output;
+  std::optional<core::ForkGate::Scope> inside(g_image_files);
   output.handle = OIIO::ImageOutput::create(job.writer, nullptr, "");
   if (!output.handle) core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO was built without a writer of %s", job.writer);
   const OIIO::ImageSpec spec = encode_spec(job);
@@ -65,12 +69,15 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
     if (!ok) core::refuse(SHD_ERROR_IO, "cannot encode %s: %s", job.writer, printable(output.error()).c_str());
   };
   require_ok(output.handle->open(std::string("memory.") + job.writer, spec));
+  inside.reset();
   std::vector<unsigned char> row(spec.scanline_bytes(true));
   const auto stride = static_cast<OIIO::stride_t>(spec.pixel_bytes(true));
   for (uint32_t y = 0; y < job.height; ++y) {
     job.row(job.user_data, y, row.data());
+    const core::ForkGate::Scope row_inside(g_image_files);
     require_ok(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data(), stride));
   }
+  inside.emplace(g_image_files);
   require_ok(output.handle->close());
   output.handle.reset();
   return bytes;

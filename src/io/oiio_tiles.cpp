@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <mutex>
 #include <new>
 
 #include "core/failure.h"
@@ -65,6 +64,8 @@ constexpr shd_format kSrgb[] = {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FOR
 class TiledSet {
  public:
   explicit TiledSet(const TiledPaths& paths) : paths_(paths.paths), max_readers_(paths.max_readers) {
+    g_image_files.attach();
+    mutex_.attach();
     silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
     for (size_t file = 0; file < paths_.size(); ++file) open_file(file, paths.encoding);
   }
@@ -87,6 +88,7 @@ class TiledSet {
 
   std::unique_ptr<Reader> open(size_t file) const {
     auto reader = std::make_unique<Reader>(file, io::open_file(paths_[file].c_str()).file);
+    const core::ForkGate::Scope inside(g_image_files);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // numbers as they are stored
     reader->input.handle = OIIO::ImageInput::open(paths_[file], &config, &reader->proxy);
@@ -95,11 +97,13 @@ class TiledSet {
                    printable(reader->input.error()).c_str());
     }
     reader->input.handle->threads(1);
+    begin_pixels(reader->input.handle->format_name());
     return reader;
   }
 
   void open_file(size_t file, shd_color_encoding encoding) {
     std::unique_ptr<Reader> reader = open(file);
+    const core::ForkGate::Scope inside(g_image_files);
     const OIIO::ImageSpec base = reader->input.handle->spec();
     check_base(file, base);
     TiledInfo info;
@@ -199,8 +203,13 @@ class TiledSet {
   /// A reader of a file, at `level` if there is one.
   std::unique_ptr<Reader> take(size_t file, int level) {
     std::unique_ptr<Reader> reader;
+    std::vector<std::unique_ptr<Reader>> of_parent;  // closed after the lock
     {
-      const std::lock_guard<std::mutex> lock(mutex_);
+      const std::lock_guard<core::ForkMutex> lock(mutex_);
+      if (generation_ != core::fork_generation()) {  // the readers share their places in the files with the parent
+        generation_ = core::fork_generation();
+        of_parent.swap(idle_);
+      }
       auto found = idle_.end();
       for (auto it = idle_.begin(); it != idle_.end(); ++it) {
         if ((*it)->file != file) continue;
@@ -218,7 +227,7 @@ class TiledSet {
   /// Keeps a reader, and closes the one that was not used for the longest time if there are too many.
   void give(std::unique_ptr<Reader> reader) {
     std::unique_ptr<Reader> oldest;
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<core::ForkMutex> lock(mutex_);
     idle_.push_back(std::move(reader));
     if (idle_.size() <= max_readers_) return;
     oldest = std::move(idle_.front());
@@ -232,6 +241,7 @@ class TiledSet {
   }
 
   void read_with(Reader& reader, const TiledRead& read) const {
+    const core::ForkGate::Scope inside(g_image_files);
     OIIO::ImageInput& input = *reader.input.handle;
     const int level = static_cast<int>(read.level);
     if (!input.seek_subimage(0, level)) refuse_read(reader, read);
@@ -303,7 +313,8 @@ class TiledSet {
   TiledInfo info_;
   int channels_ = 0;
   OIIO::TypeDesc type_;
-  std::mutex mutex_;
+  core::ForkMutex mutex_{core::ForkLevel::kTileFile};
+  uint32_t generation_ = core::fork_generation();
   std::vector<std::unique_ptr<Reader>> idle_;  // the one used last is the last
 };
 

@@ -4,7 +4,6 @@
 #include "io/worker_link.h"
 
 #include <fcntl.h>
-#include <pthread.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -18,6 +17,7 @@
 #include <new>
 
 #include "core/failure.h"
+#include "core/fork.h"
 #include "io/child_process.h"
 #include "io/packet.h"
 #include "io/printable.h"
@@ -34,7 +34,7 @@ constexpr auto kSilenceLimit = std::chrono::seconds(2);
 
 struct Worker {
   std::timed_mutex mutex;
-  bool handles_fork = false;
+  core::StaticForkHook in_child;
   pid_t owner = 0;    // process that started the worker
   pid_t starter = 0;  // our child, which forks the worker and ends; 0 once it is reaped
   int socket = -1;
@@ -66,7 +66,7 @@ void close_socket() {
 
 /// A forked child has no worker: the one of its parent stays with the parent. The mutex is made anew: another
 /// thread of the parent may have locked it, and that thread does not exist in the child.
-void forget_after_fork() {
+void forget_after_fork(void*) noexcept {
   ::new (&g_worker.mutex) std::timed_mutex;
   close_socket();
   g_worker.starter = 0;
@@ -117,7 +117,7 @@ class Lock {
 
 void start(const std::string& program) {
   if (program.size() >= sizeof g_worker.program) refuse_errno("cannot run", program.c_str(), ENAMETOOLONG);
-  if (!g_worker.handles_fork) g_worker.handles_fork = ::pthread_atfork(nullptr, nullptr, forget_after_fork) == 0;
+  g_worker.in_child.attach(forget_after_fork, nullptr);
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     refuse_errno("cannot connect to", program.c_str(), errno);

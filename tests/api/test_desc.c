@@ -17,7 +17,7 @@ enum { LARGEST = 4096 };
 struct kind_case {
     const char *name;
     shd_desc_kind kind;
-    size_t size;
+    size_t size, alignment;
     size_t required; /* size up to the end of the last required field */
     void (*defaults)(void *out);
 };
@@ -31,9 +31,16 @@ struct kind_case {
     }
 SHD_SIZED_STRUCTS(DEFAULTS)
 
-#define KIND(kind, type, required, last, size, arguments)                                                 \
-    {#type, SHD_DESC_KIND_##kind, sizeof(type), offsetof(type, required) + sizeof(((type *)0)->required), \
-     defaults_##type},
+#define ALIGNMENT(type) \
+    offsetof(            \
+        struct {         \
+            char first;  \
+            type second; \
+        },               \
+        second)
+#define REQUIRED(type, field) (offsetof(type, field) + sizeof(((type *)0)->field))
+#define KIND(kind, type, required, last, size, arguments) \
+    {#type, SHD_DESC_KIND_##kind, sizeof(type), ALIGNMENT(type), REQUIRED(type, required), defaults_##type},
 static const struct kind_case k_kinds[] = {SHD_SIZED_STRUCTS(KIND)};
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */
@@ -86,9 +93,16 @@ static void test_kind(void **state)
     level_padding(c->name, c->size, got.bytes, want.bytes);
     assert_memory_equal(got.bytes, want.bytes, LARGEST);
 
-    /* An older header's struct: the first fields, and nothing behind them. */
-    for (size = (uint32_t)c->required; size < c->size; size += 4) {
+    /* An older header's struct: the first fields, and nothing behind them. Other sizes are those of no header. */
+    for (size = (uint32_t)c->required; size < c->size; ++size) {
         memset(got.bytes, 0xa5, LARGEST);
+        if (size % c->alignment != 0) {
+            const size_t smallest = (c->required + c->alignment - 1) / c->alignment * c->alignment;
+            shd_assert_result(c->name, shd_desc_init(c->kind, got.bytes, size), SHD_ERROR_INVALID_ARGUMENT,
+                              size < smallest ? "is below" : "is not a multiple of");
+            assert_memory_equal(got.bytes, untouched.bytes, LARGEST);
+            continue;
+        }
         memset(want.bytes, 0xa5, LARGEST);
         c->defaults(want.bytes);
         memset(want.bytes + size, 0xa5, c->size - size);

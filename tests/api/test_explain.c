@@ -363,6 +363,9 @@ static void test_arguments(void **state)
     e.tap_size = (uint32_t)offsetof(shd_tap, z) - 1; /* the first field that 0.1 may lack */
     shd_assert_result("tap_size", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
                       "explanation.tap_size: 43 is not in 44..4096");
+    e.tap_size = (uint32_t)sizeof(shd_tap) + 2;
+    shd_assert_result("tap_size", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
+                      "explanation.tap_size: 50 is not a multiple of 4");
     e = shd_explanation_default();
     e.blend_size = 1u << 13;
     shd_assert_result("blend_size", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,

@@ -223,6 +223,9 @@ static void test_bad_reads(void **state)
     view.struct_size = 0;
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &view), BAD,
                       "out_view.struct_size: 0");
+    view.struct_size = sizeof view - 4;
+    shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &view), BAD,
+                      "out_view.struct_size: 28 is not a multiple of 8, the alignment of the struct");
     shd_framebuffer_release(framebuffer);
 }
 

@@ -146,6 +146,9 @@ static void test_arguments(void **state)
     desc.struct_size = 4;
     shd_assert_result("size", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
                       "save.struct_size: 4");
+    desc.struct_size = sizeof desc - 4;
+    shd_assert_result("size", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
+                      "save.struct_size: 28 is not a multiple of 8, the alignment of the struct");
     desc = shd_save_desc_default();
     desc.bit_depth = 8;
     shd_assert_result("depth", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: 8");

@@ -67,6 +67,7 @@ static void set_later(struct frame *f, size_t draw)
 static void edit_nothing(struct frame *f) { (void)f; }
 static void size_zero(struct frame *f) { f->desc.struct_size = 0; }
 static void size_small(struct frame *f) { f->desc.struct_size = 15; }
+static void size_half(struct frame *f) { f->desc.struct_size = offsetof(shd_render_desc, camera) + 4; }
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
 static void picture_narrow(struct frame *f) { f->desc.picture_width = 99; }
 static void picture_low(struct frame *f) { f->desc.picture_height = 1; }
@@ -163,6 +164,7 @@ static void light_0_null(struct frame *f) { f->lights[0] = NULL; }
 static void light_1_mesh(struct frame *f) { f->lights[1] = (const shd_light *)f->scene.mesh[0]; }
 static void draw_0_size_0(struct frame *f) { f->draws[0].struct_size = 0; }
 static void draw_0_size_5(struct frame *f) { f->draws[0].struct_size = 5; }
+static void draw_0_size_half(struct frame *f) { f->draws[0].struct_size = offsetof(shd_draw, material) + 4; }
 static void draw_1_size(struct frame *f) { f->draws[1].struct_size += 8; }
 static void draw_1_size_0(struct frame *f) { f->draws[1].struct_size = 0; }
 static void draw_0_frequency(struct frame *f) { f->draws[0].frequency = (shd_frequency)3; }
@@ -202,6 +204,7 @@ static const struct edit_case k_edits[] = {
     {"nothing_wrong", edit_nothing, SHD_OK, ""},
     {"struct_size/0", size_zero, REFUSED, "render.struct_size: 0 is below"},
     {"struct_size/15", size_small, REFUSED, "render.struct_size: 15 is below 16"},
+    {"struct_size/half_a_pointer", size_half, REFUSED, "is not a multiple of 8, the alignment of the struct"},
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
     {"picture_width/below_framebuffer", picture_narrow, REFUSED, "render.picture_width: 99 is not in 100..65536"},
     {"picture_height/below_framebuffer", picture_low, REFUSED, "render.picture_height: 1 is not in 70..65536"},
@@ -266,6 +269,7 @@ static const struct edit_case k_edits[] = {
     {"lights[2]/beyond_count", third_light_bad_but_unused, SHD_OK, ""},
     {"draws[0].struct_size/0", draw_0_size_0, REFUSED, "render.draws[0]: draw.struct_size: 0"},
     {"draws[0].struct_size/5", draw_0_size_5, REFUSED, "render.draws[0]: draw.struct_size: 5"},
+    {"draws[0].struct_size/half_a_pointer", draw_0_size_half, REFUSED, "draw.struct_size: 20 is not a multiple of 8"},
     {"draws[1].struct_size/differs", draw_1_size, REFUSED, " differs from that of draws[0]"},
     {"draws[1].struct_size/0", draw_1_size_0, REFUSED, "render.draws[1].struct_size: 0 differs"},
     {"draws[0].frequency/3", draw_0_frequency, REFUSED, "render.draws[0]: draw.frequency: 3"},

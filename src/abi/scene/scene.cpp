@@ -254,7 +254,7 @@ shd_result shd_scene_fill_render(const shd_scene* scene, shd_render_desc* in_out
   return guard([&]() -> shd_result {
     if (!in_out_render) refuse(SHD_ERROR_INVALID_ARGUMENT, "render: NULL");
     constexpr size_t kRequired = offsetof(shd_render_desc, light_count) + sizeof in_out_render->light_count;
-    require(core::check_desc_size(fail, "render", in_out_render, kRequired));
+    require(core::check_desc_size(fail, "render", in_out_render, {kRequired, alignof(shd_render_desc)}));
     const Body& body = require_body(scene);
     in_out_render->draws = body.draws.data();
     in_out_render->draw_count = body.draws.size();

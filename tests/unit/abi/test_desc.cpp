@@ -60,6 +60,7 @@ struct ReadCase {
   uint32_t unknown;  // value of the bytes beyond this version
   shd_result result;
   uint32_t appended;  // value after reading; 9 = the default
+  size_t alignment = alignof(Desc);
 };
 constexpr ReadCase kReadCases[] = {
     {"read_desc/same", sizeof(Desc), 5, SHD_OK, 3},
@@ -67,6 +68,10 @@ constexpr ReadCase kReadCases[] = {
     {"read_desc/newer", sizeof(Newer), 0, SHD_OK, 3},
     {"read_desc/newer_and_set", sizeof(Newer), 5, SHD_ERROR_UNSUPPORTED, 9},
     {"read_desc/below_minimum", 4, 0, SHD_ERROR_INVALID_ARGUMENT, 9},
+    {"read_desc/half_a_field", sizeof(Desc) - 2, 0, SHD_ERROR_INVALID_ARGUMENT, 9},
+    {"read_desc/newer_half_a_field", sizeof(Newer) - 1, 0, SHD_ERROR_INVALID_ARGUMENT, 9},
+    {"read_desc/half_a_pointer", sizeof(Desc), 0, SHD_ERROR_INVALID_ARGUMENT, 9, 8},
+    {"read_desc/whole_pointers", sizeof(Desc) + 4, 0, SHD_OK, 3, 8},
 };
 
 void test_read(void** state) {
@@ -74,7 +79,7 @@ void test_read(void** state) {
   const Newer caller = {{c.struct_size, 2, 3}, {0, c.unknown}};
   Desc out = {0, 9, 9};
   const shd_result result =
-      core::read_desc_bytes(core::fail, "desc", &caller, offsetof(Desc, appended), &out, sizeof out);
+      core::read_desc_bytes(core::fail, "desc", &caller, {offsetof(Desc, appended), c.alignment}, &out, sizeof out);
   assert_int_equal(result, c.result);
   assert_int_equal(out.first, result == SHD_OK ? 2 : 9);
   assert_int_equal(out.appended, c.appended);
