@@ -90,7 +90,10 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
       throw;
     }
     make_handle(owner, core::ObjectType::kTexture, body, out_texture);
-    if (body->tiles) body->tiles->source.release = read.tiles.release;
+    if (body->tiles) {
+      body->tiles->handle = object_of(*out_texture);
+      body->tiles->source.release = read.tiles.release;
+    }
     return SHD_OK;
   });
 }

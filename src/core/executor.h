@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "core/call.h"
 #include "core/context.h"
 #include "core/guard.h"
 
@@ -59,6 +60,7 @@ struct Job {
   Claims claims;
   std::atomic<uint32_t> done{0};
   TaskFailure failure;
+  SharedCall call;
 
   Job(const Context& context, uint32_t task_count, Body& task)
       : body(task),
@@ -78,6 +80,7 @@ struct Job {
     }
     job.done.fetch_add(1, std::memory_order_relaxed);
     if (job.failure.failed.load(std::memory_order_relaxed)) return;
+    const TaskScope scope(&job.call);
     guard([&](shd_result code, const char* text) { return job.failure.record(code, text); },
           [&] {
             job.body(index, worker);

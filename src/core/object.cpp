@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "core/call.h"
 #include "core/context.h"
 
 namespace shd::core {
@@ -13,7 +14,7 @@ Object* ObjectPool::try_take() noexcept {
   if (fresh_ < kSlabSize) return &slabs_->objects[fresh_++];
   Object* object = oldest_;
   if (!object) return nullptr;
-  oldest_ = object->next_free;
+  oldest_ = object->next;
   if (!oldest_) newest_ = nullptr;
   return object;
 }
@@ -41,9 +42,9 @@ Object* ObjectPool::take(const Allocator& allocator) {
 
 void ObjectPool::give_back(Object* object) noexcept {
   const std::lock_guard<ForkMutex> lock(mutex_);
-  object->next_free = nullptr;
+  object->next = nullptr;
   if (newest_) {
-    newest_->next_free = object;
+    newest_->next = object;
   } else {
     oldest_ = object;
   }
@@ -63,6 +64,7 @@ Object* make_object(Context& context, uint32_t type, void* body, void (*destroy)
   object->context = &context;
   object->body = body;
   object->destroy = destroy;
+  object->birth = t_call.callback ? t_call.callback->number : 0;
   object->references.store(1, std::memory_order_relaxed);
   object->type.store(type, std::memory_order_release);
   retain(context);
@@ -80,6 +82,10 @@ bool retain(Object* object, uint32_t type) noexcept {
 
 bool release(Object* object, uint32_t type) noexcept {
   if (!object || object->type.load(std::memory_order_acquire) != type) return false;
+  return postpone_release(object) || drop_reference(object);
+}
+
+bool drop_reference(Object* object) noexcept {
   uint32_t count = object->references.load(std::memory_order_relaxed);
   do {
     if (count == 0) return false;

@@ -35,7 +35,9 @@ struct Object {
   Context* context;
   void* body;
   void (*destroy)(Context& context, void* body);  // runs on the thread that releases the last reference
-  Object* next_free;
+  Object* next;                 // in the list of dead objects, or of postponed references
+  uint64_t birth;               // number of the callback that made it (call.h), or 0
+  std::atomic<bool> postponed;  // a reference is dropped later
 };
 
 /// Slabs of handles. The handle that has been dead longest is reused first, so that stale handles are detected for as
@@ -76,5 +78,7 @@ inline void* body_of(const Object* object, uint32_t type) {
 /// Return false and do nothing for a dead or mistyped handle.
 bool retain(Object* object, uint32_t type) noexcept;
 bool release(Object* object, uint32_t type) noexcept;
+/// Drops a reference of a live object.
+bool drop_reference(Object* object) noexcept;
 
 }  // namespace shd::core

@@ -150,7 +150,7 @@ Texels of_columns(const Texels& columns, size_t first, size_t end) {
 /// Filters the stored channels. `wanted` holds their columns. `blocks`, `tiles`: see FilterCall.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks,
-                     TileLease* tiles = nullptr) {
+                     TileCall* tiles = nullptr) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
   Kernels kernels = {};
@@ -186,13 +186,12 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
 /// sample_stored() of a texture in tiles.
 [[gnu::noinline]] size_t sample_tiles(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                                       const Lookups& lookups, const Texels& wanted) {
-  TileLeaseScope scope(texture);
-  TileLease& lease = *scope.lease();
+  TileCall call(texture);
   const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
-    lease.lookup = 0;
-    lease.lookup_end = in.count;
-    lease.needed = needed;
-    return sample_stored(texture, with, simd, in, out, nullptr, nullptr, &lease);
+    call.lookup = 0;
+    call.lookup_end = in.count;
+    call.needed = needed;
+    return sample_stored(texture, with, simd, in, out, nullptr, nullptr, &call);
   };
   if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
     return sample_coarser(texture, sampler, lookups, wanted, filter);

@@ -112,7 +112,7 @@ using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumpt
 
 struct BlockCache;
 struct FixedVector;
-struct TileLease;
+struct TileCall;
 
 /// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
 struct FixedKernels {
@@ -142,7 +142,7 @@ struct FilterCall {
   Consume record;                // null, or the consumer that replaces those of the format
   Recording* recording;          // output of `record`, or null
   BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
-  TileLease* tiles = nullptr;    // tiles of a texture in tiles; null for others
+  TileCall* tiles = nullptr;     // of a texture in tiles; null for others
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)

@@ -48,7 +48,7 @@ struct Row {
 ///   finish()       marks the latest element as the last one of its vector of lookups
 ///   sampler()      the sampler
 ///   bordered()     texels may be the border colour
-///   tiles()        null, or the lease of a texture in tiles, which takes rows and levels beside the columns
+///   tiles()        null, or the call of a texture in tiles, which takes rows and levels beside the columns
 ///   kTakesLines    takes whole lines of probes with equal weights
 ///   has_rates()    shares need their derivatives
 ///
@@ -60,7 +60,7 @@ class Emitter {
  public:
   Emitter() = default;
   static constexpr bool kTakesLines = false;
-  static constexpr TileLease* tiles() { return nullptr; }
+  static constexpr TileCall* tiles() { return nullptr; }
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 

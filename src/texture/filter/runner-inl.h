@@ -54,7 +54,7 @@ class StreamSink : public Emitter<StreamSink> {
   HWY_INLINE Stream& elements() { return stream_; }
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
   HWY_INLINE bool bordered() const { return bordered_; }
-  HWY_INLINE TileLease* tiles() const { return tiles_; }
+  HWY_INLINE TileCall* tiles() const { return tiles_; }
 
   /// Begins the block of lookups whose first one is `first`. `scattered`: is_scattered() of the block.
   void begin(size_t first, bool scattered) {
@@ -110,7 +110,7 @@ class StreamSink : public Emitter<StreamSink> {
   bool scattered_ = false;
   const Texture& texture_;
   BlockCache* const blocks_;
-  TileLease* const tiles_;
+  TileCall* const tiles_;
   const bool placed_;
   Consume consume_first_, consume_second_ = nullptr;
   Consumption first_, second_;

@@ -12,7 +12,7 @@
 namespace shd::texture {
 namespace {
 
-constexpr uint32_t kMaxLeases = 64, kMaxBatch = TileCache::kMaxBatch;
+constexpr uint32_t kMaxLeases = 64, kMaxRoom = 2048;
 
 /// Rounds up to the alignment of the parts.
 constexpr size_t rounded(size_t size) {
@@ -31,11 +31,10 @@ size_t bytes_of(const TileBudget& budget, uint32_t tile_bytes) {
 void complete(uint32_t tile_bytes, TileBudget* budget) {
   const uint32_t slots = budget->slots;
   budget->leases = std::min(budget->leases, std::max(slots / 8, 1u));
-  const uint32_t share = slots / (4 * budget->leases);
-  budget->load_batch = std::clamp(share, 2u, kMaxBatch + 1) - 1;
   budget->pinned_limit = slots / 2;
-  const uint32_t loading = budget->leases * (budget->load_batch + 1);
-  budget->kept_limit = slots - budget->pinned_limit > loading ? slots - budget->pinned_limit - loading : 0;
+  const uint32_t room = std::clamp(slots / 4, 2u, kMaxRoom);
+  budget->load_batch = std::clamp(room / 2, 1u, kMaxTileBatch);
+  budget->kept_limit = slots - budget->pinned_limit - room;
   budget->requests = 16;
   while (budget->requests < 4096 && budget->requests < slots) budget->requests *= 2;
   budget->table_entries = TileTable::capacity_for(slots);

@@ -35,7 +35,13 @@ class Parts {
 
 TileCache* TileCache::create(const core::Allocator& allocator, const shd_tile_cache_desc& desc) {
   const TileBudget budget = divide_tile_budget(desc.budget_bytes, desc.tile_bytes);
-  return new (allocator.allocate(budget.bytes)) TileCache(budget, desc);
+  void* const memory = allocator.allocate(budget.bytes);
+  try {
+    return new (memory) TileCache(budget, desc);
+  } catch (...) {
+    allocator.free(memory, budget.bytes);
+    throw;
+  }
 }
 
 void TileCache::destroy(const core::Allocator& allocator, TileCache* cache) noexcept {
@@ -46,6 +52,8 @@ void TileCache::destroy(const core::Allocator& allocator, TileCache* cache) noex
 
 TileCache::TileCache(const TileBudget& budget, const shd_tile_cache_desc& desc)
     : budget_(budget), budget_bytes_(desc.budget_bytes), tile_bytes_(desc.tile_bytes) {
+  mutex_.attach();
+  fork_hook_.attach(repair_in_child, this);
   Parts parts(this);
   parts.take<TileCache>(1);
   slots_ = parts.make<TileSlot>(budget.slots);
@@ -67,38 +75,11 @@ TileCache::TileCache(const TileBudget& budget, const shd_tile_cache_desc& desc)
 }
 
 void TileCache::add(TileSet* set) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TileMutex> lock(mutex_);
   if (last_number_ == 0xfffffffe) core::refuse(SHD_ERROR_LIMIT, "texture.tiles.cache: it has had 2^32 textures");
   set->number = ++last_number_;
   set->next = sets_;
   sets_ = set;
-}
-
-void TileCache::remove(TileSet* set) noexcept {
-  std::unique_lock<std::mutex> lock(mutex_);
-  for (TileSet** at = &sets_; *at; at = &(*at)->next) {
-    if (*at != set) continue;
-    *at = set->next;
-    break;
-  }
-  requests_.remove_texture(set->number);
-  changed_.wait(lock, [&] { return set->loading == 0; });
-  for (uint32_t i = 0; i < budget_.leases; ++i) {
-    TileLease& lease = leases_[i];
-    if (lease.last_number.load(std::memory_order_relaxed) != set->number) continue;
-    // Nobody looks the texture up any more. If the lease is in use, its call has another texture, and has let go.
-    if (lease.used.exchange(true, std::memory_order_acquire)) continue;
-    if (lease.number == set->number) lease.clear();
-    lease.used.store(false, std::memory_order_release);
-  }
-  for (uint32_t slot = 0; slot < budget_.slots; ++slot) {
-    const TileKey key = slots_[slot].key.load(std::memory_order_relaxed);
-    if (key >> 32 != set->number) continue;
-    if (slots_[slot].state.load(std::memory_order_relaxed) == kSlotReady) table_.remove(key);
-    pinned_ -= slots_[slot].pins != 0;
-    slots_[slot].pins = 0;
-    free(slot);
-  }
 }
 
 uint32_t TileCache::read(TileKey key) {
@@ -114,71 +95,19 @@ uint32_t TileCache::read(TileKey key) {
   return TileTable::kNone;
 }
 
-uint32_t TileCache::read_or_load(const TileSet& set, uint32_t tile) {
-  for (;;) {
-    uint32_t slot = read(set.key_of(tile));
-    if (slot != TileTable::kNone) return slot;
-    load_some(set, &tile, 1, &slot);
-    if (slot != TileTable::kNone) return slot;
-  }
-}
-
 bool TileCache::may_keep() {
   if (kept_.fetch_add(1, std::memory_order_relaxed) < budget_.kept_limit) return true;
   kept_.fetch_sub(1, std::memory_order_relaxed);
   return false;
 }
 
-bool TileCache::take(TileSlot* slot) {
-  slot->state.store(kSlotTaken, std::memory_order_seq_cst);
-  return slot->readers.load(std::memory_order_seq_cst) == 0;
-}
-
-void TileCache::free(uint32_t slot) {
-  slots_[slot].key.store(0, std::memory_order_relaxed);
-  slots_[slot].stale = false;
-  const uint32_t before = slots_[slot].state.exchange(kSlotFree, std::memory_order_release);
-  if (before == kSlotReady) --resident_;
-}
-
-uint32_t TileCache::claim(TileKey key) {
-  // The clock passes each slot at most three times: once to clear `recent`, and readers may come and go. The budget
-  // leaves slots that nobody reads.
-  for (uint64_t passed = 0; passed < uint64_t{64} * budget_.slots; ++passed) {
-    const uint32_t found = hand_;
-    TileSlot& slot = slots_[found];
-    hand_ = hand_ + 1 == budget_.slots ? 0 : hand_ + 1;
-    const uint32_t state = slot.state.load(std::memory_order_relaxed);
-    if (state == kSlotLoading || slot.pins != 0) continue;
-    if (state == kSlotReady && slot.recent.exchange(0, std::memory_order_relaxed)) continue;
-    if (!take(&slot)) {
-      slot.state.store(state, std::memory_order_release);
-      continue;
-    }
-    if (state == kSlotReady) {
-      table_.remove(slot.key.load(std::memory_order_relaxed));
-      ++evicted_;
-      --resident_;
-    }
-    slot.key.store(key, std::memory_order_relaxed);
-    slot.loader = std::this_thread::get_id();
-    slot.version = drops_.load(std::memory_order_relaxed);
-    slot.stale = false;
-    slot.state.store(kSlotLoading, std::memory_order_seq_cst);
-    table_.insert(key, found);
-    return found;
-  }
-  core::refuse(SHD_ERROR_LIMIT, "tile_cache.budget_bytes: %llu is too small, all %u tiles are in use",
-               static_cast<unsigned long long>(budget_bytes_), budget_.slots);
-}
-
 void TileCache::request(const TileSet& set, const uint32_t* tiles, size_t count) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TileMutex> lock(mutex_);
   for (size_t i = 0; i < count; ++i) requests_.add(set.key_of(tiles[i]));
 }
 
 void TileCache::get_stats(shd_tile_cache_stats* out) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TileMutex> lock(mutex_);
   out->tile_bytes = tile_bytes_;
   out->budget_bytes = budget_bytes_;
   out->allocated_bytes = budget_.bytes;

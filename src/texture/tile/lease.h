@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
 #include "texture/stream.h"
+#include "texture/tile/sync.h"
 #include "texture/tile/tile.h"
 
 namespace shd::texture {
 
-/// Tiles that one call keeps, and the texels of its stream. A lease stays with its texture between calls, so that the
+/// Tiles that one call keeps, and memory for copies of texels. A lease stays with its texture between calls, so that the
 /// next call finds the tiles of the previous one.
 struct TileLease {
   static constexpr uint32_t kKept = 1024, kNoTile = 0xffffffff;
-  static constexpr size_t kColumn = Stream::kColumn;
   static constexpr size_t kSpares = 4 * Stream::kCapacity;  // copies of texels, of up to 16 bytes; 4 L of an element
                                                             // of L lanes
   static constexpr size_t kSpareBytes = kSpares * 16;
@@ -25,29 +24,17 @@ struct TileLease {
   uint32_t turn[kKept];              // latest stream that reads it
   uint32_t now;                      // number of the stream that is placed
 
-  // Texels of the stream, from the filter: columns are in Stream::index, -1 on the border.
-  alignas(64) int32_t y[2][kColumn];
-  alignas(64) int32_t first_tile[kColumn];  // first tile of the level
-  alignas(64) int32_t width[kColumn];       // width of the level [texels]
-
-  // Tiles of texels that wait for resolve(); Stream::index then has the texels within the tiles.
-  alignas(64) int32_t wanted[4][kColumn];
-  uint32_t missing[kSpares];
-
   TileCache* cache;
   const Texture* texture;
-  const uint8_t* origin;  // address of texel 0 of the cache, for texels of this size
-  uint32_t tile_texels;   // texels of a slot
-  int32_t spare;          // index of the first copy of a texel
+  uint32_t tile_texels;  // texels of a slot
+  int32_t spare;         // index of the first copy of a texel
   uint8_t* spare_bytes;
-  uint32_t number;            // number of the texture; 0 = none yet
-  uint32_t version;           // number of drops when the call began
-  uint32_t kept;              // tiles that are kept
-  uint32_t spare_offset;      // place of spare_bytes in the memory of the cache
-  size_t lookup, lookup_end;  // first lookup of the stream that is not finished; end of the lookups
-  uint8_t* needed;            // [lookups] finest levels that lookups can use, if they must not wait; else null
-  std::atomic<bool> used;
-  std::atomic<uint32_t> last_number;  // `number`, for calls that look for their lease
+  uint32_t number;        // number of the texture; 0 = none yet
+  uint32_t version;       // number of drops when the call began
+  uint32_t kept;          // tiles that are kept
+  uint32_t spare_offset;  // place of spare_bytes in the memory of the cache
+  TileAtomic<bool> used;
+  TileAtomic<uint32_t> last_number;  // `number`, for calls that look for their lease
 
   static uint32_t entry_of(uint32_t of_tile) { return of_tile * 0x9e3779b1u >> 22; }
 
@@ -62,18 +49,32 @@ struct TileLease {
   void clear();
 };
 
-/// A lease for the time of a call. Waits if all leases are in use.
-class TileLeaseScope {
- public:
-  explicit TileLeaseScope(const Texture& texture);
-  ~TileLeaseScope();
-  TileLeaseScope(const TileLeaseScope&) = delete;
-  TileLeaseScope& operator=(const TileLeaseScope&) = delete;
+/// A call that looks texels of a texture in tiles up. It has a lease, except while it loads tiles.
+struct TileCall {
+  static constexpr size_t kColumn = Stream::kColumn;
 
-  TileLease* lease() { return lease_; }
+  explicit TileCall(const Texture& of);
+  ~TileCall();
+  TileCall(const TileCall&) = delete;
+  TileCall& operator=(const TileCall&) = delete;
 
- private:
-  TileLease* lease_;
+  void take_lease();
+  void give_lease();
+
+  const Texture& texture;
+  TileCache& cache;
+  TileLease* lease = nullptr;
+  const uint8_t* origin;              // address of texel 0 of the cache, for texels of this size
+  size_t lookup = 0, lookup_end = 0;  // first lookup of the stream that is not finished; end of the lookups
+  uint8_t* needed = nullptr;          // [lookups] finest levels that lookups can use, if they must not wait; else null
+
+  // Texels of the stream, from the filter: columns are in Stream::index, -1 on the border.
+  alignas(64) int32_t y[2][kColumn];
+  alignas(64) int32_t first_tile[kColumn];  // first tile of the level
+  alignas(64) int32_t width[kColumn];       // width of the level [texels]
+
+  // Tiles of texels that wait for resolve(); Stream::index then has the texels within the tiles.
+  alignas(64) int32_t wanted[4][kColumn];
 };
 
 }  // namespace shd::texture

@@ -23,22 +23,23 @@ class TilePlacer {
   using VI = hn::Vec<DI>;
 
  public:
-  TilePlacer(TileLease* lease, Stream* stream)
-      : lease_(*lease),
+  TilePlacer(TileCall* call, Stream* stream)
+      : call_(*call),
+        lease_(*call->lease),
         stream_(*stream),
-        shape_(lease->texture->tiles->shape),
+        shape_(call->texture.tiles->shape),
         last_x_((1 << shape_.shift_x) - 1),
         last_y_((1 << shape_.shift_y) - 1),
-        texel_size_(texel_size(*lease->texture)) {}
+        texel_size_(texel_size(call->texture)) {}
 
   void place(size_t end) {
     const size_t lanes = hn::Lanes(DI());
     WaitingElements apart, waiting;
-    size_t lookup = lease_.lookup;
+    size_t lookup = call_.lookup;
     lease_.begin_stream();
     for (size_t e = 0; e < end; ++e) {
       const uint32_t op = stream_.op[e];
-      const size_t at = e * lanes, left = lease_.lookup_end - lookup;
+      const size_t at = e * lanes, left = call_.lookup_end - lookup;
       if (op & kLast) lookup += lanes;
       if (op & kMerge) continue;
       if (HWY_UNLIKELY(left < lanes)) repeat_first(at, left);
@@ -53,8 +54,8 @@ class TilePlacer {
       const size_t e = apart.element[i];
       if (HWY_UNLIKELY(!place_apart(e, e * lanes))) waiting.add(e);
     }
-    if (HWY_UNLIKELY(waiting.count != 0)) wait(waiting, lanes);
-    lease_.lookup = lookup;
+    if (HWY_UNLIKELY(waiting.count != 0)) wait(waiting, end, lanes);
+    call_.lookup = lookup;
   }
 
  private:
@@ -63,18 +64,18 @@ class TilePlacer {
     VI tile, texel;
   };
 
-  HWY_NOINLINE void wait(const WaitingElements& waiting, size_t lanes) {
+  HWY_NOINLINE void wait(const WaitingElements& waiting, size_t end, size_t lanes) {
     for (size_t i = 0; i < waiting.count; ++i) {
       uint16_t& op = stream_.op[waiting.element[i]];
       op = static_cast<uint16_t>(op & ~kNeighbours);
     }
-    resolve(&lease_, waiting, lanes, &stream_);
+    resolve(&call_, waiting, end, lanes, &stream_);
   }
 
   /// Lets lanes from `end` on, which have no lookup, read the texels of lane 0.
   HWY_NOINLINE void repeat_first(size_t at, size_t end) {
     int32_t* const columns[] = {stream_.index[0], stream_.index[1], stream_.index[2],  stream_.index[3],
-                                lease_.y[0],      lease_.y[1],      lease_.first_tile, lease_.width};
+                                call_.y[0],      call_.y[1],      call_.first_tile, call_.width};
     for (int32_t* column : columns) {
       for (size_t lane = end; lane < hn::Lanes(DI()); ++lane) column[at + lane] = column[at];
     }
@@ -89,15 +90,15 @@ class TilePlacer {
   }
 
   HWY_INLINE TileRow row_at(size_t at, VI y) const {
-    const VI across = tile_column(load(lease_.width + at) + hn::Set(DI(), last_x_));
+    const VI across = tile_column(load(call_.width + at) + hn::Set(DI(), last_x_));
     const VI down = hn::ShiftRightSame(y, static_cast<int>(shape_.shift_y));
-    return {load(lease_.first_tile + at) + down * across, texel_row(y)};
+    return {load(call_.first_tile + at) + down * across, texel_row(y)};
   }
 
   /// Returns the tile of a texel of the level of the first lane at `at`.
   HWY_INLINE uint32_t tile_at(size_t at, int32_t x, int32_t y) const {
-    const int32_t across = (lease_.width[at] + last_x_) >> shape_.shift_x;
-    return static_cast<uint32_t>(lease_.first_tile[at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
+    const int32_t across = (call_.width[at] + last_x_) >> shape_.shift_x;
+    return static_cast<uint32_t>(call_.first_tile[at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
   }
 
   /// Returns the memory for copies of texels of an element.
@@ -117,15 +118,15 @@ class TilePlacer {
 
   /// Prefetches the texels of the first and the last lane: those between them are near.
   HWY_INLINE void prefetch_ends(const int32_t* index) const {
-    __builtin_prefetch(lease_.origin + static_cast<size_t>(index[0]) * texel_size_);
-    __builtin_prefetch(lease_.origin + static_cast<size_t>(index[hn::Lanes(DI()) - 1]) * texel_size_);
+    __builtin_prefetch(call_.origin + static_cast<size_t>(index[0]) * texel_size_);
+    __builtin_prefetch(call_.origin + static_cast<size_t>(index[hn::Lanes(DI()) - 1]) * texel_size_);
   }
 
   /// Writes the tile and the texel within it for resolve().
   HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row, VI x, VI y) {
     const DI di;
     const auto outside = hn::Lt(hn::Or(x, y), hn::Zero(di));
-    hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, lease_.wanted[k] + at);
+    hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, call_.wanted[k] + at);
     hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
   }
 
@@ -150,14 +151,14 @@ class TilePlacer {
   HWY_INLINE bool place_together(size_t e, size_t at) {
     const DI di;
     const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
-    const VI y0 = load(lease_.y[0] + at), y1 = load(lease_.y[1] + at);
-    const int32_t column = stream_.index[0][at], row = lease_.y[0][at];
+    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
+    const int32_t column = stream_.index[0][at], row = call_.y[0][at];
     // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level, and columns are side by side.
     const VI x = hn::Set(di, column), y = hn::Set(di, row);
     const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
     const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
-    const VI level = hn::Or(load(lease_.first_tile + at) ^ hn::Set(di, lease_.first_tile[at]),
-                            load(lease_.width + at) ^ hn::Set(di, lease_.width[at]));
+    const VI level = hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
+                            load(call_.width + at) ^ hn::Set(di, call_.width[at]));
     const VI gap = (x1 - x0) ^ hn::Set(di, 1);
     const VI apart = hn::Or(hn::Or(across, down), hn::Or(level, gap));
     if (HWY_LIKELY(all_equal(apart, hn::Zero(di)) && (column | row) >= 0)) {
@@ -181,12 +182,12 @@ class TilePlacer {
   HWY_INLINE void prefetch_apart(size_t at) const {
     const int32_t x = stream_.index[0][at];
     if (x < 0) return;
-    for (const auto& row : lease_.y) {
+    for (const auto& row : call_.y) {
       const int32_t y = row[at];
       const uint32_t tile = tile_at(at, x, y), entry = TileLease::entry_of(tile);
       if (y < 0 || lease_.tile[entry] != tile) continue;
       const int32_t texel = lease_.first[entry] + ((y & last_y_) << shape_.shift_x) + (x & last_x_);
-      __builtin_prefetch(lease_.origin + static_cast<size_t>(texel) * texel_size_);
+      __builtin_prefetch(call_.origin + static_cast<size_t>(texel) * texel_size_);
     }
   }
 
@@ -194,7 +195,7 @@ class TilePlacer {
   HWY_NOINLINE bool place_apart(size_t e, size_t at) {
     const DI di;
     const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
-    const VI y0 = load(lease_.y[0] + at), y1 = load(lease_.y[1] + at);
+    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
     const TileRow top = row_at(at, y0), bottom = row_at(at, y1);
     const auto outside = hn::Lt(hn::Or(hn::Or(x0, x1), hn::Or(y0, y1)), hn::Zero(di));
     if (HWY_LIKELY(hn::AllFalse(di, outside))) {
@@ -220,13 +221,13 @@ class TilePlacer {
     if (end - first > 2 * lanes) return false;
     const VI column = load(x) - hn::Set(di, first);
     const VI range = hn::Min(hn::Max(column, hn::Zero(di)), hn::Set(di, end - first - 2));
-    const VI other = hn::Or(hn::Or(load(lease_.first_tile + at) ^ hn::Set(di, lease_.first_tile[at]),
-                                   load(lease_.width + at) ^ hn::Set(di, lease_.width[at])),
-                            hn::Or(load(lease_.y[0] + at) ^ hn::Set(di, lease_.y[0][at]),
-                                   load(lease_.y[1] + at) ^ hn::Set(di, lease_.y[1][at])));
+    const VI other = hn::Or(hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
+                                   load(call_.width + at) ^ hn::Set(di, call_.width[at])),
+                            hn::Or(load(call_.y[0] + at) ^ hn::Set(di, call_.y[0][at]),
+                                   load(call_.y[1] + at) ^ hn::Set(di, call_.y[1][at])));
     if (!all_equal(hn::Or(range ^ column, other), hn::Zero(di))) return false;
     for (size_t k = 0; k < 2; ++k) {
-      if (!copy_row(at, first, end, lease_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
+      if (!copy_row(at, first, end, call_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
     }
     const VI copy = column + hn::Set(di, lease_.spare + static_cast<int32_t>(4 * at));
     hn::Store(copy, di, stream_.index[0] + at);
@@ -243,7 +244,7 @@ class TilePlacer {
       if (texel < 0) return false;
       const int32_t tile_end = (x | last_x_) + 1, run = (end < tile_end ? end : tile_end) - x;
       const size_t bytes = static_cast<size_t>(run) * texel_size_;
-      std::memcpy(to, lease_.origin + static_cast<size_t>(texel + row + (x & last_x_)) * texel_size_, bytes);
+      std::memcpy(to, call_.origin + static_cast<size_t>(texel + row + (x & last_x_)) * texel_size_, bytes);
       to += bytes;
       x += run;
     }
@@ -285,8 +286,8 @@ class TilePlacer {
       int32_t& index = stream_.index[2 * k][at + lane];
       const size_t pair = 2 * (k * lanes + lane);
       uint8_t* const to = spare_of(e) + pair * texel_size_;
-      std::memcpy(to, lease_.origin + static_cast<size_t>(index) * texel_size_, texel_size_);
-      std::memcpy(to + texel_size_, lease_.origin + static_cast<size_t>(texel[lane]) * texel_size_, texel_size_);
+      std::memcpy(to, call_.origin + static_cast<size_t>(index) * texel_size_, texel_size_);
+      std::memcpy(to + texel_size_, call_.origin + static_cast<size_t>(texel[lane]) * texel_size_, texel_size_);
       index = lease_.spare + static_cast<int32_t>(4 * at + pair);
     }
   }
@@ -310,7 +311,7 @@ class TilePlacer {
 
   HWY_INLINE bool place_row(size_t e, size_t at) {
     const DI di;
-    const VI y = load(lease_.y[0] + at);
+    const VI y = load(call_.y[0] + at);
     const TileRow row = row_at(at, y);
     const VI left = load(stream_.index[2] + at), right = load(stream_.index[3] + at);
     const VI first = row.tile + tile_column(left);
@@ -328,7 +329,7 @@ class TilePlacer {
 
   HWY_INLINE bool place_texel(size_t at) {
     const DI di;
-    const VI x = load(stream_.index[0] + at), y = load(lease_.y[0] + at);
+    const VI x = load(stream_.index[0] + at), y = load(call_.y[0] + at);
     const TileRow row = row_at(at, y);
     const VI tile = row.tile + tile_column(x);
     VI index;
@@ -341,7 +342,8 @@ class TilePlacer {
     return false;
   }
 
-  TileLease& lease_;
+  TileCall& call_;
+  TileLease& lease_;  // until resolve()
   Stream& stream_;
   const TileShape shape_;
   const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
@@ -350,8 +352,8 @@ class TilePlacer {
 
 }  // namespace
 
-void PlaceInTiles(TileLease* lease, size_t end, Stream* stream) {
-  TilePlacer(lease, stream).place(end);
+void PlaceInTiles(TileCall* call, size_t end, Stream* stream) {
+  TilePlacer(call, stream).place(end);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

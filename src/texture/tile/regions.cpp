@@ -5,7 +5,6 @@
 
 #include "texture/store/storage.h"
 #include "texture/tile/cache.h"
-#include "texture/tile/lease.h"
 
 namespace shd::texture {
 namespace {
@@ -41,18 +40,16 @@ bool overlap(const AxisRange& range, uint32_t first, uint32_t size) {
 }  // namespace
 
 void load_region(const Texture& texture, const shd_tile_region& region) {
-  const TileLeaseScope scope(texture);
   const TileRange range = range_of(texture, region);
-  uint32_t tiles[TileCache::kMaxBatch];
+  uint32_t tiles[kMaxTileBatch];
   for (uint64_t i = 0; i < range.size();) {
     size_t count = 0;
-    while (count < TileCache::kMaxBatch && i < range.size()) tiles[count++] = range.tile(i++);
+    while (count < kMaxTileBatch && i < range.size()) tiles[count++] = range.tile(i++);
     texture.tiles->cache->load(*texture.tiles, tiles, count);
   }
 }
 
 bool pin_region(const Texture& texture, const shd_tile_region& region) {
-  const TileLeaseScope scope(texture);
   const TileSet& set = *texture.tiles;
   const TileRange range = range_of(texture, region);
   uint64_t pinned = 0;
@@ -83,7 +80,6 @@ bool unpin_region(const Texture& texture, const shd_tile_region& region) {
 }
 
 void drop_region(const Texture& texture, const shd_tile_region& region) {
-  const TileLeaseScope scope(texture);
   const uint32_t width = level_size(texture.width, region.level), height = level_size(texture.height, region.level);
   texture.tiles->cache->drop(*texture.tiles, [&](uint32_t tile) {
     const shd_tile at = tile_at(texture, tile);
@@ -95,7 +91,6 @@ void drop_region(const Texture& texture, const shd_tile_region& region) {
 }
 
 void read_level(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out) {
-  const TileLeaseScope scope(texture);
   TileCache& cache = *texture.tiles->cache;
   shd_tile_region region = shd_tile_region_default();
   region.layer = layer;
@@ -105,13 +100,16 @@ void read_level(const Texture& texture, uint32_t layer, uint32_t level, const sh
   const TileRange range = range_of(texture, region);
   const size_t size = texel_size(texture), pitch = size << texture.tiles->shape.shift_x;
   for (uint64_t i = 0; i < range.size(); ++i) {
-    const shd_tile at = tile_at(texture, range.tile(i));
-    const uint32_t slot = cache.read_or_load(*texture.tiles, range.tile(i));
+    const uint32_t tile = range.tile(i);
+    const shd_tile at = tile_at(texture, tile);
+    TileHold held[kMaxTileBatch];
+    uint32_t loaded = 0;
+    cache.fetch(*texture.tiles, &tile, 1, held, &loaded);
     for (uint32_t y = 0; y < at.height; ++y) {
       std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y + y) * out.row_stride + at.x * size,
-                  cache.tile_memory(slot) + y * pitch, at.width * size);
+                  cache.tile_memory(held[0].slot) + y * pitch, at.width * size);
     }
-    cache.stop_reading(slot);
+    cache.stop_reading(held[0].slot);
   }
 }
 

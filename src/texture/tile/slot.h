@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <thread>
+
+#include "texture/tile/sync.h"
 
 namespace shd::texture {
 
@@ -12,22 +12,26 @@ namespace shd::texture {
 /// sequentially consistent, so one of the two threads finds the other (Dekker's algorithm).
 enum SlotState : uint32_t {
   kSlotFree = 0,
-  kSlotLoading = 1,  // a callback writes the tile; readers wait
+  kSlotLoading = 1,  // a callback writes the tile
   kSlotReady = 2,
   kSlotTaken = 3,    // for a moment: a thread checks whether the slot has readers
-  kSlotDropped = 4,  // its source has changed; free when the last reader has gone
+  kSlotDropped = 4,  // has no key any more; free when the last reader has gone
+  kSlotEmpty = 5,    // has a key and pins, but no valid texels: the next load of the key fills it
 };
 
-/// Memory of a tile. Members without std::atomic are guarded by the mutex of the cache.
+/// Memory of a tile. Members that are not atomic are guarded by the mutex of the cache.
+///
+/// The table has one slot of a key: it is ready, empty, or loading. Further slots of the key are loading: several calls
+/// of the callback may write the same tile, and the first that ends is the slot of the table. Only the slot of the table
+/// has pins.
 struct TileSlot {
-  std::atomic<uint64_t> key{0};  // TileKey, or 0
-  std::atomic<uint32_t> state{kSlotFree};
-  std::atomic<uint32_t> readers{0};
-  std::atomic<uint32_t> recent{0};  // used since the last walk of the clock
+  TileAtomic<uint64_t> key{0};  // TileKey, or 0
+  TileAtomic<uint32_t> state{kSlotFree};
+  TileAtomic<uint32_t> readers{0};
+  TileAtomic<uint32_t> recent{0};  // used since the last walk of the clock
   uint32_t pins = 0;
   uint32_t version = 0;  // number of drops before the load
   bool stale = false;    // dropped while it was loaded
-  std::thread::id loader;
 };
 
 }  // namespace shd::texture

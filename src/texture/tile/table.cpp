@@ -29,56 +29,29 @@ uint32_t TileTable::find(TileKey key) const {
   return kNone;
 }
 
-void TileTable::put(TileKey key, uint32_t slot) {
+void TileTable::insert(TileKey key, uint32_t slot) {
   uint32_t i = first_entry(key);
-  for (;; i = (i + 1) & mask_) {
-    const TileKey found = entries_[i].key.load(std::memory_order_relaxed);
-    if (found == 0) ++used_;
-    if (found == 0 || found == kRemoved) break;
-  }
+  while (entries_[i].key.load(std::memory_order_relaxed) != 0) i = (i + 1) & mask_;
   entries_[i].slot.store(slot, std::memory_order_relaxed);
   entries_[i].key.store(key, std::memory_order_release);
 }
 
-void TileTable::insert(TileKey key, uint32_t slot) {
-  if (used_ > mask_ / 4 * 3) rebuild();
-  put(key, slot);
-}
-
 void TileTable::remove(TileKey key) {
-  uint32_t i = first_entry(key);
-  for (;; i = (i + 1) & mask_) {
-    const TileKey found = entries_[i].key.load(std::memory_order_relaxed);
+  uint32_t hole = first_entry(key);
+  for (TileKey found; (found = entries_[hole].key.load(std::memory_order_relaxed)) != key; hole = (hole + 1) & mask_) {
     if (found == 0) return;
-    if (found == key) break;
   }
-  entries_[i].key.store(kRemoved, std::memory_order_release);
-}
-
-void TileTable::rebuild() {
-  // Entries are reinserted one run after another, behind the first empty entry. Half of the entries hold keys at most.
-  const uint32_t capacity = mask_ + 1;
-  for (uint32_t i = 0; i < capacity; ++i) {
-    if (entries_[i].key.load(std::memory_order_relaxed) == kRemoved) {
-      entries_[i].key.store(0, std::memory_order_release);
-    }
+  // Later keys of the run move into the hole if it is not before their first entry.
+  for (uint32_t i = hole;;) {
+    i = (i + 1) & mask_;
+    const TileKey next = entries_[i].key.load(std::memory_order_relaxed);
+    if (next == 0) break;
+    if (((i - first_entry(next)) & mask_) < ((i - hole) & mask_)) continue;
+    entries_[hole].slot.store(entries_[i].slot.load(std::memory_order_relaxed), std::memory_order_relaxed);
+    entries_[hole].key.store(next, std::memory_order_release);
+    hole = i;
   }
-  used_ = 0;
-  for (uint32_t i = 0; i < capacity; ++i) used_ += entries_[i].key.load(std::memory_order_relaxed) != 0;
-  // A key may now lie behind a gap of its run. Each pass moves such keys forward; keys only move towards their first
-  // entry, so the passes end.
-  for (bool moved = true; moved;) {
-    moved = false;
-    for (uint32_t i = 0; i < capacity; ++i) {
-      const TileKey key = entries_[i].key.load(std::memory_order_relaxed);
-      if (key == 0 || find(key) != kNone) continue;
-      const uint32_t slot = entries_[i].slot.load(std::memory_order_relaxed);
-      entries_[i].key.store(0, std::memory_order_release);
-      --used_;
-      put(key, slot);
-      moved = true;
-    }
-  }
+  entries_[hole].key.store(0, std::memory_order_release);
 }
 
 }  // namespace shd::texture

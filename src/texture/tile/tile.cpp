@@ -82,6 +82,10 @@ uint32_t level_of_tile(const Texture& texture, uint32_t tile) {
   return static_cast<uint32_t>(std::upper_bound(texture.offset, end, in_layer) - texture.offset) - 1;
 }
 
+bool is_same_level(const Texture& texture, uint32_t a, uint32_t b) {
+  return a / texture.layer_texels == b / texture.layer_texels && level_of_tile(texture, a) == level_of_tile(texture, b);
+}
+
 shd_tile tile_at(const Texture& texture, uint32_t tile) {
   const TileShape shape = texture.tiles->shape;
   shd_tile at = {};

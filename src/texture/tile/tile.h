@@ -59,7 +59,7 @@ struct TileSet {
   const Texture* texture;
   TileShape shape;
   uint32_t number;          // number of the texture in the cache; never 0
-  uint32_t loading = 0;     // loads that no lookup does; guarded by the cache
+  core::Object* handle = nullptr;  // of the texture, when it is made
   TileSet* next = nullptr;  // in the cache's list
 
   TileKey key_of(uint32_t tile) const { return uint64_t{number} << 32 | tile; }
@@ -93,8 +93,8 @@ uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes);
 /// Numbers the tiles of a texture, whose size, levels and format are set.
 void lay_out_tiles(const TileShape& shape, Texture* texture);
 
-/// Gives tiles to a texture, whose size, levels and format are set. Its source is released with it if the caller then
-/// sets TileSet::source.release. Throws std::bad_alloc, or Failure, and then keeps nothing.
+/// Gives tiles to a texture, whose size, levels and format are set. The caller then sets TileSet::handle, and
+/// TileSet::source.release, which is called with the texture. Throws std::bad_alloc, or Failure, and then keeps nothing.
 void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
 /// A tile as the callback gets it, without memory.
@@ -102,5 +102,8 @@ shd_tile tile_at(const Texture& texture, uint32_t tile);
 
 /// Returns the level of a tile.
 uint32_t level_of_tile(const Texture& texture, uint32_t tile);
+
+/// Returns whether two tiles are of the same level of the same layer.
+bool is_same_level(const Texture& texture, uint32_t a, uint32_t b);
 
 }  // namespace shd::texture
