@@ -149,8 +149,8 @@ shd_f32_out out(Range& records, float Record::*member) noexcept {
 #ifdef __cpp_exceptions
 namespace shd {
 
-/// Make a texture whose tiles are written by `load(span<const shd_tile>)`, on any thread, when a lookup first needs them.
-/// The function object lives as long as the texture. The lookup fails with SHD_ERROR_CALLBACK and the text of what the
+/// Make a texture whose tiles `load(span<const shd_tile>)` writes, on any thread, when a lookup first needs them. The
+/// function object lives as long as the texture. The lookup fails with SHD_ERROR_CALLBACK and the text of what the
 /// function throws. See shd_texture_create() and shd/tile_cache.h.
 /// @param desc  its `tiles` are not read
 template <class Load>

@@ -3,8 +3,8 @@
 /// The table of the structs that begin with struct_size. C and C++ read it, and tests/abi/resize_headers.py.
 ///
 /// A row has the kind of the struct (SHD_DESC_KIND_...), the struct, its last required field, its last field in 0.1,
-/// its size in 0.1 on LP64, and the arguments of its defaults function. The rows are in the order of shd_desc_kind. Kind,
-/// fields and size never change once a version is released. style.abi_structs compares the rows with the headers.
+/// its size in 0.1 on LP64, and the arguments of its defaults function. The rows are in the order of shd_desc_kind.
+/// Kind, fields and size never change once a version is released. style.abi_structs compares the rows with the headers.
 #pragma once
 
 #define SHD_SIZED_STRUCTS(ROW)                                                      \
