@@ -24,6 +24,9 @@ struct StepV {
   V du, dv;
 };
 
+/// Changes of n that are longer are shortened before they are projected, so that no product leaves the range of floats.
+constexpr float kLongStep = 0x1p60f;
+
 /// Direction divided by the magnitude of its largest component.
 template <class D>
 struct BoundedDirection {
@@ -52,13 +55,39 @@ struct BoundedDirection {
     n = Scaled(n, scale);
   }
 
-  /// A change of the direction, in the units of n and within +-2^60; NaN: 0.
-  HWY_INLINE Vec3V<V> step(D d, const Vec3V<V>& change) const {
-    const auto bounded = [&](V x) {
-      const V y = (x * prescale) * scale, limit = hn::Set(d, 0x1p60f);
-      return hn::Min(hn::Max(simd::HWY_NAMESPACE::ZeroIfNaN(y), hn::Neg(limit)), limit);
+  /// Derivatives of a point with a change of the direction. `step` has those with a change of n; it is linear. NaN
+  /// counts as 0. Beside an infinite component, finite ones count as 0, and the result may be finite.
+  template <class Step>
+  HWY_INLINE StepV<V> derivatives(D d, const Vec3V<V>& change, const Step& step) const {
+    Vec3V<V> dn = Scaled(Scaled(change, prescale), scale);
+    V growth = hn::Set(d, 1.0f);
+    const V sum = (hn::Abs(dn.x) + hn::Abs(dn.y)) + hn::Abs(dn.z);  // NaN if a component is NaN
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Lt(sum, hn::Set(d, kLongStep))))) shorten(d, change, &dn, &growth);
+    const StepV<V> point = step(dn);
+    return {point.du * growth, point.dv * growth};
+  }
+
+ private:
+  /// Shortens changes of n until their largest component is kLongStep, and finds the factor of what is left, at most
+  /// 2^127.
+  HWY_NOINLINE void shorten(D d, const Vec3V<V>& given, Vec3V<V>* dn, V* growth) const {
+    using simd::HWY_NAMESPACE::ZeroIfNaN;
+    const V one = hn::Set(d, 1.0f), infinity = hn::Set(d, __builtin_inff()), limit = hn::Set(d, kLongStep);
+    const auto largest_of = [](const Vec3V<V>& v) {
+      return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
     };
-    return {bounded(change.x), bounded(change.y), bounded(change.z)};
+    const Vec3V<V> change = {ZeroIfNaN(given.x), ZeroIfNaN(given.y), ZeroIfNaN(given.z)};
+    const Vec3V<V> usual = Scaled(Scaled(change, prescale), scale);
+    const V largest = largest_of(change);
+    const auto is_long = hn::Gt(largest_of(usual), limit), infinite = hn::Eq(largest, infinity);
+    const auto part = [&](V x) {
+      const V sign = hn::IfThenElseZero(hn::Eq(hn::Abs(x), infinity), hn::CopySign(one, x));
+      return limit * hn::IfThenElse(infinite, sign, x / largest);
+    };
+    *dn = Select(is_long, Vec3V<V>{part(change.x), part(change.y), part(change.z)}, usual);
+    // kLongStep is 2^60. Half of the division before the product keeps it within the range of floats.
+    const V half = hn::Set(d, 0x1p-30f), rest = ((largest * half) * scale) * (half * prescale);
+    *growth = hn::IfThenElse(hn::AndNot(infinite, is_long), hn::Min(rest, hn::Set(d, 0x1p127f)), one);
   }
 };
 

@@ -55,7 +55,8 @@ size_t ProjectBatch(const Directions& in, const Points& out) {
     StoreColumn(du, hn::BitCast(du, map.face), i, count, out.face);
     for (int axis = 0; axis < 2; ++axis) {
       if (!out.du[axis] && !out.dv[axis]) continue;
-      const auto step = map.step(d, direction.step(d, LoadVector(in.step[axis], i, count)));
+      const auto step_of = [&](const Vector& dn) { return map.step(d, dn); };
+      const auto step = direction.derivatives(d, LoadVector(in.step[axis], i, count), step_of);
       StoreColumn(d, hn::Min(hn::Max(step.du, hn::Neg(limit)), limit), i, count, out.du[axis]);
       StoreColumn(d, hn::Min(hn::Max(step.dv, hn::Neg(limit)), limit), i, count, out.dv[axis]);
     }

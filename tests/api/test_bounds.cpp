@@ -2,6 +2,7 @@
 // Bounds of lookups: every legal texture unit is inside, units at the limits reach most of the interval, and shd's own
 // filters are inside on every SIMD target.
 #include "support/bounds_scene.h"
+#include "support/level_texture.h"
 #include "support/simd.h"
 
 namespace shd::tests
@@ -109,6 +110,66 @@ void test_tight(void **)
     }
 }
 
+/// Legal levels of one trilinear lookup of a cube of 16 x 16 texels, whose coarsest level is 4.
+struct LevelCase {
+    const char *name;
+    double x[2], y[2];  // derivatives in texels of the face
+    float lod;          // level in place of them, or -1
+    float bias;
+    shd_level_rules rules;
+    float level_error;
+    double low, high;
+};
+constexpr float kDefaultError = 1.0f / 1024.0f;
+constexpr shd_level_rules kLengths = SHD_LEVEL_RULE_LENGTHS,
+                          kVulkan = kLengths | SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_VULKAN;
+const LevelCase kLevelCases[] = {
+    {"lod_on_grid", {}, {}, 3.0f, 0.0f, kVulkan, 0.0f, 3.0, 3.0},
+    {"lod_below_grid", {}, {}, 2.9999998f, 0.0f, kVulkan, 0.0f, 2.9375, 3.0},
+    {"lod_above_grid", {}, {}, 3.0000002f, 0.0f, kVulkan, 0.0f, 3.0, 3.0625},
+    {"lod_error", {}, {}, 3.0f, 0.0f, kVulkan, kDefaultError, 2.9375, 3.0625},
+    {"lengths_on_grid", {4, 0}, {0, -2}, -1.0f, 0.0f, kLengths, 0.0f, 2.0, 2.0},
+    {"lengths_below_grid", {3.999999, 0}, {0, 2}, -1.0f, 0.0f, kLengths, 0.0f, 1.9375, 2.0},
+    {"ellipse_on_grid", {4, 0}, {0, 4}, -1.0f, 0.0f, SHD_LEVEL_RULE_ELLIPSE, 0.0f, 2.0, 2.0},
+    {"approximations_on_grid", {0, 4}, {4, 0}, -1.0f, 0.0f, kVulkan, 0.0f, 2.0, 2.5},
+    {"longer_than_face", {32, 0}, {0, 0}, -1.0f, -2.0f, kLengths, kDefaultError, 2.9375, 3.0625},
+    {"longer_than_faces", {0, 0}, {0, 256}, -1.0f, -4.0f, kLengths, 0.0f, 4.0, 4.0},
+    {"approximations_of_face", {16, 0}, {0, 0}, -1.0f, -1.0f, kVulkan, kDefaultError, 2.9375, 3.5625},
+    {"far", {1e30, 0}, {0, 0}, -1.0f, -15.0f, kVulkan, kDefaultError, 4.0, 4.0},
+    {"infinite", {0, 0}, {0, HUGE_VAL}, -1.0f, -15.0f, kVulkan, kDefaultError, 4.0, 4.0},
+};
+
+void test_levels(void **)
+{
+    const LevelTexture texture(g_context, SHD_PROJECTION_CUBE, 16);
+    for (const LevelCase &row : kLevelCases) {
+        shd_sampler_desc sampler_desc = shd_sampler_desc_default();
+        sampler_desc.lod_bias = row.bias;
+        shd_sampler *sampler = nullptr;
+        shd_assert_ok(shd_sampler_create(g_context, &sampler_desc, &sampler));
+        // On +X, u = (1 - z / x) / 2 and v = (1 - y / x) / 2.
+        const float n[3] = {1.0f, 0.25f, -0.5f};
+        const float y[2] = {static_cast<float>(-row.x[1] / 8), static_cast<float>(-row.y[1] / 8)};
+        const float z[2] = {static_cast<float>(-row.x[0] / 8), static_cast<float>(-row.y[0] / 8)};
+        shd_lookups in = shd_lookups_default();
+        in.count = 1;
+        in.u = shd_f32_column(n, 0), in.v = shd_f32_column(n + 1, 0), in.w = shd_f32_column(n + 2, 0);
+        in.dvdx = shd_f32_column(y, 0), in.dvdy = shd_f32_column(y + 1, 0);
+        in.dwdx = shd_f32_column(z, 0), in.dwdy = shd_f32_column(z + 1, 0);
+        if (row.lod >= 0.0f) in.lod = shd_f32_column(&row.lod, 0);
+        shd_bounds_desc desc = shd_bounds_desc_default();
+        desc.level_rules = row.rules, desc.level_error = row.level_error;
+        desc.relative_error = 0.0f;
+        float low, high;
+        shd_texels lower = shd_texels_default(), upper = shd_texels_default();
+        lower.channel[0] = shd_f32_out_column(&low, 0), upper.channel[0] = shd_f32_out_column(&high, 0);
+        shd_assert_ok(shd_texture_bounds(texture.texture, sampler, &in, &desc, &lower, &upper));
+        shd_sampler_release(sampler);
+        if (fabs(double{low} - row.low) < 1e-6 && fabs(double{high} - row.high) < 1e-6) continue;
+        fail_msg("%s: %.9g..%.9g instead of %g..%g", row.name, double{low}, double{high}, row.low, row.high);
+    }
+}
+
 /// shd's own lookups. Profiles without 8-bit weights need no more room than units with 8 bits.
 struct Own {
     shd_profile profile;
@@ -184,6 +245,6 @@ int main()
 {
     using namespace shd::tests;
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_legal), cmocka_unit_test(test_tight),
-                                       cmocka_unit_test(test_own)};
+                                       cmocka_unit_test(test_levels), cmocka_unit_test(test_own)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -78,6 +78,63 @@ static inline ref_place ref_project(shd_projection projection, const long double
   }
 }
 
+/* Change of a point (u, v). */
+typedef struct ref_change {
+  long double du, dv;
+} ref_change;
+
+/* Vulkan 1.3 specification, "Cube Map Derivative Transformation": on the plane of the face of `n`. */
+static inline ref_change ref_cube_step(const long double* n, const long double* dn) {
+  const int* row = ref_cube_table[ref_face_of(n)];
+  const long double r = ref_component(n, row[0]), dr = ref_component(dn, row[0]);
+  const long double s = ref_component(n, row[1]), t = ref_component(n, row[2]);
+  ref_change step = {(r * ref_component(dn, row[1]) - s * dr) / (2.0L * r * r),
+                     (r * ref_component(dn, row[2]) - t * dr) / (2.0L * r * r)};
+  return step;
+}
+
+static inline ref_change ref_octahedral_step(const long double* n, const long double* dn) {
+  const long double sign[3] = {n[0] < 0.0L ? -1.0L : 1.0L, n[1] < 0.0L ? -1.0L : 1.0L, n[2] < 0.0L ? -1.0L : 1.0L};
+  const long double sum = fabsl(n[0]) + fabsl(n[1]) + fabsl(n[2]);
+  const long double change = sign[0] * dn[0] + sign[1] * dn[1] + sign[2] * dn[2];
+  const long double dp = (dn[0] * sum - n[0] * change) / (sum * sum);
+  const long double dq = (dn[1] * sum - n[1] * change) / (sum * sum);
+  const int folded = n[2] < 0.0L;
+  ref_change step = {0.5L * (folded ? -sign[0] * sign[1] * dq : dp), -0.5L * (folded ? -sign[0] * sign[1] * dp : dq)};
+  return step;
+}
+
+/* u = 1/2 + f(a) x / (2 rho), v = 1/2 - f(a) y / (2 rho), with the angle a from +Z. */
+static inline ref_change ref_disc_step(const long double* n, const long double* dn, int mirror_ball) {
+  const long double rho = hypotl(n[0], n[1]), square = rho * rho + n[2] * n[2], a = atan2l(rho, n[2]);
+  const long double f = mirror_ball ? sinl(a / 2.0L) : a / REF_PI;
+  const long double slope = mirror_ball ? cosl(a / 2.0L) / 2.0L : 1.0L / REF_PI;
+  const long double x = n[0] / rho, y = n[1] / rho;
+  const long double da = (n[2] * (x * dn[0] + y * dn[1]) - rho * dn[2]) / square;
+  const long double turn = (x * dn[1] - y * dn[0]) / rho;
+  ref_change step = {0.5L * (slope * da * x - f * turn * y), -0.5L * (slope * da * y + f * turn * x)};
+  return step;
+}
+
+static inline ref_change ref_lat_long_step(const long double* n, const long double* dn) {
+  const long double rho = hypotl(n[0], n[2]), square = rho * rho + n[1] * n[1];
+  const long double drho = (n[0] * dn[0] + n[2] * dn[2]) / rho;
+  ref_change step = {(n[0] * dn[2] - n[2] * dn[0]) / (rho * rho) / (2.0L * REF_PI),
+                     (n[1] * drho - rho * dn[1]) / square / REF_PI};
+  return step;
+}
+
+/* Change of the point of `n` with a change of `n`: the derivatives of ref_project(). Not for poles and centres. */
+static inline ref_change ref_step(shd_projection projection, const long double* n, const long double* dn) {
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG: return ref_lat_long_step(n, dn);
+    case SHD_PROJECTION_MIRROR_BALL: return ref_disc_step(n, dn, 1);
+    case SHD_PROJECTION_ANGULAR: return ref_disc_step(n, dn, 0);
+    case SHD_PROJECTION_CUBE: return ref_cube_step(n, dn);
+    default: return ref_octahedral_step(n, dn);
+  }
+}
+
 static inline void ref_normalize(long double* n) {
   const long double length = sqrtl(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   for (int c = 0; c < 3; ++c) n[c] /= length;

@@ -74,24 +74,10 @@ BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const
                           lookup.has_lod ? &lookup.lod : nullptr);
 }
 
-bool exceeds_face(const Steps& steps) {
-  return std::max(std::max(std::fabs(steps.x.u), std::fabs(steps.x.v)),
-                  std::max(std::fabs(steps.y.u), std::fabs(steps.y.v))) > 1.0;
-}
-
-/// shd takes derivatives of a face as at most one face long, before it applies the sampler's widths. Other
-/// implementations need not, so that both are legal.
-Steps within_face(const Steps& steps) {
-  const auto clamp = [](double x) { return std::min(std::max(x, -1.0), 1.0); };
-  return {{clamp(steps.x.u), clamp(steps.x.v)}, {clamp(steps.y.u), clamp(steps.y.v)}};
-}
-
 void add_direction(const BoundsCall& call, const Lookup& lookup, Color* out) {
   const CubePlaces places = cube_places(call.model, lookup.point, lookup.dx, lookup.dy);
   for (int k = 0; k < places.count; ++k) {
-    const Steps& steps = places.steps[k];
-    add_filtered(call, places.place[k], footprint_of(call, lookup, steps), out);
-    if (exceeds_face(steps)) add_filtered(call, places.place[k], footprint_of(call, lookup, within_face(steps)), out);
+    add_filtered(call, places.place[k], footprint_of(call, lookup, places.steps[k]), out);
   }
 }
 

@@ -8,7 +8,8 @@ namespace shd::texture {
 namespace {
 
 /// log2 x for x >= 0, by the series of the inverse hyperbolic tangent, so that it has the same bits on every machine.
-/// |error| <= 1e-14 |log2 x| + 1e-14.
+/// |error| <= 1e-14 |log2 x| + 1e-14 before it is rounded to a multiple of 2^-40. The rounding makes the logarithms of
+/// 2^(k/2) exact: they are on the grid of levels.
 double log2_of(double x) {
   if (x == 0.0) return -HUGE_VAL;
   if (!std::isfinite(x)) return HUGE_VAL;
@@ -17,7 +18,8 @@ double log2_of(double x) {
   const double z = (m - 1.0) / (m + 1.0), square = z * z;
   double sum = 0.0;
   for (int k = 23; k >= 1; k -= 2) sum = 1.0 / k + square * sum;
-  return exponent - 0.5 + 2.8853900817779268 * z * sum;  // 2 / ln 2
+  const double log2 = exponent - 0.5 + 2.8853900817779268 * z * sum;  // 2 / ln 2
+  return std::floor(log2 * 0x1p40 + 0.5) * 0x1p-40;
 }
 
 double length_of(const Vector2& v) {
@@ -155,10 +157,8 @@ Sizes sizes_of(const Vector2& x, const Vector2& y, const Ellipse& e, uint32_t ru
 }
 
 Range lambda_of(const Range& size, const BoundsModel& model) {
-  constexpr double kRounding = 1e-6;  // error of derivatives in texels and of the logarithm [levels]
-  const double error = model.level_error + kRounding;
-  return {log2_of(size.low * (1.0 - model.derivative_error)) - error,
-          log2_of(size.high * (1.0 + model.derivative_error)) + error};
+  return {log2_of(size.low * (1.0 - model.derivative_error)) - model.level_error,
+          log2_of(size.high * (1.0 + model.derivative_error)) + model.level_error};
 }
 
 bool is_finite(const Vector2& v) {
@@ -171,7 +171,7 @@ BoundsFootprint bounds_footprint(const Texture& texture, const Sampler& sampler,
                                  const Steps& steps, const double* given_lod) {
   BoundsFootprint out = {};
   if (given_lod) {
-    out.lambda = out.probe_lambda = widened({*given_lod, *given_lod}, model.level_error + 1e-6);
+    out.lambda = out.probe_lambda = widened({*given_lod, *given_lod}, model.level_error);
     return out;
   }
   const auto in_texels = [&](const Vector2& v) { return Vector2{v.u * texture.width, v.v * texture.height}; };

@@ -105,13 +105,16 @@ bool touches_face(const Place& place, const Reach& reach) {
          place.v + reach.v.low <= 1.0;
 }
 
-/// Derivatives of a coordinate on a face: with s = p / r, ds = (dp - s dr) / r. Changes of the direction are within
-/// +-2^60 of its length, as for shd_texture_sample(), so that they are finite.
+/// Derivatives of a point on a face: with s = p / r, ds = (dp r - p dr) / r^2 (Vulkan 1.3, "Cube Map Derivative
+/// Transformation"). Products of floats are exact in double. A direction with an infinite change has infinite
+/// derivatives.
 Vector2 step_on_face(const CubeFace& face, const double (&n)[3], const double (&d)[3]) {
-  const double r = component(n, face.axis);
-  const auto change = [&](int axis) { return std::min(std::max(component(d, axis) / r, -0x1p60), 0x1p60); };
-  const double dr = change(face.axis), s = component(n, face.right) / r, t = component(n, face.down) / r;
-  return {0.5 * (change(face.right) - s * dr), 0.5 * (change(face.down) - t * dr)};
+  for (const double change : d) {
+    if (std::isinf(change)) return {HUGE_VAL, HUGE_VAL};
+  }
+  const double r = component(n, face.axis), dr = component(d, face.axis);
+  const auto step = [&](int axis) { return 0.5 * (component(d, axis) * r - component(n, axis) * dr) / (r * r); };
+  return {step(face.right), step(face.down)};
 }
 
 }  // namespace

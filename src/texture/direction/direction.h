@@ -3,6 +3,11 @@
 /// Lookups of textures of directions. The direction of a lookup and its derivatives become a point of an image and the
 /// derivatives of the point; footprints and filters then are those of 2D textures. Only their sink differs: it folds
 /// quads over the seams of the projection, so that the image continues as the directions do.
+///
+/// Derivatives of the point are not limited: levels, axes and numbers of probes are those of the whole footprint. Only
+/// the places of probes are limited: a line of LAT_LONG is at most one circle, and FoldPoint() cuts distances of more
+/// than one image. The plane of a face of CUBE needs no limit, because it has all directions in front of it. The cost
+/// of a lookup does not grow with its footprint, because max_anisotropy limits probes and ellipses.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +32,8 @@ constexpr float kParallelStep = 1.5f;
 struct ProjectedBlock {
   Lookups points;  // at the columns below; layers are faces
   alignas(64) float u[kBlock], v[kBlock];
-  alignas(64) float step[4][kBlock];  // du/dx, dv/dx, du/dy, dv/dy, within +-1; du of LAT_LONG as on the equator
+  /// du/dx, dv/dx, du/dy, dv/dy; du of LAT_LONG as on the equator. Infinite for directions with an infinite change.
+  alignas(64) float step[4][kBlock];
   alignas(64) uint32_t face[kBlock];
   /// Width of a parallel of LAT_LONG in (u, v), relative to the equator's: 1 or more; otherwise 1.
   alignas(64) float stretch[kBlock];

@@ -15,14 +15,9 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace maps = projection::HWY_NAMESPACE;
 
-using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<BatchTag>>;
+using simd::HWY_NAMESPACE::IsFinite;
 
-/// Largest derivatives of a point: the footprint is the whole image.
-template <class D, class V>
-HWY_INLINE V WithinImage(D d, V x) {
-  const V one = hn::Set(d, 1.0f);
-  return hn::Min(hn::Max(x, hn::Neg(one)), one);
-}
+using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<BatchTag>>;
 
 template <class D, class Map>
 HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const Map& map, const Direction& dn) {
@@ -42,11 +37,13 @@ HWY_INLINE hn::Vec<D> StretchOf(D d, const maps::LatLong<D>& map) {
   return hn::Min(map.stretch(d), hn::Set(d, 65536.0f));
 }
 
-/// Lanes whose derivatives, or level of detail, are finite.
+/// Derivatives of a point; infinite in lanes where the change of the direction has an infinite component.
 template <class D>
-HWY_INLINE MaskOf<D> FiniteShape(D d, const Direction (&steps)[2], hn::Vec<D> lod) {
-  using simd::HWY_NAMESPACE::IsFinite;
-  return hn::And(hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])), IsFinite(d, lod));
+HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction& dn, const maps::StepV<hn::Vec<D>>& step) {
+  const auto infinity = hn::Set(d, __builtin_inff());
+  const auto is_infinite = [&](hn::Vec<D> x) { return hn::Eq(hn::Abs(x), infinity); };
+  const auto any = hn::Or(hn::Or(is_infinite(dn.x), is_infinite(dn.y)), is_infinite(dn.z));
+  return {hn::IfThenElse(any, infinity, step.du), hn::IfThenElse(any, infinity, step.dv)};
 }
 
 template <template <class> class Map>
@@ -66,14 +63,17 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
     if (steps_given) {
       const Direction steps[2] = {{load(from.dudx), load(from.dvdx), load(from.dwdx)},
                                   {load(from.dudy), load(from.dvdy), load(from.dwdy)}};
-      finite = hn::And(finite, FiniteShape(d, steps, hn::Zero(d)));
+      finite = hn::And(finite, hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])));
+      const bool all_finite = hn::AllTrue(d, finite);
       for (int axis = 0; axis < 2; ++axis) {
-        const auto step = StepOf(d, map, direction.step(d, steps[axis]));
-        hn::Store(WithinImage(d, step.du), d, out->step[2 * axis] + to);
-        hn::Store(WithinImage(d, step.dv), d, out->step[2 * axis + 1] + to);
+        const auto step_of = [&](const Direction& dn) SHD_INLINE_LAMBDA { return StepOf(d, map, dn); };
+        auto step = direction.derivatives(d, steps[axis], step_of);
+        if (HWY_UNLIKELY(!all_finite)) step = WithInfinity(d, steps[axis], step);
+        hn::Store(step.du, d, out->step[2 * axis] + to);
+        hn::Store(step.dv, d, out->step[2 * axis + 1] + to);
       }
     } else if (from.lod) {
-      finite = hn::And(finite, simd::HWY_NAMESPACE::IsFinite(d, load(from.lod)));
+      finite = hn::And(finite, IsFinite(d, load(from.lod)));
     }
     if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
       nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));

@@ -126,6 +126,11 @@ bool check_steps(shd_projection projection, size_t i) {
     const double tolerance = 1.5e-6 * static_cast<double>(change / room);
     shd_assert_close("du", i, double{g_case.du[axis][i]}, du, tolerance, 0.0);
     shd_assert_close("dv", i, double{g_case.dv[axis][i]}, dv, tolerance, 0.0);
+    if (rho == 0.0L) continue;
+    const long double dn[3] = {step[0][i], step[1][i], step[2][i]};
+    const ref_change exact = ref_step(projection, n, dn);
+    shd_assert_close("exact du", i, static_cast<double>(exact.du), du, 1e-2 * tolerance, 0.0);
+    shd_assert_close("exact dv", i, static_cast<double>(exact.dv), dv, 1e-2 * tolerance, 0.0);
   }
   return true;
 }
@@ -141,6 +146,44 @@ void test_project(void**) {
         steps += check_steps(projection, i);
       }
       assert_true(steps > kCount / (2 * SHD_ORACLE_STRIDE));
+    });
+  }
+}
+
+/// Changes of far more than 2^60 times the direction, even where their lengths overflow, have the derivatives of the
+/// formulas, or 1e30 if these are beyond.
+void test_long_steps(void**) {
+  g_case.fill();
+  for (size_t i = 0; i < kCount; ++i) {
+    const float length = std::ldexp(1.0f, i % 2 ? 0 : -90);
+    for (int c = 0; c < 3; ++c) {
+      g_case.n[c][i] = random_float() * length;
+      g_case.dx[c][i] = std::ldexp(random_float(), i % 4 < 2 ? (i % 2 ? 70 : -10) : 127);
+    }
+  }
+  for (shd_projection projection : kProjections) {
+    on_every_target([&](const core::SimdTarget& simd) {
+      assert_int_equal(0, projection::project(projection, simd, g_case.in(), g_case.out()));
+      size_t checked = 0;
+      for (size_t i = 0; i < kCount; i += SHD_ORACLE_STRIDE) {
+        const long double n[3] = {g_case.n[0][i], g_case.n[1][i], g_case.n[2][i]};
+        const long double dn[3] = {g_case.dx[0][i], g_case.dx[1][i], g_case.dx[2][i]};
+        const ref_change want = ref_step(projection, n, dn);
+        const long double length = std::hypot(std::hypot(n[0], n[1]), n[2]);
+        const long double change = std::hypot(std::hypot(dn[0], dn[1]), dn[2]) / length;
+        if (std::hypot(want.du, want.dv) < 0.02L * change) continue;  // along the direction
+        const auto is_close = [&](float got, long double exact) {
+          if (std::fabs(exact) < 1e-5L * change) return true;  // cancelled
+          const long double bounded = std::fmax(std::fmin(exact, 1e30L), -1e30L);
+          return std::fabs(got - bounded) <= 1e-4L * std::fmax(std::fabs(bounded), std::fmin(change, 1e30L));
+        };
+        if (!is_close(g_case.du[0][i], want.du) || !is_close(g_case.dv[0][i], want.dv)) {
+          fail_msg("projection %d [%zu]: (%g, %g) instead of (%g, %g)", projection, i, double{g_case.du[0][i]},
+                   double{g_case.dv[0][i]}, static_cast<double>(want.du), static_cast<double>(want.dv));
+        }
+        ++checked;
+      }
+      assert_true(checked > kCount / (2 * SHD_ORACLE_STRIDE));
     });
   }
 }
@@ -397,6 +440,7 @@ void test_texel_extents(void**) {
 int main() {
   const CMUnitTest tests[] = {
       {"project", test_project, nullptr, nullptr, nullptr},
+      {"long_steps", test_long_steps, nullptr, nullptr, nullptr},
       {"special_directions", test_special_directions, nullptr, nullptr, nullptr},
       {"same_bits", test_same_bits, nullptr, nullptr, nullptr},
       {"unproject", test_unproject, nullptr, nullptr, nullptr},
