@@ -43,7 +43,7 @@ typedef enum shd_irradiance {
      * surface, and about 0.01 for environments without a sun.
      */
     SHD_IRRADIANCE_HARMONICS = 0,
-    SHD_IRRADIANCE_CONVOLVED = 1, /**< a map of 64 x 64 directions: error up to 0.018 of such a light */
+    SHD_IRRADIANCE_CONVOLVED = 1, /**< a map of 96 x 96 directions: error up to 0.018 of such a light */
     SHD_IRRADIANCE_MAX_ENUM = 0x7fffffff
 } shd_irradiance;
 

@@ -72,9 +72,9 @@ typedef enum shd_model {
      * Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
      * (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = max(roughness^2, 0.001),
      * F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
-     * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v).
-     * Metals reflect at most the incident light. Dielectrics do not: diffuse plus specular reflection exceeds 1 at
-     * grazing angles (1.2 at 75 degrees from n, 1.6 at 85)
+     * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v), where
+     * n.v counts as at least 1e-4: interpolated normals may face away from the eye. Metals reflect at most the incident
+     * light. Dielectrics exceed it at grazing angles (1.2 at 75 degrees from n, 1.6 at 85), diffuse plus specular
      */
     SHD_MODEL_METALLIC_ROUGHNESS = 9,
     /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space; a normal

@@ -53,10 +53,10 @@ typedef enum shd_filter {
     /**
      * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
      * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
-     * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
-     * with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter, reduced by the averaging that level l already
-     * has. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a is one to two texels.
-     * `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+     * texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
+     * sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
+     * the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
+     * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
      */
     SHD_FILTER_EWA = 9,
     /** An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic picks at random. */

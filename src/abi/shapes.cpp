@@ -35,7 +35,7 @@ constexpr Shape kShapes[] = {
      shapes::count_sphere,
      shapes::fill_sphere},
     {{kSide, kSide, kSide}, false, false, {true, true, true}, shapes::count_box, shapes::fill_box},
-    {{kSide, kSide, kUnused}, false, false, {true, false, true}, shapes::count_plane, shapes::fill_plane},
+    {{kSide, kUnused, kSide}, false, false, {true, false, true}, shapes::count_plane, shapes::fill_plane},
     {{{48, 3, SHD_MAX_SHAPE_SEGMENTS}, {24, 3, SHD_MAX_SHAPE_SEGMENTS}, kUnused},
      true,
      true,

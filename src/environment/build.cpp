@@ -15,7 +15,7 @@
 namespace shd::environment {
 namespace {
 
-constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kMinLobeMap = 64, kIrradianceMap = 64;
+constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kMinLobeMap = 64, kIrradianceMap = 96;
 
 /// log2 of a power of two.
 uint32_t log2_of(uint32_t size) {

@@ -148,7 +148,7 @@ HWY_INLINE void GatherInRow(D d, const float* row, VI column, V* left, V* right)
   GatherPairs(d, row, column, left, right);
 }
 
-/// Place in the lobe table: a row for PrecisionLog2() and a column for n.v.
+/// Place in tables of `rows` rows: a row, and a column in 0..kLobeColumns - 1.
 template <class D>
 struct TablePoint {
   using V = hn::Vec<D>;
@@ -158,13 +158,10 @@ struct TablePoint {
   size_t row;     // row of the first lane
   bool only_row;  // all lanes read `row`: most vectors have one roughness
 
-  HWY_INLINE TablePoint(D d, V t, V n_dot_v) {
+  HWY_INLINE TablePoint(D d, uint32_t rows, V place, V across) {
     const hn::RebindToSigned<D> di;
-    const V zero = hn::Zero(d);
-    const V place = Clamped(d, t, kLobeRows - 1);
-    const V cosine = hn::IfThenElseZero(hn::Gt(n_dot_v, zero), hn::Min(n_dot_v, hn::Set(d, 1.0f)));
-    const V across = hn::Sqrt(cosine) * hn::Set(d, static_cast<float>(kLobeColumns - 1));
-    const VI first = hn::Min(hn::ConvertTo(di, place), hn::Set(di, kLobeRows - 2));
+    place = hn::Min(place, hn::Set(d, static_cast<float>(rows - 1)));
+    const VI first = hn::Min(hn::ConvertTo(di, place), hn::Set(di, static_cast<int32_t>(rows - 2)));
     column = hn::Min(hn::ConvertTo(di, across), hn::Set(di, kLobeColumns - 2));
     down = place - hn::ConvertTo(d, first);
     right = across - hn::ConvertTo(d, column);
@@ -173,15 +170,17 @@ struct TablePoint {
     only_row = hn::AllTrue(di, hn::Eq(first, hn::Set(di, hn::GetLane(first))));
   }
 
-  HWY_INLINE V LookUp(D d, const float* table) const {
+  template <class Sum>
+  HWY_INLINE V LookUp(D d, const Sum& table) const {
     static_assert(kLobeColumns == 32, "the shift of the index");
+    const float* const first = table.at[0];
     V a, b, c, e;
     if (kHasWideRows && only_row) {
-      GatherInRow(d, table + row * kLobeColumns, column, &a, &b);
-      GatherInRow(d, table + (row + 1) * kLobeColumns, column, &c, &e);
+      GatherInRow(d, first + row * kLobeColumns, column, &a, &b);
+      GatherInRow(d, first + (row + 1) * kLobeColumns, column, &c, &e);
     } else {
-      GatherPairs(d, table, index, &a, &b);
-      GatherPairs(d, table + kLobeColumns, index, &c, &e);
+      GatherPairs(d, first, index, &a, &b);
+      GatherPairs(d, first + kLobeColumns, index, &c, &e);
     }
     const V above = a + right * (b - a), below = c + right * (e - c);
     return above + down * (below - above);
@@ -196,11 +195,41 @@ struct TablePoint {
 
  private:
   static constexpr bool kHasWideRows = HWY_TARGET == HWY_AVX3 && hn::MaxLanes(D()) == 16;
-
-  static HWY_INLINE V Clamped(D d, V x, uint32_t last) {
-    return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Min(x, hn::Set(d, static_cast<float>(last))));
-  }
 };
+
+/// n.v clamped to `least`..1; `least` for NaN.
+template <class D, class V>
+HWY_INLINE V ClampCosine(D d, V n_dot_v, float least) {
+  const V low = hn::Set(d, least);
+  return hn::IfThenElse(hn::Gt(n_dot_v, low), hn::Min(n_dot_v, hn::Set(d, 1.0f)), low);
+}
+
+/// Place in the tables of GGX lobes, of the precision 1 / alpha^2.
+template <class D, class V>
+HWY_INLINE TablePoint<D> GgxPoint(D d, V precision, V n_dot_v) {
+  const V root = hn::Sqrt(hn::Sqrt(hn::Sqrt(ClampCosine(d, n_dot_v, kGgxLeastCosine))));
+  const V across = (root - hn::Set(d, kGgxLeastRoot)) * hn::Set(d, (kLobeColumns - 1) / (1.0f - kGgxLeastRoot));
+  const V row = PrecisionLog2(d, precision) * hn::Set(d, static_cast<float>(kGgxRowsPerOctave));
+  return {d, kGgxRows, row, across};
+}
+
+/// Row in the tables of the other lobes, of the inverse of a precision.
+template <class D, class V>
+HWY_INLINE V PhongRow(D d, V inverse) {
+  return hn::Sqrt(inverse) * hn::Set(d, kPhongRows - 1.0f);
+}
+
+template <class D, class V>
+HWY_INLINE TablePoint<D> PhongPoint(D d, V inverse, V n_dot_v) {
+  const V one = hn::Set(d, 1.0f), columns = hn::Set(d, kLobeColumns - 1.0f);
+  return {d, kPhongRows, PhongRow(d, inverse), (one - hn::Sqrt(one - ClampCosine(d, n_dot_v, 0.0f))) * columns};
+}
+
+template <class D, class V>
+HWY_INLINE TablePoint<D> BlinnPhongPoint(D d, V inverse, V n_dot_v) {
+  const V columns = hn::Set(d, kLobeColumns - 1.0f);
+  return {d, kPhongRows, PhongRow(d, inverse), hn::Sqrt(ClampCosine(d, n_dot_v, 0.0f)) * columns};
+}
 
 }  // namespace shd::environment::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -87,6 +87,8 @@ class BaseMap {
     const double density = std::sqrt(static_cast<double>(source.texels())) / level.size;
     parts_ = static_cast<uint32_t>(std::clamp(std::ceil(2.0 * density), 2.0, 8.0));
     narrow_ = find_narrow(source.image, std::sqrt(4.0 * data::kPi) / (level.size * parts_));
+    const double h = data::kPi / source.image.height;
+    shift_ = static_cast<float>(h * h / 24.0);
     texture::borrow(context, source.image, &texture_);
   }
 
@@ -105,10 +107,22 @@ class BaseMap {
     return texels_ + 4 * texel_index(level_, static_cast<int32_t>(x), static_cast<int32_t>(y));
   }
 
+  /// Looks up the image. In LAT_LONG, bilinear lookups would give a texel of row 0 13/12 of its light, because the width
+  /// of rows grows from the pole. With h = pi / height, every row keeps its light up to h^4 if lookups at the angle t
+  /// from a pole move away from it by h^2 / 24 cot t: y becomes y (1 - h^2 / 24). In row 0 they move less, so that the
+  /// pole stays in its place: y becomes y (1 - k) with k = h^2 / 24 s^2 / (s^2 + h^2 / 6), s = sin t.
   void look_up(Batch* batch) const {
     texture::Lookups in = {};
+    float x[kPart], y[kPart], z[kPart];
+    for (size_t i = 0; i < batch->count; ++i) {
+      x[i] = batch->direction[0][i], y[i] = batch->direction[1][i], z[i] = batch->direction[2][i];
+      if (source_.image.projection != SHD_PROJECTION_LAT_LONG) continue;
+      const float s2 = x[i] * x[i] + z[i] * z[i], part = shift_ / (s2 + 4.0f * shift_), k = part * s2;
+      const float longer = std::sqrt(1.0f + std::max(0.0f, 1.0f - s2) * (2.0f - k) * part);  // of sin t
+      x[i] *= longer, y[i] -= y[i] * k, z[i] *= longer;
+    }
     in.count = batch->count;
-    in.u = batch->direction[0], in.v = batch->direction[1], in.w = batch->direction[2];
+    in.u = x, in.v = y, in.w = z;
     texture::sample(texture_, sampler_, context_.simd, in,
                     {{batch->value[0], batch->value[1], batch->value[2], nullptr}, {}, {}});
   }
@@ -163,12 +177,12 @@ class BaseMap {
     flush(&batch);
   }
 
-  /// Adds lookups in a texel of the image, no farther apart than half a texel of the map. If many texels of the image
+  /// Adds lookups in a texel of the image, no farther apart than a quarter of a texel of the map. If many texels of the image
   /// lie in one texel of the map, they share its lookups: each has its own places.
   void splat_texel(uint32_t x, uint32_t y, Batch* batch) {
     const texture::DirectionFloats& image = source_.image;
     const auto extent = projection::texel_extent(image.projection, image.width, image.height, x, y);
-    const double u = extent.along_u * level_.size, v = extent.along_v * level_.size;
+    const double u = 2.0 * extent.along_u * level_.size, v = 2.0 * extent.along_v * level_.size;
     const Places across = places_along(u, v, y), down = places_along(v, u, x);
     const float weight = 1.0f / (static_cast<float>(image.width) * static_cast<float>(image.height) *
                                  static_cast<float>(across.count) * static_cast<float>(down.count));
@@ -189,11 +203,11 @@ class BaseMap {
     double shift;
   };
 
-  /// The length of the side and of the other side are given in half texels of the map; `neighbour` counts texels along
+  /// The length of the side and of the other side are given in quarters of a texel of the map; `neighbour` counts texels along
   /// the other side.
   static Places places_along(double length, double other, uint32_t neighbour) {
     const double all = std::max(1.0, std::ceil(length));
-    const double shared = std::max(8.0, std::ceil(4.0 * length * other));
+    const double shared = std::max(32.0, std::ceil(4.0 * length * other));
     if (shared >= all) return {static_cast<uint32_t>(all), 0.5};
     const double golden = 0.6180339887498949 * neighbour;
     return {static_cast<uint32_t>(shared), golden - std::floor(golden)};
@@ -225,9 +239,11 @@ class BaseMap {
       float* sum = texel(x, row);
       if (!(sum[3] > 0.0f)) {
         const MapDirection n = map_direction(level_.size, static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
-        texture::Lookups in = {};
-        in.count = 1, in.u = &n.x, in.v = &n.y, in.w = &n.z;
-        texture::sample(texture_, sampler_, context_.simd, in, {{&sum[0], &sum[1], &sum[2], nullptr}, {}, {}});
+        Batch batch;
+        batch.count = 1;
+        batch.direction[0][0] = n.x, batch.direction[1][0] = n.y, batch.direction[2][0] = n.z;
+        look_up(&batch);
+        for (int c = 0; c < 3; ++c) sum[c] = batch.value[c][0];
         sum[3] = 1.0f;
       }
       for (int c = 0; c < 3; ++c) sum[c] /= sum[3];
@@ -241,6 +257,7 @@ class BaseMap {
   float* texels_;
   uint32_t parts_;
   NarrowTexels narrow_;
+  float shift_;
   texture::Texture texture_ = {};
   const texture::Sampler sampler_ = texture::sampler_of(SHD_FILTER_BILINEAR);
 };

@@ -30,13 +30,13 @@ HWY_INLINE V BlinnPhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V
 
 /// The lobe of an environment: the mean radiance over a Phong lobe of the exponent p / 4, which has the same width near
 /// normal incidence, times the integral of the lobe of Blinn for the point's n.v.
-template <class D, class V>
-HWY_INLINE void BlinnPhongSurroundings(D d, const Surroundings<D>& from, V p, environment::LobeSum kind, float factor,
+template <class D, class V, class Sum>
+HWY_INLINE void BlinnPhongSurroundings(D d, const Surroundings<D>& from, V p, const Sum& table, float factor,
                                        V (&lobe)[2][3]) {
-  const V one = hn::Set(d, 1.0f), precision = p + one;
-  const V sum = from.Place(precision).LookUp(d, from.lobes->sum[kind][0]);
+  const V one = hn::Set(d, 1.0f), inverse = one / (p + one);
+  const V sum = environment::HWY_NAMESPACE::BlinnPhongPoint(d, inverse, from.n_dot_v).LookUp(d, table);
   from.Irradiance(lobe[0]);
-  from.Radiance(from.map.phong, from.r, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) / precision), lobe[1]);
+  from.Radiance(from.map.phong, from.r, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) * inverse), lobe[1]);
 }
 constexpr float kBlinnPhongIntegral = 25.1327412f;  // 8 pi
 
@@ -53,7 +53,7 @@ struct BlinnPhong : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
-      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong, kBlinnPhongIntegral, lobe);
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], from.lobes->blinn_phong, kBlinnPhongIntegral, lobe);
     }
   };
 };

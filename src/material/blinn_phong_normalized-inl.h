@@ -36,7 +36,7 @@ struct BlinnPhongNormalized : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
-      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhongCosine, kBlinnPhongIntegral,
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], from.lobes->blinn_phong_cosine, kBlinnPhongIntegral,
                              lobe);
     }
 

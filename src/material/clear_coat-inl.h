@@ -88,9 +88,8 @@ struct ClearCoat : MetallicRoughness {
       MetallicRoughness::Lighting::AddEnvironment(d, m, from, shape, base);
       for (uint32_t k = 0; k < 9; ++k) lobe[k / 3][k % 3] = base[k / 3][k % 3] * rest;
       const V precision = one / shape[Shape::kCoatAlphaSquared], double_cosine = n_dot_v + n_dot_v;
-      const auto place = from.Place(precision, n_dot_v);
-      const V sum = place.LookUp(d, table.sum[environment::kSumGgxF0][0]) +
-                    place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
+      const auto place = environment::HWY_NAMESPACE::GgxPoint(d, precision, n_dot_v);
+      const V sum = place.LookUp(d, table.ggx_f0) + place.LookUp(d, table.ggx_f90);
       const Vec3V<V> r = {double_cosine * n.x - v.x, double_cosine * n.y - v.y, double_cosine * n.z - v.z};
       from.Radiance(from.map.ggx, LobeAxis(d, n, r, shape[Shape::kCoatAlphaSquared]), precision, reflected * sum,
                     lobe[3]);

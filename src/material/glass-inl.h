@@ -48,9 +48,8 @@ struct Glass : ModelBase {
                                           V (&lobe)[2][3]) {
       const environment::LobeTable& table = *from.lobes;
       const V one = hn::Set(d, 1.0f), precision = one / shape[Shape::kAlphaSquared];
-      const auto place = from.Place(precision);
-      const V reflected = hn::Set(d, m.dielectric_f0) * place.LookUp(d, table.sum[environment::kSumGgxF0][0]) +
-                          place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
+      const auto place = environment::HWY_NAMESPACE::GgxPoint(d, precision, from.n_dot_v);
+      const V reflected = hn::Set(d, m.dielectric_f0) * place.LookUp(d, table.ggx_f0) + place.LookUp(d, table.ggx_f90);
       from.Radiance(from.map.ggx, SeenThroughSphere(d, from, hn::Set(d, m.ior)), precision, one - reflected, lobe[0]);
       from.Radiance(from.map.ggx, from.r, precision, reflected, lobe[1]);
     }

@@ -109,9 +109,8 @@ struct MetallicRoughness : ModelBase {
                                           V (&lobe)[3][3]) {
       const environment::LobeTable& table = *from.lobes;
       const V precision = hn::Set(d, 1.0f) / shape[Shape::kAlphaSquared];
-      const auto place = from.Place(precision);
-      const V f0 = place.LookUp(d, table.sum[environment::kSumGgxF0][0]);
-      const V f90 = place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
+      const auto place = environment::HWY_NAMESPACE::GgxPoint(d, precision, from.n_dot_v);
+      const V f0 = place.LookUp(d, table.ggx_f0), f90 = place.LookUp(d, table.ggx_f90);
       const V diffuse = place.LookUpRow(d, table.diffuse);
       from.Irradiance(lobe[0]);
       const Vec3V<V> axis = LobeAxis(d, from.n, from.r, shape[Shape::kAlphaSquared]);

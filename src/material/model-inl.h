@@ -81,12 +81,6 @@ struct Surroundings {
         env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis), env::PrecisionLog2(d, precision));
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
   }
-
-  /// Place in the lobe table, of the point's n.v or of another cosine.
-  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision) const { return Place(precision, n_dot_v); }
-  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision, V cosine) const {
-    return {d, environment::HWY_NAMESPACE::PrecisionLog2(d, precision), cosine};
-  }
 };
 
 /// Values of slots at points from i on. No column is null: see complete().

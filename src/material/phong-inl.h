@@ -47,10 +47,11 @@ struct Phong : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
-      const V precision = shape[Shape::kExponent] + hn::Set(d, 1.0f);
-      const V part = from.Place(precision).LookUp(d, from.lobes->sum[environment::kSumPhong][0]);
+      const V one = hn::Set(d, 1.0f), precision = shape[Shape::kExponent] + one, inverse = one / precision;
+      const auto place = environment::HWY_NAMESPACE::PhongPoint(d, inverse, from.n_dot_v);
+      const V part = place.LookUp(d, from.lobes->phong);
       from.Irradiance(lobe[0]);
-      from.Radiance(from.map.phong, from.r, precision, part * (hn::Set(d, 6.28318531f) / precision), lobe[1]);
+      from.Radiance(from.map.phong, from.r, precision, part * (hn::Set(d, 6.28318531f) * inverse), lobe[1]);
     }
   };
 };

@@ -34,7 +34,7 @@ struct Toon : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
-      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong,
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], from.lobes->blinn_phong,
                              0.693147181f * kBlinnPhongIntegral, lobe);
     }
 

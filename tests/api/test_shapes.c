@@ -143,7 +143,8 @@ static const struct shape_case k_shapes[] = {
     {"box/1_2_3", SHD_SHAPE_BOX, {1, 2, 3}, 52, 44, 0},
     {"box/7_1_5", SHD_SHAPE_BOX, {7, 1, 5}, 152, 188, 0},
     {"plane/default", SHD_SHAPE_PLANE, {0, 0, 0}, 4, 2, 4},
-    {"plane/3_5", SHD_SHAPE_PLANE, {3, 5, 0}, 24, 30, 16},
+    {"plane/3_5", SHD_SHAPE_PLANE, {3, 0, 5}, 24, 30, 16},
+    {"plane/unused", SHD_SHAPE_PLANE, {3, 5000, 5}, 24, 30, 16},
     {"torus/3_3", SHD_SHAPE_TORUS, {3, 3, 0}, 16, 18, 0},
     {"torus/default", SHD_SHAPE_TORUS, {0, 0, 0}, 1225, 2304, 0},
     {"torus/5_64", SHD_SHAPE_TORUS, {5, 64, 0}, 390, 640, 0},
@@ -294,7 +295,7 @@ static void check_convergence(const char *name, shd_shape_desc desc)
 
 static void test_measures(void **state)
 {
-    shd_shape_desc box = shape_of(SHD_SHAPE_BOX, 3, 4, 5), plane = shape_of(SHD_SHAPE_PLANE, 3, 4, 0);
+    shd_shape_desc box = shape_of(SHD_SHAPE_BOX, 3, 4, 5), plane = shape_of(SHD_SHAPE_PLANE, 3, 0, 4);
     shd_shape_desc torus = shape_of(SHD_SHAPE_TORUS, 0, 0, 0), sphere = shape_of(SHD_SHAPE_SPHERE, 0, 0, 0);
     struct filled f;
     (void)state;
