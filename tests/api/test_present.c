@@ -2,6 +2,8 @@
 /* Finished tiles: each pixel is passed once, with the bits that the framebuffer holds, in every kind of frame, colour
  * format and number of workers; callbacks that fail; steady frames. */
 #define _POSIX_C_SOURCE 200809L
+#include <pthread.h>
+
 #include "support/fault_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"

@@ -2,6 +2,8 @@
 /* Progress increases to 1, and calls are never concurrent; a cancel at any point by any value but 0, and the render
  * after it. */
 #define _POSIX_C_SOURCE 200809L
+#include <pthread.h>
+
 #include "support/pool.h"
 #include "support/scene.h"
 
