@@ -62,7 +62,7 @@ void release_memory(void*, void* memory, size_t, size_t) {
   if (memory != g_memory) std::free(memory);
 }
 
-/// How a callback makes the tiles of a level from others.
+/// The tiles that a callback makes tiles from.
 enum class Source { kPlain, kFinerLevel, kNeighbour };
 
 struct World;
@@ -190,11 +190,15 @@ void test_dependent_tiles(void**) {
   });
   // Calls of several levels, and batches of more than a tile.
   explore("mixed", 2, 2, false, 16, Source::kFinerLevel, [](World& w) {
-    const auto fetch = [&w](std::initializer_list<uint32_t> tiles) { w.cache->load(w.set(), tiles.begin(), tiles.size()); };
+    const auto fetch = [&w](std::initializer_list<uint32_t> tiles) {
+      w.cache->load(w.set(), tiles.begin(), tiles.size());
+    };
     return Bodies{[=] { fetch({0, 1, 9}); }, [=] { fetch({2, 3, 8}); }};
   });
   explore("neighbours", 2, 2, false, 16, Source::kNeighbour, [](World& w) {
-    const auto fetch = [&w](std::initializer_list<uint32_t> tiles) { w.cache->load(w.set(), tiles.begin(), tiles.size()); };
+    const auto fetch = [&w](std::initializer_list<uint32_t> tiles) {
+      w.cache->load(w.set(), tiles.begin(), tiles.size());
+    };
     return Bodies{[=] { fetch({1, 2}); }, [=] { fetch({2, 3}); }};
   });
 }
@@ -223,8 +227,7 @@ void test_pins(void**) {
 /// Slots are evicted and filled while others read without the lock.
 void test_eviction(void**) {
   explore("eviction", 2, 2, true, 4, Source::kPlain, [](World& w) {
-    return Bodies{[&] { w.look_up(0), w.look_up(1); },
-                  [&] { w.look_up(2), w.look_up(3), w.look_up(4), w.look_up(0); }};
+    return Bodies{[&] { w.look_up(0), w.look_up(1); }, [&] { w.look_up(2), w.look_up(3), w.look_up(4), w.look_up(0); }};
   });
   explore("drop", 2, 2, true, 4, Source::kPlain, [](World& w) {
     return Bodies{[&] { w.look_up(0), w.look_up(0); },
