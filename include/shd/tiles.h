@@ -50,7 +50,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_load_tiles(const shd_texture *textu
 
 /**
  * Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
- * cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call.
+ * cache can be pinned; more give SHD_ERROR_LIMIT. If the call fails, it pins no tile.
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_pin_tiles(const shd_texture *texture, const shd_tile_region *region);
@@ -64,8 +64,8 @@ SHD_NODISCARD SHD_API shd_result shd_texture_unpin_tiles(const shd_texture *text
 
 /**
  * Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
- * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
- * again by this call and stay pinned, unless the load fails.
+ * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay pinned.
+ * This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads it.
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_drop_tiles(const shd_texture *texture, const shd_tile_region *region);

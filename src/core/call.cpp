@@ -57,7 +57,8 @@ bool postpone_release(Object* object) noexcept {
     }
     // Another reference is postponed and keeps the object, so this one can be dropped.
     uint32_t count = object->references.load(std::memory_order_relaxed);
-    if (count > 1 && object->references.compare_exchange_strong(count, count - 1, std::memory_order_acq_rel)) return true;
+    if (count > 1 && object->references.compare_exchange_strong(count, count - 1, std::memory_order_acq_rel))
+      return true;
   }
   return true;  // the host has no reference any more
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a thread does inside shd: functions of the API that have not returned, and callbacks that they run. Tasks of
+/// The calls of a thread inside shd: functions of the API that have not returned, and callbacks that they run. Tasks of
 /// parallel_for() are parts of the call that made them, on any thread. A callback may release objects that the calls
 /// around it use: such a reference is dropped when the outermost function returns.
 #pragma once
@@ -12,7 +12,8 @@ namespace shd::core {
 
 struct Object;
 
-/// A callback that fills data for a call, and may call shd. It lies on the stack of its thread.
+/// A callback that fills tiles for a call, and may call shd. It lies on the stack of its thread. Only texture/tile/load.h
+/// makes callbacks of this kind.
 struct Callback {
   const Callback* outer = nullptr;  // callback whose call runs this one
   uint64_t number = 0;              // later callbacks have larger numbers; never 0

@@ -14,6 +14,7 @@
 /// | guard.h         | exceptions to results                                             |
 /// | errno_scope.h   | the host's errno, restored at the end of a scope                  |
 /// | fp_env.h        | IEEE default floating-point control for a scope                   |
+/// | call.h          | calls and callbacks of a thread; references that are dropped late |
 /// | fork.h          | locks and state that a child of fork() finds usable               |
 /// | printable.h     | bytes as one line of UTF-8                                        |
 /// | sized_structs.h | the table of the structs that carry their size                    |

@@ -35,9 +35,9 @@ struct Object {
   Context* context;
   void* body;
   void (*destroy)(Context& context, void* body);  // runs on the thread that releases the last reference
-  Object* next;                 // in the list of dead objects, or of postponed references
-  uint64_t birth;               // number of the callback that made it (call.h), or 0
-  std::atomic<bool> postponed;  // a reference is dropped later
+  Object* next;                                   // in the list of dead objects, or of postponed references
+  uint64_t birth;                                 // number of the callback that made it (call.h), or 0
+  std::atomic<bool> postponed;                    // a reference is dropped later
 };
 
 /// Slabs of handles. The handle that has been dead longest is reused first, so that stale handles are detected for as

@@ -142,7 +142,7 @@ struct FilterCall {
   Consume record;                // null, or the consumer that replaces those of the format
   Recording* recording;          // output of `record`, or null
   BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
-  TileCall* tiles = nullptr;     // of a texture in tiles; null for others
+  TileCall* tiles = nullptr;     // a call of a texture in tiles; null for others
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Textures in tiles: wrong descs, callbacks that fail, nest or are cancelled, budgets too small, and lost memory.
 #include <cstdio>
+#include <utility>
 
 #include "support/fault_allocator.h"
 #include "support/tiles.h"
@@ -245,28 +246,55 @@ void test_nested(void **)
     shd_tile_cache_release(cache);
 }
 
-/// One lease, and a callback that needs a second one.
-void test_nested_without_lease(void **)
+/// A chain of callbacks that is longer than the cache has tiles: each texture reads the next one.
+struct Chain {
+    TileSource *source;
+    shd_sampler *sampler;
+    std::vector<shd_texture *> texture;
+    std::vector<std::pair<Chain *, size_t>> link;
+    shd_result innermost = SHD_OK;
+    char reason[80] = {};
+
+    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    {
+        const auto &link = *static_cast<std::pair<Chain *, size_t> *>(user_data);
+        Chain &self = *link.first;
+        if (link.second + 1 < self.texture.size()) {
+            TileLookups at(1);
+            const shd_result result = at.sample(self.texture[link.second + 1], self.sampler);
+            if (result != SHD_OK) {
+                if (self.innermost == SHD_OK) std::snprintf(self.reason, sizeof self.reason, "%s", shd_last_error());
+                if (self.innermost == SHD_OK) self.innermost = result;
+                return result;
+            }
+        }
+        return TileSource::load(self.source, tiles, count);
+    }
+};
+
+void test_long_chain(void **)
 {
     TileSource source(g_original);
     shd_tile_cache *cache = make_tile_cache(g_context, kTile, kSmallest);
-    shd_texture_desc desc = source.desc(g_desc, g_original, cache);
-    Nested nested;
-    nested.source = &source;
-    nested.sampler = make_sampler(g_context);
-    shd_assert_ok(shd_texture_create(g_context, &desc, &nested.other));
-    desc.tiles = {cache, Nested::load, nullptr, &nested};
-    shd_texture *tiled = nullptr;
-    shd_assert_ok(shd_texture_create(g_context, &desc, &tiled));
-    TileLookups at = diagonal();
-    shd_assert_result("lease", at.sample(tiled, nested.sampler), SHD_ERROR_CALLBACK, "of its own cache");
-    assert_int_equal(nested.result, SHD_ERROR_LIMIT);
-    nested.other = nullptr;
-    shd_assert_result("still", at.sample(tiled, nested.sampler), SHD_ERROR_CALLBACK, "SHD_ERROR_LIMIT");
-    nested.result = SHD_OK;
-    shd_assert_ok(at.sample(tiled, nested.sampler));
-    shd_texture_release(tiled);
-    shd_sampler_release(nested.sampler);
+    const uint32_t slots = stats_of(cache).tile_count;
+    Chain chain;
+    chain.source = &source;
+    chain.sampler = make_sampler(g_context, SHD_FILTER_NEAREST);
+    chain.texture.resize(slots + 1);
+    for (size_t i = 0; i <= slots; ++i) chain.link.emplace_back(&chain, i);
+    for (size_t i = 0; i <= slots; ++i) {
+        shd_texture_desc desc = source.desc(g_desc, g_original, cache);
+        desc.tiles = {cache, Chain::load, nullptr, &chain.link[i]};
+        shd_assert_ok(shd_texture_create(g_context, &desc, &chain.texture[i]));
+    }
+    TileLookups at(1);
+    shd_assert_result("too long", at.sample(chain.texture[0], chain.sampler), SHD_ERROR_CALLBACK, "SHD_ERROR_CALLBACK");
+    assert_int_equal(chain.innermost, SHD_ERROR_LIMIT);
+    assert_non_null(strstr(chain.reason, "tile_cache.budget_bytes: 69632 is too small: callbacks"));
+    shd_assert_ok(at.sample(chain.texture[1], chain.sampler));
+    assert_int_equal(stats_of(cache).resident_tiles, slots);
+    for (shd_texture *each : chain.texture) shd_texture_release(each);
+    shd_sampler_release(chain.sampler);
     shd_tile_cache_release(cache);
 }
 
@@ -334,10 +362,9 @@ int main(void)
 {
     using namespace shd::tests;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cache_desc),  cmocka_unit_test(test_texture_desc),
-        cmocka_unit_test(test_unsupported), cmocka_unit_test(test_failures),
-        cmocka_unit_test(test_nested),      cmocka_unit_test(test_nested_without_lease),
-        cmocka_unit_test(test_memory),      cmocka_unit_test(test_no_allocation),
+        cmocka_unit_test(test_cache_desc), cmocka_unit_test(test_texture_desc),  cmocka_unit_test(test_unsupported),
+        cmocka_unit_test(test_failures),   cmocka_unit_test(test_nested),        cmocka_unit_test(test_long_chain),
+        cmocka_unit_test(test_memory),     cmocka_unit_test(test_no_allocation),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -180,11 +180,25 @@ void test_pins(void **)
     shd_assert_result("unpinned", shd_texture_unpin_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT, "not pinned");
     assert_int_equal(stats_of(cache).pinned_tiles, 0);
 
-    // If it cannot be loaded again, the pin is gone, and nothing else.
+    // If it cannot be loaded again, it stays pinned, and the next lookup loads it.
     shd_assert_ok(shd_texture_pin_tiles(tiled, &region));
     source.calls = 0;
     source.fail_at = 0;
     shd_assert_result("drop", shd_texture_drop_tiles(tiled, &all), SHD_ERROR_CALLBACK, "texture.tiles.load");
+    source.fail_at = -1;
+    assert_int_equal(stats_of(cache).pinned_tiles, pinned);
+    assert_int_equal(stats_of(cache).resident_tiles, 0);
+    shd_assert_ok(shd_texture_load_tiles(tiled, &region));
+    assert_int_equal(stats_of(cache).resident_tiles, 1);
+    shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
+    shd_assert_ok(shd_texture_unpin_tiles(tiled, &region));
+    assert_int_equal(stats_of(cache).pinned_tiles, 0);
+
+    // A pin that fails leaves nothing.
+    shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
+    source.calls = 0;
+    source.fail_at = 0;
+    shd_assert_result("pin", shd_texture_pin_tiles(tiled, &region), SHD_ERROR_CALLBACK, "texture.tiles.load");
     source.fail_at = -1;
     assert_int_equal(stats_of(cache).pinned_tiles, 0);
     shd_sampler_release(sampler);

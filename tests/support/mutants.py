@@ -24,6 +24,19 @@ BUILD = "build/mutants"
 # Source file, text that occurs once in it, replacement, CTest test that must fail.
 Mutant = collections.namedtuple("Mutant", "path text bug test")
 MUTANTS = {
+    "tile_waits_inside": Mutant("src/texture/tile/load.cpp", "load.around || wait.impatient, &load", "wait.impatient, &load",
+                                "unit.texture.tile_orders"),
+    "tile_wake": Mutant("src/texture/tile/load.cpp", "load->count;\n    changed_.notify_all();", "load->count;",
+                        "unit.texture.tile_orders"),
+    "tile_slot_wait": Mutant("src/texture/tile/load.cpp", "if (stuck_ == callbacks_ || ", "if (",
+                             "unit.texture.tile_orders"),
+    "tile_alone": Mutant("src/texture/tile/load.cpp", "  wait->alone = true;\n  return false;",
+                         "  throw core::Failure(result, core::last_error());", "unit.texture.tile_orders"),
+    "tile_lease": Mutant("src/texture/tile/resolve.cpp", "    call_.give_lease();\n", "", "unit.texture.tile_orders"),
+    "tile_pins": Mutant("src/texture/tile/slots.cpp", "[](TileSlot& pinned) { pinned.state",
+                        "[](TileSlot& pinned) { pinned.pins = 0; pinned.state", "unit.texture.tile_orders"),
+    "tile_release": Mutant("src/core/call.cpp", "if (!callback || object->birth >= callback->number) return false;",
+                           "if (object) return false;", "api.tiles_callback"),
     "weighted_power": Mutant("src/film/unordered.cpp", "3000.0f * (near * near * near)", "3000.0f * (near * near)",
                              "api.render_blend"),
     "sorted_ties": Mutant("src/film/unordered.cpp", "return a.order < b.order;", "return a.order > b.order;",

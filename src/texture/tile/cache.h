@@ -155,7 +155,7 @@ class TileCache {
   uint32_t loading_ = 0;             // slots that are loading and not pinned
   TileLoad* running_ = nullptr;      // callbacks that run
   uint32_t callbacks_ = 0;           // their number
-  uint32_t stuck_ = 0;               // those with a call inside them that waits for a slot
+  uint32_t stuck_ = 0;               // callbacks with a call inside them that waits for a slot
   uint32_t outermost_ = 0;           // tiles of the callbacks that run in no other callback
   const TileWait* alone_ = nullptr;  // the call that lets no other outermost callback run
   uint64_t loads_ = 0, ended_ = 0, loaded_ = 0, failed_ = 0, evicted_ = 0, waits_ = 0;

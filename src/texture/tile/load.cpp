@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr seconds kPatience{1};     // until a call does itself what it waits for
+constexpr seconds kPatience{1};      // until a call does itself what it waits for
 constexpr seconds kLongestWait{60};  // without an end of a load
 
 /// The innermost callback around a load that fills a tile, or null.
@@ -139,7 +139,8 @@ bool TileCache::take_slots(Lock* lock, TileWait* wait, TileLoad* load) {
   }
   const uint32_t wanted = load->count;
   load->count = 0;
-  while (load->count < wanted && begin_load(load->set->key_of(load->tile[load->count]), wait, &load->slot[load->count])) {
+  while (load->count < wanted &&
+         begin_load(load->set->key_of(load->tile[load->count]), wait, &load->slot[load->count])) {
     ++load->count;
   }
   if (load->count != 0) return true;

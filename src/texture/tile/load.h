@@ -36,7 +36,7 @@ struct TileLoad : core::Callback {
   TileLoad* next = nullptr;                 // in the list of the cache
 };
 
-/// What a call waits for, and how long.
+/// The waits of a call.
 struct TileWait {
   using Clock = std::chrono::steady_clock;
 

@@ -74,8 +74,8 @@ class TilePlacer {
 
   /// Lets lanes from `end` on, which have no lookup, read the texels of lane 0.
   HWY_NOINLINE void repeat_first(size_t at, size_t end) {
-    int32_t* const columns[] = {stream_.index[0], stream_.index[1], stream_.index[2],  stream_.index[3],
-                                call_.y[0],      call_.y[1],      call_.first_tile, call_.width};
+    int32_t* const columns[] = {stream_.index[0], stream_.index[1], stream_.index[2], stream_.index[3],
+                                call_.y[0],       call_.y[1],       call_.first_tile, call_.width};
     for (int32_t* column : columns) {
       for (size_t lane = end; lane < hn::Lanes(DI()); ++lane) column[at + lane] = column[at];
     }

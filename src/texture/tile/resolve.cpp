@@ -161,9 +161,7 @@ class Resolver {
     const uint16_t* const end = waiting_.element + waiting_.count;
     return std::find(waiting_.element, end, element) != end;
   }
-  bool is_missing(size_t element, size_t k, size_t at) const {
-    return call_.wanted[k][at] >= 0 && is_waiting(element);
-  }
+  bool is_missing(size_t element, size_t k, size_t at) const { return call_.wanted[k][at] >= 0 && is_waiting(element); }
 
   /// Writes the columns that adjacent texels leave out.
   void split(size_t e) {

@@ -9,16 +9,24 @@
 /// and the consumer of the format runs unchanged. Texels whose tiles are not at hand go to resolve.cpp, which loads the
 /// missing tiles of the whole stream in one call.
 ///
-/// Invariants: the memory of a cache is allocated once and never exceeds its budget. A tile has one slot. A slot is
-/// reused only if nothing reads it, so a lookup never waits for memory. No lock is held while a callback runs.
+/// Invariants: the memory of a cache is allocated once and never exceeds its budget. The table has one slot of a tile. A
+/// slot is reused only if nothing reads it. Pins belong to the tile.
+///
+/// Waiting: callbacks run while their call holds no lock, no lease and reads no slot; it holds the slots that they fill.
+/// A call inside a callback (core/call.h) never waits for a tile: it loads the tile a second time. It waits for a slot
+/// only while some callback has no such wait inside it, so waits have no cycle. Calls outside of callbacks hold nothing
+/// when they wait. Leases are held while lookups filter, and no longer. test_tile_orders.cpp runs this code in every order
+/// of its threads.
 ///
 /// | file                  | contents                                                            |
 /// |-----------------------|---------------------------------------------------------------------|
 /// | tile.h, tile.cpp      | shapes and numbers of tiles; the tiles of a texture                 |
+/// | sync.h                | locks and atomics                                                   |
 /// | table.h, .cpp         | slots by key, found without a lock                                  |
-/// | slot.h                | states of a slot                                                    |
-/// | cache.h, .cpp         | slots, eviction                                                     |
-/// | load.cpp              | loads of batches of tiles by the callback of the host               |
+/// | slot.h, slots.cpp     | states of a slot: eviction, begin and end of loads, pins, drops     |
+/// | cache.h, .cpp         | the cache: its parts, readers, counters                             |
+/// | load.h, .cpp          | loads of batches of tiles by the callback of the host, and waits    |
+/// | fork.cpp              | a cache in the child of a fork                                      |
 /// | budget.h, .cpp        | sizes of the parts of a cache                                       |
 /// | lease.h, .cpp         | tiles that a call keeps, and the texels that it places              |
 /// | requests.h, .cpp      | tiles that lookups did not find                                     |
@@ -58,9 +66,9 @@ struct TileSet {
   const core::Allocator* allocator;  // allocator of the texture's context
   const Texture* texture;
   TileShape shape;
-  uint32_t number;          // number of the texture in the cache; never 0
-  core::Object* handle = nullptr;  // of the texture, when it is made
-  TileSet* next = nullptr;  // in the cache's list
+  uint32_t number;                 // number of the texture in the cache; never 0
+  core::Object* handle = nullptr;  // handle of the texture, when it is made
+  TileSet* next = nullptr;         // in the cache's list
 
   TileKey key_of(uint32_t tile) const { return uint64_t{number} << 32 | tile; }
 };
