@@ -167,7 +167,7 @@ class StaticForkHook {
   StaticForkHook& operator=(const StaticForkHook&) = delete;
 
   /// From now on function(data) runs in each child, on its only thread, while fork() holds every ForkMutex. It takes
-  /// none. Repeated calls do nothing. Throws std::bad_alloc.
+  /// none. `data` must be complete. Repeated calls do nothing. Throws std::bad_alloc.
   void attach(Function function, void* data);
   void detach() noexcept;
 
