@@ -52,7 +52,8 @@ typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
  * Host job system. Frozen.
  *
  * Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in executor
- * also uses the calling thread if no thread can be started, and in a child process after a fork.
+ * also uses the calling thread if no thread can be started, in contexts that a child process inherits by fork(), and in
+ * all contexts of a child whose parent has used oneTBB.
  */
 typedef struct shd_executor {
     /**

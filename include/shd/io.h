@@ -34,9 +34,9 @@
  * module libshd_io_oiio in the folder shd beside it. A host that only loads in the default setting never opens it; a
  * static libshd_io links it. Libraries under OpenImageIO start threads when they are loaded and keep them; on Debian
  * 12, exit() of a child that is forked afterwards does not return (_exit() does). OpenEXR keeps decoding threads after
- * its first file: after a fork the child must not save .exr, or load it with SHD_LOAD_IN_PROCESS. libpng writes a line
- * to stderr about damaged compressed data whose checksums are right, and about any damage with SHD_LOAD_PARTIAL; a load
- * by the worker is silent.
+ * its first file: in a child that is forked afterwards, saves of .exr and loads of it with SHD_LOAD_IN_PROCESS fail
+ * with SHD_ERROR_UNSUPPORTED. libpng writes a line to stderr about damaged compressed data whose checksums are right,
+ * and about any damage with SHD_LOAD_PARTIAL; a load by the worker is silent.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.

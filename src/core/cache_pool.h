@@ -45,8 +45,8 @@ class CachePool {
 
  private:
   struct Slot {
-    std::atomic<uint64_t> owner{0};  // owner of the content; changes while the slot is in use only
-    std::atomic<uintptr_t> user{0};  // thread that took the slot, or 0
+    std::atomic<uint64_t> owner{0};      // owner of the content; changes while the slot is in use only
+    std::atomic<uintptr_t> user{0};      // thread that took the slot, or 0
     std::atomic<void*> memory{nullptr};  // changes while the slot is in use only
   };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// fork(): the child has one thread, and memory in which the other threads of its parent stopped anywhere. These classes
-/// keep that memory usable. Each library that includes this header registers one set of handlers, which end with it.
+/// The child of fork() has one thread, and memory in which the other threads of its parent stopped anywhere. These
+/// classes keep that memory usable. Each library that includes this header registers one set of handlers, which end
+/// with the library.
 ///
 /// | class                       | at a fork                                                                     |
 /// |-----------------------------|-------------------------------------------------------------------------------|
@@ -13,11 +14,11 @@
 /// Rules:
 /// 1. No code of the host runs under a ForkMutex or in a ForkGate: no allocator, log, executor, callback. Such code may
 ///    fork, or may wait for another thread that forks.
-/// 2. A thread that holds a ForkMutex, or is in a ForkGate, takes only those of later levels, and at most one of a level.
-///    fork() takes them in the order of levels.
+/// 2. A thread that holds a ForkMutex, or is in a ForkGate, takes only those of later levels, and at most one of each
+///    level. fork() takes them in the order of levels.
 /// 3. A thread attaches and detaches only while it holds no ForkMutex and is in no ForkGate.
-/// 4. A lock that lives no longer than one call, on the stack or in its working memory, is a plain mutex: calls of other
-///    threads do not go on in the child. Their memory and their references to objects are lost there.
+/// 4. A lock that lives no longer than one call, on the stack or in its working memory, is a plain mutex: calls of
+///    other threads do not go on in the child. Their memory and their references to objects are lost there.
 /// 5. Data that changes without a lock is valid after each store, or a ForkHook repairs it.
 /// 6. std::call_once of a function that may be repeated is fine: the C library begins it again in the child. Variables
 ///    of functions are constant-initialised, because the guard of others stays taken in the child.
@@ -166,7 +167,7 @@ class StaticForkHook {
   StaticForkHook& operator=(const StaticForkHook&) = delete;
 
   /// From now on function(data) runs in each child, on its only thread, while fork() holds every ForkMutex. It takes
-  /// none. Repeated calls do nothing. Throws std::bad_alloc.
+  /// none. `data` must be complete. Repeated calls do nothing. Throws std::bad_alloc.
   void attach(Function function, void* data);
   void detach() noexcept;
 
@@ -215,7 +216,7 @@ class ForkCondition {
   std::condition_variable condition_;
 };
 
-/// What fork() calls.
+/// The functions that fork() calls.
 struct ForkHandlers {
   static void prepare() {
     detail::ForkRegistry& all = detail::g_fork;

@@ -54,7 +54,7 @@ class Scratch {
 
   const Allocator host_;
   const bool keeps_;
-  std::mutex mutex_;  // of one call: a child does not go on with the calls of other threads
+  std::mutex mutex_;            // serves one call, and a child does not go on with the calls of other threads
   Block* free_[kClasses] = {};  // [class]
   Block* chunks_ = nullptr;     // memory of small blocks
   uint8_t* next_ = nullptr;     // rest of the first chunk

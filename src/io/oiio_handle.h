@@ -24,7 +24,7 @@ inline void begin_pixels(const char* format) {
   uint32_t first = 0;
   const uint32_t own = core::fork_generation() + 1;
   if (first_use.compare_exchange_strong(first, own, std::memory_order_relaxed) || first == own) return;
-  core::refuse(SHD_ERROR_UNSUPPORTED, "OpenEXR: a parent of this process used it before fork(), which left its threads");
+  core::refuse(SHD_ERROR_UNSUPPORTED, "OpenEXR: a parent of this process used it before fork() and has its threads");
 }
 
 /// An input or output whose pending errors are fetched at the end of its life, because OpenImageIO prints errors that

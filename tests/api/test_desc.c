@@ -31,7 +31,7 @@ struct kind_case {
     }
 SHD_SIZED_STRUCTS(DEFAULTS)
 
-#define ALIGNMENT(type) \
+#define ALIGNMENT(type)  \
     offsetof(            \
         struct {         \
             char first;  \

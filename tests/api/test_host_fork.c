@@ -246,8 +246,8 @@ static int fork_and_use(struct place *p, const char *during)
     if (child < 0 || waitpid(child, &status, 0) != child) return 1;
     if (status == 0) return 0;
     if (WIFSIGNALED(status)) print_error("fork during %s: the child ended by signal %d\n", during, WTERMSIG(status));
-    if (WIFEXITED(status)) print_error("fork during %s: %s failed in the child\n", during,
-                                       k_kinds[WEXITSTATUS(status) - 1].name);
+    if (WIFEXITED(status))
+        print_error("fork during %s: %s failed in the child\n", during, k_kinds[WEXITSTATUS(status) - 1].name);
     return 1;
 }
 

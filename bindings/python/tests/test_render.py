@@ -94,6 +94,23 @@ class Programs(Case):
         np.testing.assert_allclose(color[3, :, 0], (np.arange(16) + 0.5) / 16, atol=1e-6)
         np.testing.assert_allclose(color[:, 5, 1], (np.arange(8) + 0.5) / 8, atol=1e-6)
 
+    def test_kept_arrays(self):
+        """Arrays that a program keeps do not refer to memory of the library."""
+        kept = []
+
+        def keep(fragments, out):
+            out.r[:] = fragments.u
+            for array in kept:
+                array[:] = 9
+            kept.append(out.r)
+
+        with shd.Context(worker_count=1) as context:
+            for _ in range(3):
+                color = self.draw(context, {"fragment": keep}, 16, 8)
+                np.testing.assert_allclose(color[3, :, 0], (np.arange(16) + 0.5) / 16, atol=1e-6)
+                kept[-1][:] = 9
+        self.assertTrue(all(array.flags.owndata for array in kept))
+
     def test_workers(self):
         """Four workers in the program have the bits of one, and none waits for the caller."""
         hashes, lock, four = set(), threading.Lock(), threading.Event()

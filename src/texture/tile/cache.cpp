@@ -53,7 +53,6 @@ void TileCache::destroy(const core::Allocator& allocator, TileCache* cache) noex
 TileCache::TileCache(const TileBudget& budget, const shd_tile_cache_desc& desc)
     : budget_(budget), budget_bytes_(desc.budget_bytes), tile_bytes_(desc.tile_bytes) {
   mutex_.attach();
-  fork_hook_.attach(repair_in_child, this);
   Parts parts(this);
   parts.take<TileCache>(1);
   slots_ = parts.make<TileSlot>(budget.slots);
@@ -72,6 +71,7 @@ TileCache::TileCache(const TileBudget& budget, const shd_tile_cache_desc& desc)
       lease.turn[e] = 0;
     }
   }
+  fork_hook_.attach(repair_in_child, this);  // the last step, because it reads slots and leases
 }
 
 void TileCache::add(TileSet* set) {
