@@ -267,6 +267,7 @@ void test_changed(void **)
         if (result != SHD_OK) {
             assert_true(result == SHD_ERROR_CORRUPT || result == SHD_ERROR_UNSUPPORTED || result == SHD_ERROR_LIMIT ||
                         result == SHD_ERROR_OUT_OF_MEMORY || result == SHD_ERROR_NOT_FOUND);
+            if (std::strstr(shd_last_error(), "/proc/")) fail_msg("%s", shd_last_error());
         }
         loaded += result == SHD_OK;
         shd_texture_release(texture);
