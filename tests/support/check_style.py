@@ -40,7 +40,7 @@ THIRD_PARTY = {
 OPENERS = {
     r"(?<![\w>])::(?:open|openat|creat)\s*\(|(?<![\w.>:])open(?:at)?\s*\([^;{]*\bO_(?:RDONLY|WRONLY|RDWR)\b":
         {"src/core/regular_file.h", "src/io/write_file.cpp"},
-    r"\bf(?:re)?open\s*\(": {"src/io/worker_job.cpp", "src/io/worker_main.cpp"},
+    r"\bf(?:re)?open\s*\(": {"src/io/worker_confine.cpp", "src/io/worker_main.cpp"},
     r"\b(?:basic_)?(?:[io]?fstream|filebuf)\b": set(),
     r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio.cpp", "src/io/oiio_tiles.cpp"},
     r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},
