@@ -80,17 +80,22 @@ class Run {
         image_(source.image()),
         band_(choose_band(options, image_, source.step())),
         row_sizes_(row_sizes(image_)),
-        target_(options.output + ".part/file", options, image_),
-        part_(options.output, key_of(options, image_), options.force, row_sizes_),
+        target_(options, image_),
+        part_(options.output, key_of(options, image_), options.force, row_sizes_, image_.height),
         pyramid_(make_pyramid(image_.component, image_.channels, options.normal, image_.width, image_.height)),
         bar_(options.quiet, texels_of(image_), 0) {}
 
   void run() {
-    done_ = saved_ = part_.restore(&pyramid_->state(), image_.height);
+    std::string damaged;
+    done_ = saved_ = part_.restore(&pyramid_->state(), &damaged);
+    if (!damaged.empty()) {
+      std::fprintf(stderr, "shd-maketx: %s of the unfinished run is damaged: begins anew\n", damaged.c_str());
+    }
     if (done_ > 0 && !options_.quiet) {
       std::fprintf(stderr, "shd-maketx: continues: levels of %u of %u rows are there\n", done_, image_.height);
     }
     try {
+      target_.open(part_.create_file());
       write_base();
       write_levels();
       target_.finish();
