@@ -22,7 +22,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h", "src/io/oiio_tiles.cpp",
-                     "src/tool/maketx/main.cpp", "src/tool/maketx/pyramid.cpp", "src/tool/maketx/source.h",
+                     "src/tool/maketx/decoder.cpp", "src/tool/maketx/main.cpp", "src/tool/maketx/pyramid.cpp", "src/tool/maketx/source.h",
                      "src/tool/maketx/target.h"},
     "openvdb/": {"src/io/vdb.cpp"},
     "zstd": {"src/io/inflate.cpp"},
