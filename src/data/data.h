@@ -12,7 +12,7 @@
 /// | trig.h      | angles, tangents, sines and cosines, bit-equal on all machines    |
 /// | camera.h    | look-at matrices, bit-equal on all machines                       |
 /// | transform.h | projections, placements and inverses, bit-equal on all machines   |
-/// | hash.h      | hashes of words                                                   |
+/// | hash.h      | hashes of words; checksum.h: checksums of stored bytes            |
 #pragma once
 
 #include <cstddef>

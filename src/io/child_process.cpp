@@ -89,12 +89,12 @@ std::vector<char*> kept_environment() {
 
 }  // namespace
 
-pid_t start_process(const std::string& program, int socket) {
+pid_t start_process(const std::string& program, int socket, const char* argument) {
   if (::access(program.c_str(), X_OK) != 0) refuse_start(program, errno);
   std::vector<char*> environment = kept_environment();
   SpawnOptions options;
   int error = fill_options(options, socket);
-  char* arguments[] = {const_cast<char*>(program.c_str()), nullptr};
+  char* arguments[] = {const_cast<char*>(program.c_str()), const_cast<char*>(argument), nullptr};
   pid_t pid = -1;
   if (!error) {
     error = ::posix_spawn(&pid, program.c_str(), &options.files, &options.attributes, arguments, environment.data());

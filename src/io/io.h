@@ -53,7 +53,7 @@
 /// | packet.h         | sending and receiving with deadlines                                 |
 /// | child_process.h  | starting and ending a program                                        |
 /// | worker_job.h     | the worker: the server (worker_serve.cpp) and its children           |
-/// | worker_memory.h  | memory of these children                                             |
+/// | worker_memory.h  | memory of these children; worker_confine.h: limits by the system     |
 #pragma once
 
 #include <cstddef>

@@ -6,15 +6,11 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/time.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -24,6 +20,7 @@
 #include "io/oiio.h"
 #include "io/packet.h"
 #include "io/read_file.h"
+#include "io/worker_confine.h"
 #include "io/worker_memory.h"
 
 namespace shd::io {
@@ -64,53 +61,17 @@ bool lend_all(int pipe, const void* bytes, size_t size) {
   return true;
 }
 
-void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
-  const rlimit limit = {value, value};
-  (void)::setrlimit(resource, &limit);
-}
-
-/// Sanitizers reserve more address space than any limit would leave.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-void limit_memory(const WorkerRequest&) {}
-#else
-/// Address space in use at this moment, by the libraries of the decoders [bytes].
-uint64_t address_space() {
-  unsigned long long pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
-    std::fclose(file);
-  }
-  return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
-}
-
 /// Decoders hold up to two copies of a picture in addition to the result. The constant covers three copies of the
-/// largest row or tile that any max_bytes allows, 64 MiB, and tables.
-void limit_memory(const WorkerRequest& request) {
-  const uint64_t decoded = decoded_bytes(request);
-  const uint64_t used = address_space();
-  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{256} << 20));
-}
-#endif
-
-/// The server kills a child at its deadline, too; these limits hold if the server ends.
-void limit_time(double seconds) {
-  const auto whole = static_cast<uint64_t>(std::ceil(std::clamp(seconds, 0.0, 1e8))) + 1;
-  set_limit(RLIMIT_CPU, whole);
-  itimerval timer = {};
-  timer.it_value.tv_sec = static_cast<time_t>(whole + 1);
-  (void)::setitimer(ITIMER_REAL, &timer, nullptr);
-}
-
+/// largest row or tile that any max_bytes allows, 64 MiB, and tables. The server kills a child at its deadline, too;
+/// the limit of time holds if the server ends.
 void confine(const WorkerRequest& request) {
-  set_limit(RLIMIT_CORE, 0);
+  const uint64_t decoded = decoded_bytes(request);
   // Some decoders need an anonymous file of the same size.
   const bool needs_file =
       (request.formats & SHD_FILE_FORMAT_ANY) != 0 || static_cast<Parts>(request.parts) == Parts::kGrid;
-  set_limit(RLIMIT_FSIZE, needs_file ? request.size : 0);
-  limit_time(request.limits.seconds);
-  limit_memory(request);
-  (void)::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  limit_process(decoded_bytes(request));
+  const uint64_t memory = 3 * decoded + 3 * request.size + (uint64_t{256} << 20);
+  confine(Confinement{memory, needs_file ? request.size : 0, request.limits.seconds});
+  limit_process(decoded);
 }
 
 LoadOptions options_of(const WorkerRequest& request) {

@@ -22,7 +22,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h", "src/io/oiio_tiles.cpp",
-                     "src/tool/maketx/main.cpp", "src/tool/maketx/pyramid.cpp", "src/tool/maketx/source.h",
+                     "src/tool/maketx/decoder.cpp", "src/tool/maketx/main.cpp", "src/tool/maketx/pyramid.cpp", "src/tool/maketx/source.h",
                      "src/tool/maketx/target.h"},
     "openvdb/": {"src/io/vdb.cpp"},
     "zstd": {"src/io/inflate.cpp"},
@@ -40,7 +40,7 @@ THIRD_PARTY = {
 OPENERS = {
     r"(?<![\w>])::(?:open|openat|creat)\s*\(|(?<![\w.>:])open(?:at)?\s*\([^;{]*\bO_(?:RDONLY|WRONLY|RDWR)\b":
         {"src/core/regular_file.h", "src/io/write_file.cpp"},
-    r"\bf(?:re)?open\s*\(": {"src/io/worker_job.cpp", "src/io/worker_main.cpp"},
+    r"\bf(?:re)?open\s*\(": {"src/io/worker_confine.cpp", "src/io/worker_main.cpp"},
     r"\b(?:basic_)?(?:[io]?fstream|filebuf)\b": set(),
     r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio.cpp", "src/io/oiio_tiles.cpp"},
     r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},

@@ -33,10 +33,10 @@ std::string key_of(const Options& options, const Image& image) {
 }
 
 /// Memory for a band of rows, beside the pyramid: the band, a copy of it in OpenImageIO with compressed tiles, the
-/// rows of levels that it completes, and a row of tiles of the input.
+/// rows of levels that it completes, and the rows of the decoder.
 uint64_t band_bytes(const Image& image, uint32_t rows, uint32_t step) {
   const uint64_t row = image.row_size();
-  return row * rows * 3 + row * rows / 2 + 2 * row + (step > 1 ? row * step : 0);
+  return row * rows * 3 + row * rows / 2 + 2 * row + row * step;
 }
 
 uint32_t choose_band(const Options& options, const Image& image, uint32_t step) {
@@ -80,17 +80,22 @@ class Run {
         image_(source.image()),
         band_(choose_band(options, image_, source.step())),
         row_sizes_(row_sizes(image_)),
-        target_(options.output + ".part/file", options, image_),
-        part_(options.output, key_of(options, image_), options.force, row_sizes_),
+        target_(options, image_),
+        part_(options.output, key_of(options, image_), options.force, row_sizes_, image_.height),
         pyramid_(make_pyramid(image_.component, image_.channels, options.normal, image_.width, image_.height)),
         bar_(options.quiet, texels_of(image_), 0) {}
 
   void run() {
-    done_ = saved_ = part_.restore(&pyramid_->state(), image_.height);
+    std::string damaged;
+    done_ = saved_ = part_.restore(&pyramid_->state(), &damaged);
+    if (!damaged.empty()) {
+      std::fprintf(stderr, "shd-maketx: %s of the unfinished run is damaged: begins anew\n", damaged.c_str());
+    }
     if (done_ > 0 && !options_.quiet) {
       std::fprintf(stderr, "shd-maketx: continues: levels of %u of %u rows are there\n", done_, image_.height);
     }
     try {
+      target_.open(part_.create_file());
       write_base();
       write_levels();
       target_.finish();
@@ -104,14 +109,19 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void show(uint64_t texels, const std::string& what) {
+    source_.check_time();
+    bar_.show(texels, what);
+  }
+
   void write_base() {
     target_.begin_level(0);
     std::vector<uint8_t> rows(band_ * image_.row_size());
     Clock::time_point saved = Clock::now();
     for (uint32_t y = 0; y < image_.height; y += band_) {
       const uint32_t count = std::min(band_, image_.height - y);
-      bar_.show(uint64_t{y} * image_.width, "base");
-      source_.read(y, count, rows.data());
+      show(uint64_t{y} * image_.width, "base");
+      source_.read(count, rows.data());
       target_.write(y, count, rows.data());
       if (y + count <= done_) continue;
       add({rows.data(), image_.row_size(), y, count});
@@ -154,7 +164,7 @@ class Run {
       std::vector<uint8_t> rows(std::min(band_, height) * row_sizes_[level - 1]);
       for (uint32_t y = 0; y < height; y += band_) {
         const uint32_t count = std::min(band_, height - y);
-        bar_.show(texels, "level " + std::to_string(level));
+        show(texels, "level " + std::to_string(level));
         part_.read(level, y, count, rows.data());
         target_.write(y, count, rows.data());
         texels += uint64_t{count} * width;

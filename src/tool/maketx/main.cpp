@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -12,8 +13,10 @@
 #include "io/silence.h"
 #include "tool/failure.h"
 #include "tool/maketx/convert.h"
+#include "tool/maketx/decoder.h"
 
 int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], kDecoderArgument) == 0) return run_decoder();
   try {
     const Options options = read_options(argc, argv);
     if (options.help) {

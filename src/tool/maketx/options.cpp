@@ -11,7 +11,8 @@ const char* const kHelp =
     R"(Usage: shd-maketx [options] INPUT -o OUTPUT
 Converts an image of any size to a tiled file with all mip levels, for lookups that load tiles.
 
-INPUT is any image that OpenImageIO reads. OUTPUT is .tx, .tif or .tiff (tiled TIFF) or .exr (half and float).
+INPUT is any image that OpenImageIO reads, also an untrusted one: a process of its own decodes it.
+OUTPUT is .tx, .tif or .tiff (tiled TIFF) or .exr (half and float).
 Levels are exact averages of the input in linear light, with the bits of SHD_TABLE_MIPMAP.
 
   -o, --output FILE    where the file appears, whole or not at all
@@ -25,6 +26,8 @@ Levels are exact averages of the input in linear light, with the bits of SHD_TAB
   --memory SIZE        most memory for rows and sums, in MB or with K, M, G (default 512)
   --threads N          threads (default one per core); the file does not depend on it
   --checkpoint S       seconds between places from which an interrupted run continues (default 5)
+  --stall-limit S      most seconds without a row from the decoder of INPUT (default 60)
+  --time-limit S       most seconds of the run (default none)
   --force              replace an existing OUTPUT, and begin anew beside an unfinished run of other options
   --quiet              no progress
   --help, --version    this text; the version
@@ -106,6 +109,9 @@ bool set_value(const std::string& name, const std::string& text, Options* out) {
     out->threads = number(name, text, 0, 1024, "a number from 0 to 1024");
   } else if (name == "--checkpoint") {
     out->checkpoint = number(name, text, 0.0, 1e6, "a number of seconds from 0 to 1000000");
+  } else if (name == "--stall-limit" || name == "--time-limit") {
+    (name == "--stall-limit" ? out->stall_limit : out->time_limit) =
+        number(name, text, 0.1, 1e6, "a number of seconds from 0.1 to 1000000");
   } else {
     return false;
   }

@@ -19,6 +19,8 @@ struct Options {
   uint64_t memory = uint64_t{512} << 20;  // [bytes]
   int threads = 0;                        // 0 = one per core
   double checkpoint = 5;                  // [s]
+  double time_limit = 0;                  // seconds of the run; 0 = none
+  double stall_limit = 60;                // seconds between two pieces of the decoder
   bool force = false, quiet = false;
 };
 

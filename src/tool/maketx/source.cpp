@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "tool/maketx/source.h"
 
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <thread>
+#include <utility>
 
+#include "core/failure.h"
 #include "io/printable.h"
+#include "io/read_file.h"
 #include "io/transfer.h"
 #include "tool/failure.h"
 
@@ -16,6 +23,9 @@ namespace {
 using shd::image::Component;
 
 constexpr int kMaxSide = 1 << 20;
+
+/// Memory of the decoder for tables of codecs, and for the stacks of a thread in each of two pools [bytes].
+constexpr uint64_t kCodecMemory = uint64_t{1} << 30, kThreadMemory = uint64_t{32} << 20;
 
 struct Storage {
   const char* name;
@@ -30,7 +40,13 @@ constexpr Storage kStorages[] = {{"uint8", OIIO::TypeDesc::UINT8, Component::kUn
 std::string sentence(const std::string& text) {
   std::string line = shd::io::printable(text);
   while (!line.empty() && (line.back() == '?' || line.back() == ' ')) line.pop_back();
-  return line.empty() ? "OpenImageIO gives no reason" : line;
+  return line;
+}
+
+/// A text of the decoder, which need not end.
+template <size_t kSize>
+std::string text_of(const char (&text)[kSize]) {
+  return std::string(text, ::strnlen(text, kSize));
 }
 
 const Storage* find_storage(const std::string& name, OIIO::TypeDesc type) {
@@ -42,63 +58,156 @@ const Storage* find_storage(const std::string& name, OIIO::TypeDesc type) {
 
 }  // namespace
 
-Source::Source(const Options& options) : path_(options.input) {
+Source::Source(const Options& options) : options_(options), end_(options.time_limit > 0 ? options.time_limit : 1e9) {
   struct stat status;
-  if (::stat(path_.c_str(), &status) != 0) refuse(std::string("cannot open: ") + std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) refuse("not a regular file");
-  if (status.st_size == 0) refuse("the file is empty");
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // numbers as they are stored
-  input_ = OIIO::ImageInput::open(path_, &config);
-  if (!input_) refuse("cannot read: " + sentence(OIIO::geterror()));
-  spec_ = input_->spec();
-  image_.file_bytes = static_cast<uint64_t>(status.st_size);
+  try {
+    const shd::core::RegularFile input = shd::io::open_file(options.input.c_str());
+    if (::fstat(input.file.fd, &status) != 0) refuse(std::strerror(errno));
+    image_.file_bytes = input.size;
+  } catch (const shd::core::Failure& failure) {
+    throw Failure(kExitInput, failure.what());
+  }
+  if (image_.file_bytes == 0) refuse("the file is empty");
   image_.changed = int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec;
-  describe(options);
-  tile_rows_ = static_cast<uint32_t>(spec_.tile_height);
+  start();
+  Description file;
+  (void)receive_piece(PieceKind::kDescription, 1);
+  receive(&file, sizeof file);
+  describe(file);
+  const DecodeRows rows = {static_cast<int32_t>(image_.channels), image_.type.basetype, step_};
+  send(&rows, sizeof rows);
+  left_ = image_.height;
+}
+
+void Source::start() {
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw Failure(kExitFailed, std::string("cannot make a socket: ") + std::strerror(errno));
+  }
+  socket_ = shd::io::FileDescriptor(ends[0]);
+  const shd::io::FileDescriptor theirs(ends[1]);
+  decoder_.pid = shd::io::start_process("/proc/self/exe", theirs.fd, kDecoderArgument);
+  const std::string path = std::filesystem::absolute(options_.input).string();  // the decoder has another folder
+  DecodeFile file = {};
+  if (path.size() >= sizeof file.path) refuse("the path is too long");
+  const unsigned threads =
+      options_.threads ? static_cast<unsigned>(options_.threads) : std::thread::hardware_concurrency();
+  file.memory = kCodecMemory + threads * kThreadMemory + 8 * options_.memory + 3 * image_.file_bytes;
+  file.threads = options_.threads;
+  path.copy(file.path, path.size());
+  send(&file, sizeof file);
 }
 
 void Source::refuse(const std::string& what) const {
-  throw Failure(kExitInput, "\"" + shd::io::printable(path_) + "\": " + what);
+  throw Failure(kExitInput, "\"" + shd::io::printable(options_.input) + "\": " + what);
 }
 
-void Source::describe(const Options& options) {
-  const auto text = [](int value) { return std::to_string(value); };
-  if (spec_.deep || spec_.depth > 1) refuse("deep images and volumes cannot be converted");
-  if (spec_.width < 1 || spec_.height < 1 || spec_.nchannels < 1) refuse("the file describes an image without pixels");
-  if (spec_.width > kMaxSide || spec_.height > kMaxSide) {
-    refuse(text(spec_.width) + " x " + text(spec_.height) + " pixels; each side may have 1 to " + text(kMaxSide));
+void Source::check_time() const {
+  if (end_.seconds_left() > 0) return;
+  throw Failure(kExitFailed, "not done within --time-limit: an unfinished run continues by the same command");
+}
+
+/// Refuses the input because the decoder has ended, or sends nothing.
+void Source::refuse_end(shd::io::Stream stream) {
+  const pid_t pid = std::exchange(decoder_.pid, 0);
+  if (stream == shd::io::Stream::kLate) {
+    shd::io::kill_process(pid);
+    check_time();
+    char limit[32];
+    std::snprintf(limit, sizeof limit, "%g", options_.stall_limit);
+    refuse(std::string("the decoder has sent nothing for ") + limit + " s (--stall-limit)");
   }
-  if (spec_.x != spec_.full_x || spec_.y != spec_.full_y || spec_.width != spec_.full_width ||
-      spec_.height != spec_.full_height) {
+  refuse("the decoder died on the file (" + shd::io::finish_process(pid) + ")");
+}
+
+shd::io::Deadline Source::deadline() const {
+  return shd::io::Deadline(std::min(options_.stall_limit, end_.seconds_left()));
+}
+
+void Source::send(const void* bytes, size_t size) {
+  const shd::io::Stream stream = shd::io::send_all(socket_.fd, bytes, size, deadline());
+  if (stream != shd::io::Stream::kDone) refuse_end(stream);
+}
+
+void Source::receive(void* bytes, size_t size) {
+  const shd::io::Stream stream = shd::io::receive_all(socket_.fd, bytes, size, deadline());
+  if (stream != shd::io::Stream::kDone) refuse_end(stream);
+}
+
+/// Receives the head of a piece, of 1 to `most` rows or descriptions.
+uint32_t Source::receive_piece(PieceKind wanted, uint32_t most) {
+  Piece piece;
+  receive(&piece, sizeof piece);
+  if (piece.kind == PieceKind::kError && piece.count <= kMaxErrorText) {
+    std::string text(piece.count, ' ');
+    receive(text.data(), text.size());
+    refuse(sentence(text));
+  }
+  if (piece.kind != wanted || piece.count < 1 || piece.count > most) refuse("the decoder sent a wrong piece");
+  return piece.count;
+}
+
+void Source::describe(const Description& file) {
+  const auto text = [](int value) { return std::to_string(value); };
+  if (file.deep || file.depth > 1) refuse("deep images and volumes cannot be converted");
+  if (file.width < 1 || file.height < 1 || file.channels < 1) refuse("the file describes an image without pixels");
+  if (file.width > kMaxSide || file.height > kMaxSide) {
+    refuse(text(file.width) + " x " + text(file.height) + " pixels; each side may have 1 to " + text(kMaxSide));
+  }
+  if (file.x != file.full_x || file.y != file.full_y || file.width != file.full_width ||
+      file.height != file.full_height) {
     refuse("the data window is not the display window: crop the image to one of them first");
   }
-  if (spec_.tile_width < 0 || spec_.tile_height < 0 || spec_.tile_height > kMaxSide) refuse("bad tile size");
-  const int channels = options.channels ? options.channels : spec_.nchannels;
-  if (channels > spec_.nchannels)
-    refuse("--channels " + text(channels) + ", but the file has " + text(spec_.nchannels));
+  if (file.tile_width < 0 || file.tile_height < 0 || file.tile_height > kMaxSide) refuse("bad tile size");
+  const int channels = options_.channels ? options_.channels : file.channels;
+  if (channels > file.channels) refuse("--channels " + text(channels) + ", but the file has " + text(file.channels));
   if (channels > 4) refuse(text(channels) + " channels: choose the first 1 to 4 with --channels");
-  if (options.normal && channels < 3) refuse("--normal needs 3 or 4 channels, not " + text(channels));
-  const Storage* const storage = find_storage(options.format, spec_.format);
-  if (!storage) refuse(std::string("numbers of type ") + spec_.format.c_str() + ": choose another one with --format");
-  image_.width = static_cast<uint32_t>(spec_.width);
-  image_.height = static_cast<uint32_t>(spec_.height);
+  if (options_.normal && channels < 3) refuse("--normal needs 3 or 4 channels, not " + text(channels));
+  if (file.base_type < 0 || file.base_type >= OIIO::TypeDesc::LASTBASE) refuse("numbers of no known type");
+  const OIIO::TypeDesc type(static_cast<OIIO::TypeDesc::BASETYPE>(file.base_type));
+  const Storage* const storage = find_storage(options_.format, type);
+  if (!storage) refuse(std::string("numbers of type ") + type.c_str() + ": choose another one with --format");
+  image_.width = static_cast<uint32_t>(file.width);
+  image_.height = static_cast<uint32_t>(file.height);
   image_.channels = static_cast<uint32_t>(channels);
   image_.type = storage->type;
   image_.component = storage->component;
-  image_.alpha = spec_.alpha_channel < channels ? spec_.alpha_channel : -1;
-  image_.straight = image_.alpha >= 0 && spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-  for (int c = 0; c < channels; ++c) image_.names.push_back(spec_.channel_name(c));
-  choose_encoding(options, storage->name);
+  image_.alpha = file.alpha >= 0 && file.alpha < channels ? file.alpha : -1;
+  image_.straight = image_.alpha >= 0 && file.straight != 0;
+  choose_names(file);
+  choose_encoding(text_of(file.color_space), storage->name);
+  choose_step(static_cast<uint32_t>(file.tile_height));
 }
 
-void Source::choose_encoding(const Options& options, const char* type) {
-  const bool linear = options.normal || options.encoding == Encoding::kLinear;
+/// Takes the names of the file if the output can have them: different ones, of printable characters.
+void Source::choose_names(const Description& file) {
+  std::vector<std::string>& names = image_.names;
+  bool good = true;
+  for (uint32_t c = 0; c < image_.channels; ++c) {
+    const std::string name = text_of(file.names[c]);
+    good = good && !name.empty() && shd::io::printable(name) == name &&
+           std::find(names.begin(), names.end(), name) == names.end();
+    names.push_back(name);
+  }
+  if (!good) names = OIIO::ImageSpec(1, 1, static_cast<int>(image_.channels), image_.type).channelnames;
+}
+
+/// Rows of a piece: whole tiles, or blocks of lines.
+void Source::choose_step(uint32_t tile_height) {
+  constexpr uint64_t kLargest = uint64_t{4} << 20, kBlock = 64;
+  const uint64_t bytes = std::min(kLargest, options_.memory / 8), row = image_.row_size();
+  const uint64_t block = tile_height ? tile_height : kBlock;
+  uint64_t rows = std::max<uint64_t>(bytes / (row * block), 1) * block;
+  if (tile_height == 0) rows = std::min(rows, std::max<uint64_t>(bytes / row, 1));
+  step_ = static_cast<uint32_t>(std::min<uint64_t>(rows, image_.height));
+}
+
+void Source::choose_encoding(const std::string& said, const char* type) {
+  const bool linear = options_.normal || options_.encoding == Encoding::kLinear;
   const bool integers = image_.type == OIIO::TypeUInt8 || image_.type == OIIO::TypeUInt16;
-  const std::string space = shd::io::name_color_space(SHD_COLOR_ENCODING_AUTO,
-                                                      spec_.get_string_attribute("oiio:ColorSpace"), integers, nullptr);
+  const std::string space = shd::io::name_color_space(SHD_COLOR_ENCODING_AUTO, said, integers, nullptr);
   const shd::io::Curve curve = shd::io::transfer_of(space).curve;
-  const bool srgb = options.encoding == Encoding::kSrgb || (!linear && curve == shd::io::Curve::kSrgb);
+  const bool srgb = options_.encoding == Encoding::kSrgb || (!linear && curve == shd::io::Curve::kSrgb);
   if (!linear && !srgb && curve != shd::io::Curve::kLinear) {
     refuse("colour space \"" + shd::io::printable(space) + "\": say --srgb or --linear");
   }
@@ -110,36 +219,17 @@ void Source::choose_encoding(const Options& options, const char* type) {
   image_.component = Component::kSrgb8;
 }
 
-/// Refuses rows whose read failed, or left a message: some readers report damage in this way only.
-void Source::check_read(bool read, uint32_t begin, uint32_t end) {
-  const std::string message = input_->geterror();
-  if (read && message.empty()) return;
-  refuse("rows " + std::to_string(begin) + " to " + std::to_string(end - 1) + ": " + sentence(message));
-}
-
-void Source::read_tiles(uint32_t y) {
-  const uint32_t begin = y / tile_rows_ * tile_rows_;
-  end_ = std::min(begin + tile_rows_, image_.height);
-  buffered_ = begin;
-  buffer_.assign(size_t{end_ - begin} * image_.row_size(), 0);
-  const bool read = input_->read_tiles(0, 0, 0, spec_.width, static_cast<int>(begin), static_cast<int>(end_), 0, 1, 0,
-                                       static_cast<int>(image_.channels), image_.type, buffer_.data());
-  check_read(read, begin, end_);
-}
-
-void Source::read(uint32_t y, uint32_t count, uint8_t* out) {
+void Source::read(uint32_t count, uint8_t* out) {
   const size_t row = image_.row_size();
-  if (tile_rows_ == 0) {
-    const bool read = input_->read_scanlines(0, 0, static_cast<int>(y), static_cast<int>(y + count), 0, 0,
-                                             static_cast<int>(image_.channels), image_.type, out);
-    check_read(read, y, y + count);
-    return;
-  }
-  for (const uint32_t last = y + count; y < last;) {
-    if (y < buffered_ || y >= end_) read_tiles(y);
-    const uint32_t rows = std::min(last, end_) - y;
-    std::memcpy(out, buffer_.data() + (y - buffered_) * row, rows * row);
+  while (count > 0) {
+    if (piece_ == 0) {
+      piece_ = receive_piece(PieceKind::kRows, left_);
+      left_ -= piece_;
+    }
+    const uint32_t rows = std::min(count, piece_);
+    receive(out, rows * row);
     out += rows * row;
-    y += rows;
+    piece_ -= rows;
+    count -= rows;
   }
 }

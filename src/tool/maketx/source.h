@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <OpenImageIO/imageio.h>
+#include <sys/types.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "image/format.h"
+#include "io/child_process.h"
+#include "io/file_descriptor.h"
+#include "io/limits.h"
+#include "io/packet.h"
+#include "tool/maketx/decoder.h"
 #include "tool/maketx/options.h"
 
 /// Description of the image that the output consists of.
@@ -24,28 +30,42 @@ struct Image {
   size_t row_size() const { return width * pixel_size(); }
 };
 
-/// The input. Throws Failure (kExitInput) for what cannot be read or converted.
+/// The input, which a decoder reads in another process. Throws Failure: kExitInput for what cannot be read or
+/// converted, also if the decoder dies or stops; kExitFailed after --time-limit.
 class Source {
  public:
   explicit Source(const Options& options);
   const Image& image() const { return image_; }
-  /// Rows that are read together: the height of a tile of the file, or 1.
-  uint32_t step() const { return tile_rows_ ? tile_rows_ : 1; }
-  /// Reads the next `count` rows from row y on. Calls are in order.
-  void read(uint32_t y, uint32_t count, uint8_t* out);
+  /// Rows that the decoder has in memory.
+  uint32_t step() const { return step_; }
+  /// Reads the next `count` rows.
+  void read(uint32_t count, uint8_t* out);
+  /// Ends a run that takes longer than --time-limit.
+  void check_time() const;
 
  private:
-  void describe(const Options& options);
-  void choose_encoding(const Options& options, const char* type);
+  struct Process {
+    pid_t pid = 0;
+    ~Process() { shd::io::kill_process(pid); }
+  };
+  void start();
+  void describe(const Description& file);
+  void choose_encoding(const std::string& said, const char* type);
+  void choose_names(const Description& file);
+  void choose_step(uint32_t tile_height);
   [[noreturn]] void refuse(const std::string& what) const;
-  void check_read(bool read, uint32_t begin, uint32_t end);
-  void read_tiles(uint32_t y);
+  [[noreturn]] void refuse_end(shd::io::Stream stream);
+  void send(const void* bytes, size_t size);
+  void receive(void* bytes, size_t size);
+  uint32_t receive_piece(PieceKind wanted, uint32_t most);
+  shd::io::Deadline deadline() const;
 
-  std::string path_;
-  std::unique_ptr<OIIO::ImageInput> input_;
-  OIIO::ImageSpec spec_;
+  const Options& options_;
+  const shd::io::Deadline end_;  // end of the run
   Image image_;
-  uint32_t tile_rows_ = 0;           // 0 = the file consists of rows
-  std::vector<uint8_t> buffer_;      // a row of tiles
-  uint32_t buffered_ = 0, end_ = 0;  // its rows
+  uint32_t step_ = 1;
+  Process decoder_;
+  shd::io::FileDescriptor socket_;
+  uint32_t piece_ = 0;  // rows of the current piece that have not been read
+  uint32_t left_ = 0;   // rows of the image that no piece has announced
 };

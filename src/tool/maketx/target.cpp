@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tool/maketx/target.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <cstring>
 #include <ctime>
 
-#include "io/file_descriptor.h"
 #include "io/printable.h"
 #include "texture/store/storage.h"
 #include "tool/failure.h"
@@ -52,9 +50,8 @@ OIIO::ImageSpec make_spec(const Options& options, const Image& image) {
 
 }  // namespace
 
-Target::Target(const std::string& path, const Options& options, const Image& image)
-    : path_(path),
-      name_(options.output),
+Target::Target(const Options& options, const Image& image)
+    : name_(options.output),
       spec_(make_spec(options, image)),
       type_(image.type),
       width_(image.width),
@@ -76,6 +73,11 @@ Target::Target(const std::string& path, const Options& options, const Image& ima
 void Target::refuse(const std::string& action, const std::string& reason) const {
   const std::string why = reason.empty() ? std::strerror(errno) : reason;
   throw Failure(kExitOutput, "\"" + shd::io::printable(name_) + "\": " + action + ": " + shd::io::printable(why));
+}
+
+void Target::open(shd::io::FileDescriptor file) {
+  file_ = std::move(file);
+  path_ = "/proc/self/fd/" + std::to_string(file_.fd);
 }
 
 void Target::begin_level(uint32_t level) {
@@ -151,6 +153,5 @@ void Target::finish() {
   const auto input = OIIO::ImageInput::open(path_, &config);
   if (!input) refuse("cannot be read back", OIIO::geterror());
   for (uint32_t level = 0; level < levels_; ++level) check_level(*input, level);
-  const shd::io::FileDescriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.fd < 0 || ::fsync(file.fd) != 0) refuse("cannot flush", "");
+  if (::fsync(file_.fd) != 0) refuse("cannot flush", "");
 }

@@ -5,13 +5,15 @@
 #include <memory>
 #include <string>
 
+#include "io/file_descriptor.h"
 #include "tool/maketx/source.h"
 
 /// The tiled file. Throws Failure (kExitOutput).
 class Target {
  public:
-  /// Begins a file at `path`, under whose name it is not shown in messages: they name options.output.
-  Target(const std::string& path, const Options& options, const Image& image);
+  Target(const Options& options, const Image& image);
+  /// Takes the file to write, which is empty.
+  void open(shd::io::FileDescriptor file);
   /// Begins level 0, then 1 and so on.
   void begin_level(uint32_t level);
   /// Writes whole rows of tiles, or the last rows of the level.
@@ -25,7 +27,8 @@ class Target {
   bool write_tiles(uint32_t y, uint32_t count, const uint8_t* rows);
   void check_level(OIIO::ImageInput& input, uint32_t level) const;
 
-  std::string path_, name_;
+  shd::io::FileDescriptor file_;
+  std::string path_, name_;  // path by the descriptor, which no link can replace; output, for messages
   std::unique_ptr<OIIO::ImageOutput> output_;
   OIIO::ImageSpec spec_;
   OIIO::TypeDesc type_;
