@@ -15,7 +15,9 @@
  *    2^-weight_bits times the difference of the largest and the smallest of the four texels.
  *  - Levels of detail lie between the smallest and the largest one of the rules `level_rules`, with derivatives within
  *    derivative_error (relative). Then level_error is added on both sides, the sampler's bias and clamps are applied,
- *    and the level may be rounded in either direction to level_bits, or to more bits. The nearest level is
+ *    and the level may be rounded in either direction to level_bits, or to more bits. Bounds of levels have no other
+ *    slack: without errors, a level on the grid of level_bits is the only legal one. Derivatives of CUBE are those on
+ *    the plane of the face, of any length. An infinite derivative has the coarsest level. The nearest level is
  *    ceil(lod + 1/2) - 1 or floor(lod + 1/2).
  *  - Magnification is legal where a legal level of detail is 0 or below, and minification where one is above 0.
  *  - ANISOTROPIC. Let p and q be the longer and the shorter axis of a rule, and a = max_anisotropy. The value is an

@@ -10,11 +10,15 @@
  * of lambda. shd_profile has the rules of the other filters and of other texture units.
  *
  * Lookups of a texture with a projection (shd_texture_desc) read (u, v, w) as a direction of any length in world space,
- * and the derivatives as its changes per pixel step. The footprint is found on the image, on the equator for LAT_LONG;
- * beyond an edge of an image texels come from the neighbouring image, so that no filter has a seam or a pole. Wraps and
- * borders have no effect; `layer` has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP,
- * TRILINEAR, ANISOTROPIC and EWA, without derivatives of the result; others return SHD_ERROR_UNSUPPORTED.
- * SHD_PRECISION_FAST has no effect. A direction of length 0, or with a component that is NaN or infinite, counts as +Z.
+ * and the derivatives as its changes per pixel step. The footprint is found on the image, on the equator for LAT_LONG,
+ * by the exact Jacobian of the projection; for CUBE on the plane of the face. Levels of detail have no other limit than
+ * in 2D: footprints longer than an image have the coarser levels of their length, and an infinite component of a change
+ * gives the coarsest level. Only places of probes are limited: a line of probes is at most one circle along a parallel
+ * of LAT_LONG, and ends at most one image beyond OCTAHEDRAL, MIRROR_BALL and ANGULAR. Beyond an edge of an image texels
+ * come from the neighbouring image, so that no filter has a seam or a pole. Wraps and borders have no effect; `layer`
+ * has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR, ANISOTROPIC and EWA, without
+ * derivatives of the result; others return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect. A direction of
+ * length 0, or with a component that is NaN or infinite, counts as +Z.
  *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within

@@ -116,7 +116,8 @@ static inline shd_projected_points shd_projected_points_default(void)
  *
  * u and v are within 3e-7 of the exact values. Derivatives are those of the formulas above. Angles below 2^-50 rad
  * from the poles of LAT_LONG and from the rim of MIRROR_BALL and ANGULAR, where a derivative goes to infinity, count as
- * 2^-50 rad. NaN derivatives of directions count as 0.
+ * 2^-50 rad. NaN derivatives of directions count as 0, and so do finite components beside infinite ones. A component
+ * below 2^-100 of the largest one of its derivative may count as 0.
  * @param context     its executor and SIMD target are used; concurrent reads
  * @param directions  columns, borrowed for the call
  * @param out         columns, borrowed for the call; must not overlap any input or each other (checked)

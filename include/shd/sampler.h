@@ -144,14 +144,15 @@ typedef enum shd_profile {
      * shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
      * equal weight at i / (ceil(eta) + 1) - 1/2 of the longer one. Fractions of levels and weights of bilinear lookups
      * (BILINEAR's too) have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+     * Weights of textures with a projection are not rounded.
      */
     SHD_PROFILE_VULKAN = 1,
     /**
      * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
      * ellipse, or the longer of x and y if they are parallel. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m /
      * r), ceil(min(r, max(m, 1))) probes along m. The specification does not define the places and weights of probes;
-     * shd uses the places and weights of SHD_PROFILE_VULKAN. Fractions and weights have 8 bits, and the nearest level
-     * is floor(lod + 1/2).
+     * shd uses the places and weights of SHD_PROFILE_VULKAN. Fractions of levels and weights of bilinear lookups have
+     * 8 bits, as in SHD_PROFILE_VULKAN, and the nearest level is floor(lod + 1/2).
      */
     SHD_PROFILE_D3D11 = 2,
     /**
@@ -174,7 +175,7 @@ typedef enum shd_profile {
 typedef enum shd_precision {
     SHD_PRECISION_FULL = 0, /**< weights and sums are binary32 floats */
     /**
-     * Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
+     * Weights of texels are integers of 14 bits, and texels are summed in integers. Values are within 2^-11 of
      * SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
      * of detail and probes are the same.
      *

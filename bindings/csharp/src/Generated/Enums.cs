@@ -1201,14 +1201,15 @@ namespace Shd
         /// shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
         /// equal weight at i / (ceil(eta) + 1) - 1/2 of the longer one. Fractions of levels and weights of bilinear lookups
         /// (BILINEAR's too) have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+        /// Weights of textures with a projection are not rounded.
         /// </summary>
         Vulkan = 1,
         /// <summary>
         /// Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
         /// ellipse, or the longer of x and y if they are parallel. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m /
         /// r), ceil(min(r, max(m, 1))) probes along m. The specification does not define the places and weights of probes;
-        /// shd uses the places and weights of Profile.Vulkan. Fractions and weights have 8 bits, and the nearest level
-        /// is floor(lod + 1/2).
+        /// shd uses the places and weights of Profile.Vulkan. Fractions of levels and weights of bilinear lookups have
+        /// 8 bits, as in Profile.Vulkan, and the nearest level is floor(lod + 1/2).
         /// </summary>
         D3d11 = 2,
         /// <summary>
@@ -1232,7 +1233,7 @@ namespace Shd
         /// <summary>weights and sums are binary32 floats</summary>
         Full = 0,
         /// <summary>
-        /// Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
+        /// Weights of texels are integers of 14 bits, and texels are summed in integers. Values are within 2^-11 of
         /// Precision.Full, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
         /// of detail and probes are the same.
         ///

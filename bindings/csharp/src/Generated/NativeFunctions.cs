@@ -407,7 +407,8 @@ namespace Shd.Native
         ///
         /// u and v are within 3e-7 of the exact values. Derivatives are those of the formulas above. Angles below 2^-50 rad
         /// from the poles of LAT_LONG and from the rim of MIRROR_BALL and ANGULAR, where a derivative goes to infinity, count as
-        /// 2^-50 rad. NaN derivatives of directions count as 0.
+        /// 2^-50 rad. NaN derivatives of directions count as 0, and so do finite components beside infinite ones. A component
+        /// below 2^-100 of the largest one of its derivative may count as 0.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_project_directions", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result ProjectDirections(IntPtr context, Directions* directions, ProjectedPoints* @out);

@@ -1634,12 +1634,13 @@ impl shd_profile {
     /// shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
     /// equal weight at i / (ceil(eta) + 1) - 1/2 of the longer one. Fractions of levels and weights of bilinear lookups
     /// (BILINEAR's too) have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+    /// Weights of textures with a projection are not rounded.
     pub const VULKAN: Self = Self(1);
     /// Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
     /// ellipse, or the longer of x and y if they are parallel. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m /
     /// r), ceil(min(r, max(m, 1))) probes along m. The specification does not define the places and weights of probes;
-    /// shd uses the places and weights of SHD_PROFILE_VULKAN. Fractions and weights have 8 bits, and the nearest level
-    /// is floor(lod + 1/2).
+    /// shd uses the places and weights of SHD_PROFILE_VULKAN. Fractions of levels and weights of bilinear lookups have
+    /// 8 bits, as in SHD_PROFILE_VULKAN, and the nearest level is floor(lod + 1/2).
     pub const D3D11: Self = Self(2);
     /// OpenImageIO 2.4, TextureSystem with default options. The width w of the filter, in units of the texture, is the
     /// largest of |du/dx| .. |dv/dy| plus the larger blur. The coarser level is the first one on which w is at most one
@@ -1667,7 +1668,7 @@ pub struct shd_precision(pub u32);
 impl shd_precision {
     /// weights and sums are binary32 floats
     pub const FULL: Self = Self(0);
-    /// Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
+    /// Weights of texels are integers of 14 bits, and texels are summed in integers. Values are within 2^-11 of
     /// SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
     /// of detail and probes are the same.
     ///
@@ -5917,7 +5918,8 @@ extern "C" {
     ///
     /// u and v are within 3e-7 of the exact values. Derivatives are those of the formulas above. Angles below 2^-50 rad
     /// from the poles of LAT_LONG and from the rim of MIRROR_BALL and ANGULAR, where a derivative goes to infinity, count as
-    /// 2^-50 rad. NaN derivatives of directions count as 0.
+    /// 2^-50 rad. NaN derivatives of directions count as 0, and so do finite components beside infinite ones. A component
+    /// below 2^-100 of the largest one of its derivative may count as 0.
     ///
     /// - `context`: its executor and SIMD target are used; concurrent reads
     /// - `directions`: columns, borrowed for the call
