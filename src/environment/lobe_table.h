@@ -27,7 +27,7 @@ struct LobeTable {
   LobeSum<kGgxRows> ggx_f90;  // D V n.l f
   LobeSum<kPhongRows> phong;  // part of the lobe max(0, r.l)^p where n.l > 0; column j is n.v = 1 - (1 - j / 31)^2
   LobeSum<kPhongRows> blinn_phong;         // max(0, n.h)^p where n.l > 0, divided by 8 pi / (p + 1); n.v = (j / 31)^2
-  LobeSum<kPhongRows> blinn_phong_cosine;  // the same times n.l
+  LobeSum<kPhongRows> blinn_phong_cosine;  // max(0, n.h)^p n.l, as blinn_phong
   float diffuse[kLobeColumns];             // n.l (1 - f) / pi; columns of GGX lobes
 };
 

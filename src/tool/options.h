@@ -47,7 +47,7 @@ struct Options {
   std::optional<LightPreset> preset;                            // absent = studio, or none if lights are given
   std::optional<std::array<float, 3>> ambient;                  // absent = 0.15, or 0 with an environment
   std::string environment;                                      // image of all directions; empty = none
-  shd_projection environment_projection = SHD_PROJECTION_NONE;  // of the image; none = latitude and longitude
+  shd_projection environment_projection = SHD_PROJECTION_NONE;  // projection of the image; none = lat-long
   float environment_turn = 0.0f;                                // about +Y [deg]
   float environment_blur = 0.0f;                                // roughness of the background
   float exposure = 1.0f;                                        // factor on all lights

@@ -18,7 +18,7 @@ namespace {
 constexpr double kBound = 0.004;
 constexpr size_t kCosines = 64, kWidths = 97;
 
-/// What models reflect with coefficients of 1.
+/// Reflections of models with coefficients of 1.
 enum Reflection { kMetal, kBlackMetal, kDielectric, kDiffuse, kCoat, kPhong, kBlinnPhong, kNormalized, kReflections };
 constexpr const char* kNames[kReflections] = {
     "metal of F0 = 1", "metal of F0 = 0", "white dielectric", "diffuse part",
