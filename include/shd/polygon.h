@@ -28,7 +28,9 @@
  * The weights are computed in double and rounded once. HARMONIC solves with linear elements on a Delaunay triangulation
  * of the polygon whose triangles are divided into `segments`^2 equal ones: partition of unity, linear precision and
  * the values on the edges are exact, and the error inside falls with the square of the size of an element where the
- * polygon has no reflex vertex. It needs a build with Eigen.
+ * polygon has no reflex vertex. Next to reflex vertices it falls with a power of 2/3 or less: in an L shape,
+ * coordinates of 32 segments differ from those of 256 by up to 0.05, of 64 by 0.03 and of 128 by 0.015, for 4, 12 and
+ * 80 ms of one core before the first point. It needs a build with Eigen.
  *
  * Defined for all inputs: points that are not finite count as 0 in that coordinate. Points outside the polygon have the
  * weights of the nearest point of its edges, except for MEAN_VALUE, whose formula holds in the whole plane. With D the

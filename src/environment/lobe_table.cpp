@@ -34,7 +34,7 @@ using Vec = hn::Vec<Tag>;
 static_assert(kLobeColumns % 16 == 0);
 
 constexpr uint32_t kSamples = 256;  // points of a disc
-constexpr uint32_t kSteps = 32;     // of an integral over one variable
+constexpr uint32_t kSteps = 32;     // steps of an integral over one variable
 constexpr uint32_t kGgxSteps = 20, kGgxArc = 6;
 constexpr float kGgxCircle[kGgxArc] = {0.965925826f,  0.707106781f,  0.258819045f,
                                        -0.258819045f, -0.707106781f, -0.965925826f};
@@ -218,8 +218,8 @@ void SumPhong(PowerLobe lobe, const Eye& v, float* to) {
   hn::StoreU((one - whole) + part * hn::Set(d, simd::HWY_NAMESPACE::kInvPi), d, to);
 }
 
-/// Half vectors around n, whose light has the solid angle 4 v.h. Those with n.l > 0 are all up to half of the angle
-/// between v and the surface, farther away an arc, whose sums of v.h and of (v.h)^2 are known.
+/// Half vectors h around n, whose light has the solid angle 4 v.h. Up to half of the angle between v and the surface, all
+/// azimuths of h have n.l > 0; farther away, those of an arc. The sums of v.h and of (v.h)^2 over arcs are known.
 void SumBlinnPhong(PowerLobe lobe, const Eye& v, float* to, float* to_cosine) {
   const Tag d;
   const Vec one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);

@@ -118,7 +118,7 @@ class BaseMap {
       x[i] = batch->direction[0][i], y[i] = batch->direction[1][i], z[i] = batch->direction[2][i];
       if (source_.image.projection != SHD_PROJECTION_LAT_LONG) continue;
       const float s2 = x[i] * x[i] + z[i] * z[i], part = shift_ / (s2 + 4.0f * shift_), k = part * s2;
-      const float longer = std::sqrt(1.0f + std::max(0.0f, 1.0f - s2) * (2.0f - k) * part);  // of sin t
+      const float longer = std::sqrt(1.0f + std::max(0.0f, 1.0f - s2) * (2.0f - k) * part);  // ratio of sines
       x[i] *= longer, y[i] -= y[i] * k, z[i] *= longer;
     }
     in.count = batch->count;

@@ -2,8 +2,21 @@
 #include "tool/environment.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "tool/failure.h"
+
+namespace {
+
+/// Whether an image has the shape of a disc, an octahedral map, or the faces of a cube, rather than of latitude and
+/// longitude.
+bool has_other_shape(const shd_image& image) {
+  const uint64_t width = image.width, height = image.height;
+  return width == height || 3 * width == 4 * height || 4 * width == 3 * height || width == 6 * height ||
+         6 * width == height;
+}
+
+}  // namespace
 
 Environment load_environment(shd_context* context, const Options& options) {
   Environment environment;
@@ -17,6 +30,12 @@ Environment load_environment(shd_context* context, const Options& options) {
   }
   shd_environment_desc desc = shd_environment_desc_default();
   desc.image = &image;
+  if (options.environment_projection != SHD_PROJECTION_NONE) {
+    desc.projection = options.environment_projection;
+  } else if (has_other_shape(image)) {
+    std::fprintf(stderr, "shd-render: %s: %u x %u pixels, taken as lat-long (--environment-projection)\n",
+                 options.environment.c_str(), image.width, image.height);
+  }
   check(shd_environment_create(context, &desc, environment.out()), "environment", kExitInput);
   return environment;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include <unistd.h>
 
@@ -115,12 +116,40 @@ void report_unused(const Options& options, const Model& model) {
   }
 }
 
+/// Whether all uv of a mesh are the same, as of meshes without uv.
+bool has_no_uv(const shd_mesh* mesh, uint32_t vertex_count) {
+  std::vector<float> uv(size_t{2} * vertex_count);
+  const shd_f32_out columns[2] = {{uv.data(), 2 * sizeof(float)}, {uv.data() + 1, 2 * sizeof(float)}};
+  check(shd_mesh_read_uv(mesh, columns), "mesh");
+  for (size_t i = 2; i < uv.size(); ++i) {
+    if (uv[i] != uv[i % 2]) return false;
+  }
+  return true;
+}
+
+/// Reports meshes of the file that cannot show the textures of the options.
+void report_missing_uv(const Options& options, const Model& model) {
+  if (!model.scene.get() || (options.texture.empty() && options.normal_map.empty() && options.height_map.empty())) {
+    return;
+  }
+  size_t count = 0;
+  for (const Geometry& geometry : model.geometries) {
+    count += has_no_uv(geometry.mesh, static_cast<uint32_t>(geometry.position.size() / 3));
+  }
+  if (count > 0) {
+    std::fprintf(stderr,
+                 "shd-render: meshes without texture coordinates, which show one texel of a texture: %zu of %zu\n",
+                 count, model.geometries.size());
+  }
+}
+
 void run(const Options& options) {
   check_output_name(options);
   const Context context = make_context(options);
   const StageVolume volume = load_volume(context.get(), options);
   Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
   report_unused(options, model);
+  report_missing_uv(options, model);
   const Bounds bounds = bounds_of(model);
   make_camera(options, model, bounds, 0.0f);  // throws before textures are read
   if (options.floor) add_floor(context.get(), options, bounds, model);

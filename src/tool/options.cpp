@@ -106,6 +106,11 @@ constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_FILTER_HARD}
                                                 {"variance", SHD_SHADOW_FILTER_VARIANCE},
                                                 {"summed-area", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE},
                                                 {"pcss", SHD_SHADOW_FILTER_PCSS}};
+constexpr Name<shd_projection> kProjections[] = {{"lat-long", SHD_PROJECTION_LAT_LONG},
+                                                 {"mirror-ball", SHD_PROJECTION_MIRROR_BALL},
+                                                 {"angular", SHD_PROJECTION_ANGULAR},
+                                                 {"cube", SHD_PROJECTION_CUBE},
+                                                 {"octahedral", SHD_PROJECTION_OCTAHEDRAL}};
 constexpr Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST},     {"baseline", SHD_SIMD_BASELINE},
@@ -282,6 +287,7 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
   if (name == "--environment") return out.environment = value, true;
+  if (name == "--environment-projection") return out.environment_projection = pick(name, value, kProjections), true;
   if (name == "--environment-turn") {
     return out.environment_turn = read_number(name, value, -360, 360, "an angle -360..360 degrees"), true;
   }

@@ -44,15 +44,16 @@ struct Options {
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;
-  std::optional<LightPreset> preset;            // absent = studio, or none if lights are given
-  std::optional<std::array<float, 3>> ambient;  // absent = 0.15, or 0 with an environment
-  std::string environment;                      // image of latitude and longitude; empty = none
-  float environment_turn = 0.0f;                // about +Y [deg]
-  float environment_blur = 0.0f;                // roughness of the background
-  float exposure = 1.0f;                        // factor on all lights
-  float inner_cone = 15.0f, cone = 25.0f;       // spots: half angles [deg]
-  std::string cookie;                           // projected by spots; "window" = built in
-  uint32_t lamps = 0;                           // small coloured lights around the model
+  std::optional<LightPreset> preset;                            // absent = studio, or none if lights are given
+  std::optional<std::array<float, 3>> ambient;                  // absent = 0.15, or 0 with an environment
+  std::string environment;                                      // image of all directions; empty = none
+  shd_projection environment_projection = SHD_PROJECTION_NONE;  // projection of the image; none = lat-long
+  float environment_turn = 0.0f;                                // about +Y [deg]
+  float environment_blur = 0.0f;                                // roughness of the background
+  float exposure = 1.0f;                                        // factor on all lights
+  float inner_cone = 15.0f, cone = 25.0f;                       // spots: half angles [deg]
+  std::string cookie;                                           // projected by spots; "window" = built in
+  uint32_t lamps = 0;                                           // small coloured lights around the model
   std::optional<shd_shadow_filter> shadows;
   float softness = 0.05f;             // size of light sources [radii of the model]
   uint32_t shadow_size = 1024;        // texels per side of each map

@@ -4,6 +4,8 @@
 #include "support/fault_allocator.h"
 #include "support/rows.h"
 
+#include <math.h>
+
 #include <shd/polygon.h>
 #include <shd/shd.h>
 
@@ -230,12 +232,56 @@ static void test_faults(void **state)
     shd_assert_all_freed("polygon", &memory);
 }
 
+/** HARMONIC next to a reflex vertex: the differences from many segments that shd/polygon.h names. */
+static void test_reflex(void **state)
+{
+    enum { VERTICES = 6, POINTS = 4000, SOLUTIONS = 4 };
+    static const float x[VERTICES] = {0, 2, 2, 1, 1, 0}, y[VERTICES] = {0, 0, 1, 1, 2, 2};
+    static const struct {
+        uint32_t segments;
+        double largest;
+    } k_bounds[SOLUTIONS] = {{SHD_IS_SANITIZED ? 128 : 256, 0}, {32, 0.05}, {64, 0.03}, {128, 0.015}};
+    static float weight[SOLUTIONS][VERTICES][POINTS];
+    (void)state;
+    if (is_unsupported(SHD_BARYCENTRIC_HARMONIC)) skip();
+    for (int i = 0; i < POINTS; ++i) { /* on spirals around the reflex vertex, inside the polygon */
+        const double r = i % 2 ? 0.1 * i / POINTS : 0.98 * i / POINTS,
+                     turn = 1.5 * 3.14159265 * (i * 0.618034 - floor(i * 0.618034));
+        g_x[i] = (float)(1.0 + r * cos(1.5707963 + turn)), g_y[i] = (float)(1.0 + r * sin(1.5707963 + turn));
+    }
+    for (int k = 0; k < SOLUTIONS; ++k) {
+        shd_polygon_desc desc = shd_polygon_desc_default();
+        shd_polygon_points points = shd_polygon_points_default();
+        shd_polygon_weights out = shd_polygon_weights_default();
+        double worst = 0.0;
+        desc.kind = SHD_BARYCENTRIC_HARMONIC;
+        desc.vertex[0].data = x, desc.vertex[1].data = y;
+        desc.vertex_count = VERTICES;
+        desc.segments = k_bounds[k].segments;
+        points.count = POINTS;
+        points.position[0].data = g_x, points.position[1].data = g_y;
+        for (int i = 0; i < VERTICES; ++i) g_columns[i] = shd_f32_out_column(weight[k][i], 0);
+        out.weight = g_columns;
+        out.weight_count = VERTICES;
+        shd_assert_ok(shd_polygon_evaluate(NULL, &desc, &points, &out));
+        for (size_t i = 0; i < (size_t)VERTICES * POINTS; ++i) {
+            const double e =
+                fabs((double)weight[k][i / POINTS][i % POINTS] - (double)weight[0][i / POINTS][i % POINTS]);
+            worst = fmax(worst, e);
+        }
+        if (getenv("SHD_TEST_VERBOSE")) printf("%u segments: %.4f\n", desc.segments, worst);
+        assert_true(worst <= k_bounds[k].largest);
+        assert_true(k == 0 || SHD_IS_SANITIZED || worst > 0.3 * k_bounds[k].largest); /* the figure is not idle */
+    }
+}
+
 int main(void)
 {
     ADD_ROWS(k_bad, test_bad);
     add("bad_columns", test_bad_columns, NULL);
     add("kinds", test_kinds, NULL);
     add("contexts", test_contexts, NULL);
+    add("reflex", test_reflex, NULL);
     add("faults", test_faults, NULL);
     return _cmocka_run_group_tests("api.polygon", g_tests, g_count, NULL, NULL);
 }

@@ -73,7 +73,7 @@ inline double blinn_phong_reflection(double p, double n_dot_v, bool cosine) {
   const double sine = std::sqrt(1.0 - n_dot_v * n_dot_v);
   return over_half_vectors(n_dot_v, 2.0 / std::sqrt(p + 4.0), [&](double angle, double end) {
     const double c = std::cos(angle), s = std::sin(angle), a = c * n_dot_v, b = s * sine;
-    const double sum = a * end + b * std::sin(end);  // of v.h over half of the azimuths
+    const double sum = a * end + b * std::sin(end);  // sum of v.h over half of the azimuths
     const double squares = a * a * end + 2.0 * a * b * std::sin(end) + b * b * (0.5 * end + 0.25 * std::sin(2.0 * end));
     return 8.0 * std::pow(c, p) * s * (cosine ? 2.0 * c * squares - n_dot_v * sum : sum);
   });

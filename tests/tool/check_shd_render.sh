@@ -146,6 +146,13 @@ other --shape sphere --height checker -- --shape sphere --height checker --displ
 
 expect 0 "" --size 64x32 --background 0.2,0.4,0.8 -o around.exr
 other -- --environment around.exr
+expect 0 "" --size 32x32 -o probe.exr
+expect 0 "probe.exr: 32 x 32 pixels, taken as lat-long (--environment-projection)" --size 8x8 --environment probe.exr
+expect 0 "" --size 8x8 --environment probe.exr --environment-projection lat-long
+grep "^shd-render:" said.txt && failed=1
+other --environment probe.exr -- --environment probe.exr --environment-projection angular
+other --environment probe.exr --environment-projection mirror-ball -- \
+  --environment probe.exr --environment-projection octahedral
 other --environment around.exr -- --environment around.exr --environment-turn 90
 other --environment around.exr -- --environment around.exr --environment-blur 0.6
 other --environment around.exr -- --environment around.exr --background 0
@@ -228,6 +235,8 @@ expect 3 "no-such-normals.png" --normal-map no-such-normals.png
 expect 3 "no-such-heights.png" --height no-such-heights.png
 expect 3 "no-such-sky.hdr" --environment no-such-sky.hdr
 expect 2 "-360..360" --environment-turn 400
+expect 2 "one of lat-long mirror-ball angular cube octahedral" --environment-projection round
+expect 3 "environment.image.height" --environment around.exr --environment-projection cube
 expect 2 "0..1" --environment-blur 2
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
 expect 2 "one of nearest bilinear trilinear" --filter best
@@ -244,6 +253,13 @@ expect 3 "line.obj" line.obj
 printf 'mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n' >tri.obj
 printf 'newmtl m\nKd 1 1 1\nmap_Kd C:\\art\\Missing.png\n' >tri.mtl
 expect 0 "its material is plain" --size 8x8 tri.obj
+expect 0 "" --size 8x8 --texture checker tri.obj
+grep "^shd-render:" said.txt && failed=1
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
+expect 0 "meshes without texture coordinates, which show one texel of a texture: 1 of 1" --size 8x8 --texture checker \
+  bare.obj
+expect 0 "" --size 8x8 bare.obj
+grep "^shd-render:" said.txt && failed=1
 mkdir -p Textures
 cp teapot.png Textures/Skin.PNG
 printf 'newmtl m\nKd 1 1 1\nmap_Kd TEXTURES\\skin.png\n' >tri.mtl

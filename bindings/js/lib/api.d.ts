@@ -281,7 +281,7 @@ export type Edge =
  * for Irradiance
  * Environment Maps", 2001), at least 0. The error is up to 0.1 of the irradiance of a single light that faces the
  * surface, and about 0.01 for environments without a sun.
- * - `convolved`: a map of 64 x 64 directions: error up to 0.018 of such a light
+ * - `convolved`: a map of 96 x 96 directions: error up to 0.018 of such a light
  */
 export type Irradiance =
   | "harmonics"
@@ -505,9 +505,10 @@ export type LightKind =
  * n.l) (b (1 - m) (1 - f)
  * (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = max(roughness^2, 0.001),
  * F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
- * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v).
- * Metals reflect at most the incident light. Dielectrics do not: diffuse plus specular reflection exceeds 1 at
- * grazing angles (1.2 at 75 degrees from n, 1.6 at 85)
+ * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v), where
+ * n.v counts as at least 1e-4: interpolated normals may face away from the eye. Metals reflect at most the
+ * incident
+ * light. Dielectrics exceed it at grazing angles (1.2 at 75 degrees from n, 1.6 at 85), diffuse plus specular
  * - `matcap`: k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space; a normal
  * without a direction reads the middle
  * - `glass`: A clear solid: k_a I_a + sum of E max(0, n.l) F D V + k_d (1 - F) T, with F, D and V of
@@ -975,11 +976,10 @@ export type Result =
  * - `ewa`: The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its
  * centre to 1 on
  * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
- * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
- * with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter, reduced by the averaging that level l already
- * has. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a is one to two
- * texels.
- * `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+ * texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
+ * sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
+ * the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
+ * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
  * - `stochastic`: An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic
  * picks at random.
  * - `exact`: The average of the bilinear reconstruction over the footprint's parallelogram, computed in double:
@@ -2883,9 +2883,11 @@ export interface ShapeDesc {
   /**
    * Parts; 0 = the number in brackets. Sphere: around, 3..4096 [32], and from pole to pole, 2..4096 [16]. Box:
    * along
-   * x, y and z, 1..4096 [1]. Plane: along x and z, 1..4096 [1]. Torus: around the axis, 3..4096 [48], and around
-   * the
-   * tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused numbers are ignored.
+   * x, y and z, 1..4096 [1]. Plane: [0] along x and [2] along z, as of `size`, 1..4096 [1]. Torus: around the
+   * axis,
+   * 3..4096 [48], and around the tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused
+   * numbers
+   * are ignored, as size[1] and segments[1] of a plane.
    */
   segments?: Numbers;
 }
@@ -3426,6 +3428,8 @@ export interface Raw {
    * it are written; it must contain every required field. If it is larger, the remaining bytes become
    * zero
    * @returns SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
+   * or is
+   * not a multiple of the alignment of the struct
    */
   shd_desc_init(kind: number, ptr: number, size: number): number;
   /**

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -17,11 +18,11 @@ namespace {
 constexpr double kBound = 0.004;
 constexpr size_t kCosines = 64, kWidths = 97;
 
-/// What models reflect with coefficients of 1.
+/// Reflections of models with coefficients of 1.
 enum Reflection { kMetal, kBlackMetal, kDielectric, kDiffuse, kCoat, kPhong, kBlinnPhong, kNormalized, kReflections };
-constexpr const char* kNames[kReflections] = {"metal of F0 = 1", "metal of F0 = 0", "white dielectric",
-                                              "diffuse part",    "clear coat",      "Phong",
-                                              "Blinn-Phong",     "normalised Blinn-Phong"};
+constexpr const char* kNames[kReflections] = {
+    "metal of F0 = 1", "metal of F0 = 0", "white dielectric", "diffuse part",
+    "clear coat",      "Phong",           "Blinn-Phong",      "normalised Blinn-Phong"};
 
 /// n.v from 1e-4, the least of the models, to 1, denser at both ends.
 double cosine_at(size_t i) {
@@ -149,6 +150,24 @@ void test_reflections(void**) {
   if (failed) fail_msg("errors above %g", kBound);
 }
 
+/// Normals that face away from the eye, as interpolated ones may, reflect what those with the least n.v do.
+void test_facing_away(void**) {
+  constexpr double kAway[] = {1e-4, 1e-5, 0.0, -1e-3, -0.3, -1.0};
+  g->points.count = std::size(kAway);
+  for (size_t i = 0; i < std::size(kAway); ++i) {
+    const long double c = kAway[i];
+    set_point(i, {0, 0, 0}, {0, 0, 1}, {sqrtl(1 - c * c), 0, c});
+  }
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    for (const double roughness : {0.0, 0.3, 1.0}) {
+      surround_by(target, SHD_MODEL_METALLIC_ROUGHNESS, roughness, 1.0);
+      for (size_t i = 1; i < std::size(kAway); ++i) {
+        for (int k = 0; k < 3; ++k) shd_assert_close("lobe", i, lobe(k, i), lobe(k, 0), 2e-6, 0.0);
+      }
+    }
+  });
+}
+
 /// Sums of the lobes of one light over many directions give the integrals of the oracle.
 void test_oracle(void**) {
   constexpr int kRows = 160, kColumns = 320;
@@ -156,8 +175,10 @@ void test_oracle(void**) {
     shd_model model;
     double parameter, n_dot_v;
   };
-  constexpr Case kCases[] = {{SHD_MODEL_METALLIC_ROUGHNESS, 0.6, 0.5}, {SHD_MODEL_METALLIC_ROUGHNESS, 1.0, 0.05},
-                             {SHD_MODEL_PHONG, 3.0, 0.3},              {SHD_MODEL_BLINN_PHONG, 0.5, 0.1},
+  constexpr Case kCases[] = {{SHD_MODEL_METALLIC_ROUGHNESS, 0.6, 0.5},
+                             {SHD_MODEL_METALLIC_ROUGHNESS, 1.0, 0.05},
+                             {SHD_MODEL_PHONG, 3.0, 0.3},
+                             {SHD_MODEL_BLINN_PHONG, 0.5, 0.1},
                              {SHD_MODEL_BLINN_PHONG_NORMALIZED, 9.0, 0.7}};
   for (const Case& c : kCases) {
     set_material({"", c.model, 0, 1.0f, 1.0f});
@@ -179,10 +200,10 @@ void test_oracle(void**) {
       continue;
     }
     const double norm = static_cast<double>(ref::normalization(c.parameter));
-    const double exact =
-        c.model == SHD_MODEL_PHONG         ? ref::phong_reflection(c.parameter, c.n_dot_v)
-        : c.model == SHD_MODEL_BLINN_PHONG ? ref::blinn_phong_reflection(c.parameter, c.n_dot_v, false)
-                                           : norm * ref::blinn_phong_reflection(c.parameter, c.n_dot_v, true);
+    const double exact = c.model == SHD_MODEL_PHONG ? ref::phong_reflection(c.parameter, c.n_dot_v)
+                         : c.model == SHD_MODEL_BLINN_PHONG
+                             ? ref::blinn_phong_reflection(c.parameter, c.n_dot_v, false)
+                             : norm * ref::blinn_phong_reflection(c.parameter, c.n_dot_v, true);
     shd_assert_close("lobe", 0, sum[1], exact, 1e-3, 0.0);
   }
 }
@@ -192,6 +213,7 @@ void test_oracle(void**) {
 
 int main() {
   using namespace shd::tests;
-  const CMUnitTest tests[] = {cmocka_unit_test(test_oracle), cmocka_unit_test(test_reflections)};
-  return _cmocka_run_group_tests("uniform_light", tests, 2, open_uniform, close_uniform);
+  const CMUnitTest tests[] = {cmocka_unit_test(test_oracle), cmocka_unit_test(test_reflections),
+                              cmocka_unit_test(test_facing_away)};
+  return _cmocka_run_group_tests("unit.shade.uniform_light", tests, std::size(tests), open_uniform, close_uniform);
 }

@@ -62,7 +62,8 @@ namespace Shd
         public DisplayPrecision DisplayPrecision { get { return Raw.DisplayPrecision; } set { Raw.DisplayPrecision = value; } }
         /// <summary>
         /// path of a config file, at most 64 MiB; NULL = the file named by the environment
-        /// variable OCIO if it is set and not empty, else the built-in config
+        /// variable OCIO if it is set and not empty, else the built-in config. The config
+        /// and the tables that it names must be regular files
         /// </summary>
         public string ConfigPath;
         /// <summary>a config in memory (YAML); then config_path must be NULL and OCIO is not read</summary>
@@ -493,12 +494,15 @@ namespace Shd
         public double MaxRatio { get { return Raw.MaxRatio; } set { Raw.MaxRatio = value; } }
         /// <summary>
         /// [s], 0 = 60; kills the child that decodes. With LoadFlags.InProcess it is
-        /// checked between bands of rows
+        /// checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
+        /// costs a load all of its time; when it has been silent for two seconds, the
+        /// next load starts another one
         /// </summary>
         public double TimeLimit { get { return Raw.TimeLimit; } set { Raw.TimeLimit = value; } }
         /// <summary>
-        /// program that decodes; NULL = shd-io-worker beside libshd_io or in its
-        /// installed place; borrowed for the call
+        /// program that decodes, relative to the working directory at the call; NULL =
+        /// shd-io-worker beside libshd_io or in its installed place; borrowed for the
+        /// call
         /// </summary>
         public string WorkerPath;
 

@@ -303,7 +303,7 @@ namespace Shd
         /// surface, and about 0.01 for environments without a sun.
         /// </summary>
         Harmonics = 0,
-        /// <summary>a map of 64 x 64 directions: error up to 0.018 of such a light</summary>
+        /// <summary>a map of 96 x 96 directions: error up to 0.018 of such a light</summary>
         Convolved = 1,
     }
 
@@ -626,9 +626,9 @@ namespace Shd
         /// Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
         /// (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = max(roughness^2, 0.001),
         /// F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
-        /// Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v).
-        /// Metals reflect at most the incident light. Dielectrics do not: diffuse plus specular reflection exceeds 1 at
-        /// grazing angles (1.2 at 75 degrees from n, 1.6 at 85)
+        /// Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v), where
+        /// n.v counts as at least 1e-4: interpolated normals may face away from the eye. Metals reflect at most the incident
+        /// light. Dielectrics exceed it at grazing angles (1.2 at 75 degrees from n, 1.6 at 85), diffuse plus specular
         /// </summary>
         MetallicRoughness = 9,
         /// <summary>
@@ -1099,10 +1099,10 @@ namespace Shd
         /// <summary>
         /// The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
         /// its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
-        /// texels, b &gt;= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
-        /// with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter, reduced by the averaging that level l already
-        /// has. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a is one to two texels.
-        /// `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+        /// texels, b &gt;= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
+        /// sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
+        /// the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
+        /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
         /// </summary>
         Ewa = 9,
         /// <summary>An unbiased estimate of the filter that `stochastic_filter` names, from what Stochastic picks at random.</summary>

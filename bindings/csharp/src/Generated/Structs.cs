@@ -670,8 +670,9 @@ namespace Shd
         public Float3 Size;
         /// <summary>
         /// Parts; 0 = the number in brackets. Sphere: around, 3..4096 [32], and from pole to pole, 2..4096 [16]. Box: along
-        /// x, y and z, 1..4096 [1]. Plane: along x and z, 1..4096 [1]. Torus: around the axis, 3..4096 [48], and around the
-        /// tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused numbers are ignored.
+        /// x, y and z, 1..4096 [1]. Plane: [0] along x and [2] along z, as of `size`, 1..4096 [1]. Torus: around the axis,
+        /// 3..4096 [48], and around the tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused numbers
+        /// are ignored, as size[1] and segments[1] of a plane.
         /// </summary>
         public UInt3 Segments;
 
