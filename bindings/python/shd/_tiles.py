@@ -13,15 +13,16 @@ from ._objects import _Simple, document
 
 class Tile:
     """A tile to fill: layer, level, x, y, width and height as in shd_tile, and `texels`, a writable array
-    [height][width][channels] over the memory of the tile, which is valid until the callback ends."""
+    [height][width][channels]. The cache takes the texels when the callback returns."""
 
     def __init__(self, tile, dtype, channels):
         for name in ("layer", "level", "x", "y", "width", "height"):
             setattr(self, name, getattr(tile, name))
         size = tile.row_stride * (tile.height - 1) + tile.width * channels * dtype.itemsize
-        self.texels = np.ndarray((tile.height, tile.width, channels), dtype,
-                                 (ctypes.c_char * size).from_address(tile.texels), 0,
-                                 (tile.row_stride, channels * dtype.itemsize, dtype.itemsize))
+        self._memory = np.ndarray((tile.height, tile.width, channels), dtype,
+                                  (ctypes.c_char * size).from_address(tile.texels), 0,
+                                  (tile.row_stride, channels * dtype.itemsize, dtype.itemsize))
+        self.texels = np.zeros(self._memory.shape, dtype)
 
 
 def loader(load, texel_format):
@@ -33,10 +34,12 @@ def loader(load, texel_format):
     def run(tiles, count):
         made = [Tile(tile, *array_type(texel_format)) for tile in (kind * count).from_address(tiles)]
         try:
-            load(made)
+            load(list(made))
+            for tile in made:
+                tile._memory[...] = tile.texels
         finally:
             for tile in made:
-                del tile.texels
+                del tile._memory
 
     return run
 
