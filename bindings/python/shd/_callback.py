@@ -5,8 +5,8 @@ A callback runs on a thread of the library and takes the GIL. The caller's threa
 the library, so workers cannot wait for it. An exception ends no thread: the call that ran the callback raises it.
 
 Arrays of a callback are copies. What the function has written into them goes to the library when it returns, so that
-arrays which it keeps never refer to memory of the library. A copy adds 0.2 microseconds to a column that is read and 0.6
-to one that is written, of 1.3 for an array over the memory.
+arrays which it keeps never refer to memory of the library. For 64 to 4096 rows, the copy adds 0.3 to 0.5 microseconds to
+a column that is read and 0.4 to 0.8 to one that is written.
 """
 import ctypes
 import threading
