@@ -218,8 +218,8 @@ void SumPhong(PowerLobe lobe, const Eye& v, float* to) {
   hn::StoreU((one - whole) + part * hn::Set(d, simd::HWY_NAMESPACE::kInvPi), d, to);
 }
 
-/// Half vectors h around n, whose light has the solid angle 4 v.h. Up to half of the angle between v and the surface, all
-/// azimuths of h have n.l > 0; farther away, those of an arc. The sums of v.h and of (v.h)^2 over arcs are known.
+/// Half vectors h around n, whose light has the solid angle 4 v.h. Up to half of the angle between v and the surface,
+/// all azimuths of h have n.l > 0; farther away, those of an arc. The sums of v.h and of (v.h)^2 over arcs are known.
 void SumBlinnPhong(PowerLobe lobe, const Eye& v, float* to, float* to_cosine) {
   const Tag d;
   const Vec one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);

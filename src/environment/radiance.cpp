@@ -107,10 +107,10 @@ class BaseMap {
     return texels_ + 4 * texel_index(level_, static_cast<int32_t>(x), static_cast<int32_t>(y));
   }
 
-  /// Looks up the image. In LAT_LONG, bilinear lookups would give a texel of row 0 13/12 of its light, because the width
-  /// of rows grows from the pole. With h = pi / height, every row keeps its light up to h^4 if lookups at the angle t
-  /// from a pole move away from it by h^2 / 24 cot t: y becomes y (1 - h^2 / 24). In row 0 they move less, so that the
-  /// pole stays in its place: y becomes y (1 - k) with k = h^2 / 24 s^2 / (s^2 + h^2 / 6), s = sin t.
+  /// Looks up the image. In LAT_LONG, bilinear lookups would give a texel of row 0 13/12 of its light, because the
+  /// width of rows grows from the pole. With h = pi / height, every row keeps its light up to h^4 if lookups at the
+  /// angle t from a pole move away from it by h^2 / 24 cot t: y becomes y (1 - h^2 / 24). In row 0 they move less, so
+  /// that the pole stays in its place: y becomes y (1 - k) with k = h^2 / 24 s^2 / (s^2 + h^2 / 6), s = sin t.
   void look_up(Batch* batch) const {
     texture::Lookups in = {};
     float x[kPart], y[kPart], z[kPart];
@@ -177,8 +177,8 @@ class BaseMap {
     flush(&batch);
   }
 
-  /// Adds lookups in a texel of the image, no farther apart than a quarter of a texel of the map. If many texels of the image
-  /// lie in one texel of the map, they share its lookups: each has its own places.
+  /// Adds lookups in a texel of the image, no farther apart than a quarter of a texel of the map. If many texels of
+  /// the image lie in one texel of the map, they share its lookups: each has its own places.
   void splat_texel(uint32_t x, uint32_t y, Batch* batch) {
     const texture::DirectionFloats& image = source_.image;
     const auto extent = projection::texel_extent(image.projection, image.width, image.height, x, y);
@@ -203,8 +203,8 @@ class BaseMap {
     double shift;
   };
 
-  /// The length of the side and of the other side are given in quarters of a texel of the map; `neighbour` counts texels along
-  /// the other side.
+  /// The length of the side and of the other side are given in quarters of a texel of the map; `neighbour` counts
+  /// texels along the other side.
   static Places places_along(double length, double other, uint32_t neighbour) {
     const double all = std::max(1.0, std::ceil(length));
     const double shared = std::max(32.0, std::ceil(4.0 * length * other));

@@ -166,7 +166,7 @@ static void test_bright(void **state)
     free(image.pixels);
 }
 
-/** A texel of every row, or of every `step`-th row beyond row `dense` from the poles, has its light: one in a channel. */
+/** A texel of every row, or of every `step`-th row beyond row `dense` from the poles, has its light; one a channel. */
 struct rows_case {
     const char *name;
     uint32_t height, dense, step; /* width = 2 height */

@@ -11,8 +11,8 @@ namespace shd::ref {
 
 constexpr double kReflectionPi = 3.14159265358979323846;
 
-/// Integral of f over a..b, by the substitution tanh(pi / 2 sinh t) (Takahasi and Mori, "Double Exponential Formulas for
-/// Numerical Integration", 1974), which takes roots and poles at both ends.
+/// Integral of f over a..b, by the substitution tanh(pi / 2 sinh t) (Takahasi and Mori, "Double Exponential Formulas
+/// for Numerical Integration", 1974), which takes roots and poles at both ends.
 template <class F>
 double integral(double a, double b, const F& f) {
   constexpr int kHalf = 16;
@@ -53,8 +53,8 @@ inline double phong_reflection(double p, double n_dot_v) {
   return integral(0.0, near, ring) + integral(near, 0.5 * kReflectionPi, ring);
 }
 
-/// Integral of body(angle of h, azimuth up to which n.l > 0) over the angle between n and half vectors h, of which light
-/// comes. `width` is the angle in which the integrand changes most.
+/// Integral of body(angle of h, azimuth up to which n.l > 0) over the angle between n and half vectors h, of which
+/// light comes. `width` is the angle in which the integrand changes most.
 template <class Body>
 double over_half_vectors(double n_dot_v, double width, const Body& body) {
   const double tilt = std::acos(n_dot_v), sine = std::sqrt(1.0 - n_dot_v * n_dot_v);
@@ -68,7 +68,8 @@ double over_half_vectors(double n_dot_v, double width, const Body& body) {
   return integral(0.0, near, ring) + integral(near, far, ring);
 }
 
-/// Integral of max(0, n.h)^p, times n.l if `cosine`, over l with n.l > 0. The solid angle of l is 4 v.h times that of h.
+/// Integral of max(0, n.h)^p, times n.l if `cosine`, over l with n.l > 0. The solid angle of l is 4 v.h times that of
+/// h.
 inline double blinn_phong_reflection(double p, double n_dot_v, bool cosine) {
   const double sine = std::sqrt(1.0 - n_dot_v * n_dot_v);
   return over_half_vectors(n_dot_v, 2.0 / std::sqrt(p + 4.0), [&](double angle, double end) {
