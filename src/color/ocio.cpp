@@ -200,8 +200,8 @@ class ReferenceReader {
     }
   }
 
-  /// Refuses a lookup table that is no regular file: OpenColorIO, which opens it later by its path, could block forever.
-  /// A table that is missing is refused by the transforms that need it.
+  /// Refuses a lookup table that is no regular file: OpenColorIO opens it later by its path, and could block forever. A
+  /// table that is missing is refused by the transforms that need it.
   void check_table(const char* name) const {
     std::string path;
     try {

@@ -40,8 +40,8 @@ struct RegularFile {
   int error = 0;            // errno of the call that failed
 };
 
-/// Opens a regular file, and follows symbolic links. Does not open a device or a FIFO: that could block or have effects.
-/// If another process changes the path between the two checks, a device is opened without blocking, and closed.
+/// Opens a regular file, and follows symbolic links. Does not open a device or a FIFO, which could block or have
+/// effects. If another process changes the path between the checks, a device is opened without blocking, and closed.
 inline RegularFile open_regular(const char* path) {
   RegularFile out;
   struct stat status;

@@ -329,8 +329,7 @@ static void test_files(void **state)
 /** Configs, and tables that a config names, which are no readable regular files. */
 static void test_odd_paths(void **state)
 {
-    static const char k_text[] =
-        HEAD SPACES SPACE("table", "    to_scene_reference: !<FileTransform> {src: %s}\n");
+    static const char k_text[] = HEAD SPACES SPACE("table", "    to_scene_reference: !<FileTransform> {src: %s}\n");
     shd_context *context = make_context();
     char text[4096], path[600];
     size_t i;

@@ -197,7 +197,8 @@ static void test_null_arguments(void **state)
     shd_bitmap_release(NULL);
 }
 
-/* A decoder that needs a path gets the one of an anonymous file, which is in no message: it differs from load to load. */
+/* A decoder that needs a path gets the one of an anonymous file. It is in no message, because it differs from load to
+ * load. */
 static void test_anonymous_path(void **state)
 {
     static const shd_load_flags flags[] = {SHD_LOAD_DEFAULT, SHD_LOAD_IN_PROCESS};

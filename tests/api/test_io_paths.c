@@ -97,13 +97,13 @@ static shd_result udim_set(const char *path, shd_texture **texture)
     return result;
 }
 
-#define TEXTURE(function)                                \
-    static shd_result load_##function(const char *path)  \
-    {                                                    \
-        shd_texture *texture = (shd_texture *)&g_folder; \
+#define TEXTURE(function)                                   \
+    static shd_result load_##function(const char *path)     \
+    {                                                       \
+        shd_texture *texture = (shd_texture *)&g_folder;    \
         const shd_result result = function(path, &texture); \
-        assert_null(texture);                            \
-        return result;                                   \
+        assert_null(texture);                               \
+        return result;                                      \
     }
 TEXTURE(image_file)
 TEXTURE(texture_file)

@@ -225,11 +225,12 @@ struct mode_case {
 };
 
 static const struct mode_case k_modes[] = {
-    {"mode/private", 0600, 0022, 0600}, {"mode/group", 0640, 0022, 0640},  {"mode/all", 0666, 0077, 0666},
+    {"mode/private", 0600, 0022, 0600},  {"mode/group", 0640, 0022, 0640}, {"mode/all", 0666, 0077, 0666},
     {"mode/as_user", 04755, 0022, 0755}, {"mode/new", 0, 0022, 0644},      {"mode/new_private", 0, 0077, 0600},
 };
 
-/* A save keeps the permissions of a file, and nobody may open its successor before. A new file has those of the umask. */
+/* A save keeps the permissions of a file, and nobody may open its successor before. A new file has those that the umask
+ * leaves. */
 static void test_mode(void **state)
 {
     const struct mode_case *c = (const struct mode_case *)*state;

@@ -438,6 +438,24 @@ void test_others(void **)
     io_write(path.c_str(), "P6\n2 2\n255\nabcdefghijkl", 23);
     shd_assert_result("ppm", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "not OpenVDB");
+    // A name that OpenVDB does not find again. Its message contains the path that it was given, which differs between
+    // loads.
+    io_bytes bytes = io_read(write_one(make_grid<FloatGrid>("density", 10)).c_str());
+    for (size_t at = 0; at + 7 <= bytes.size; ++at) {
+        if (std::memcmp(bytes.data + at, "density", 7) == 0)
+            std::memcpy(bytes.data + at,
+                        "a[b\x1e"
+                        "cde",
+                        7);
+    }
+    io_write(path.c_str(), bytes.data, bytes.size);
+    std::free(bytes.data);
+    for (const uint32_t flags : {0u, uint32_t{SHD_LOAD_IN_PROCESS}}) {
+        shd_load_desc load = shd_load_desc_default();
+        load.flags = flags;
+        shd_assert_result("name", shd_texture_load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture),
+                          SHD_ERROR_CORRUPT, "OpenVDB: KeyError: the file has no grid named \"a[b[cde]\"");
+    }
     shd_assert_result("absent", shd_texture_load_vdb(g_context, io_path("no.vdb"), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_NOT_FOUND, "no.vdb");
     shd_assert_result("out", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, nullptr),

@@ -6,6 +6,7 @@
 
 The files are written here, without NumPy.
 """
+import os
 import math
 import pathlib
 import random
@@ -141,6 +142,11 @@ def main():
     check.run("image_channels", [path["npy"], path["csv"]], 3, "channels are not 1..4")
     check.run("image_absent", [folder / "absent.png", path["csv"]], 3, "absent.png")
     check.run("table_absent", [*base, folder / "absent.csv"], 3, "absent.csv")
+    fifo = folder / "fifo"
+    fifo.unlink(missing_ok=True)
+    os.mkfifo(fifo)
+    check.run("image_fifo", [fifo, path["csv"]], 3, "fifo: is not a regular file")
+    check.run("table_fifo", [*base, fifo], 3, "fifo: is not a regular file")
 
     # Results as an image.
     npy(path["npy"], "'<f4'", "(10, 10, 4)", b"".join(struct.pack("<4f", r, 0, 0, 1) for _, _, r in right))
