@@ -4,8 +4,8 @@
 ///
 /// Input:      the host's callbacks (allocator, executor, log).
 /// Output:     a Context with checked memory, tasks, handles and errors for every other folder.
-/// Invariants: no global state except the per-thread error text; no static constructors; every byte is allocated by the
-///             context's allocator; exceptions end in guard.h.
+/// Invariants: no global state except the error text and the calls of a thread, and locks for fork(); no static
+///             constructors; every byte is allocated by the context's allocator; exceptions end in guard.h.
 ///
 /// | file            | contents                                                          |
 /// |-----------------|-------------------------------------------------------------------|

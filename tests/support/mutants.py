@@ -24,8 +24,11 @@ BUILD = "build/mutants"
 # Source file, text that occurs once in it, replacement, CTest test that must fail.
 Mutant = collections.namedtuple("Mutant", "path text bug test")
 MUTANTS = {
-    "tile_waits_inside": Mutant("src/texture/tile/load.cpp", "load.around || wait.impatient, &load", "wait.impatient, &load",
-                                "unit.texture.tile_orders"),
+    "tile_waits_inside": Mutant("src/texture/tile/load.cpp", "load.around || wait.impatient, &load",
+                                "wait.impatient, &load", "unit.texture.tile_orders"),
+    "tile_readers": Mutant("src/texture/tile/slots.cpp",
+                           "if (slot.readers.load(std::memory_order_seq_cst) != 0) {", "if (false) {",
+                           "unit.texture.tile_orders"),
     "tile_wake": Mutant("src/texture/tile/load.cpp", "load->count;\n    changed_.notify_all();", "load->count;",
                         "unit.texture.tile_orders"),
     "tile_slot_wait": Mutant("src/texture/tile/load.cpp", "if (stuck_ == callbacks_ || ", "if (",
