@@ -19,32 +19,32 @@
  *
  * 1. **Calls.** A callback may call every function of shd: look up textures of its own cache, other levels of its own
  *    texture, and other tiles of its own call; load, pin, drop, load requested tiles, and render.
- * 2. **Parts of the callback.** Lookups inside a callback belong to it, also those that the executor of a context runs on
- *    other threads.
+ * 2. **Parts of the callback.** Lookups inside a callback belong to it, also those that the executor of a context runs
+ *    on other threads.
  * 3. **No waiting for others.** Inside a callback, a tile that another thread loads at that moment is loaded a second
- *    time. So callbacks that need each other's tiles do not wait for each other. The first load that ends gives the tile
- *    of the cache.
- * 4. **Cycles.** A tile that needs itself gives SHD_ERROR_CALLBACK, "it looks up the tile that it loads", if no copy of it
- *    is resident. The other tiles of a call may be looked up: such a tile is then loaded alone.
- * 5. **Memory.** Each callback inside another one needs tiles of its own. If all tiles that can be evicted are in use by
- *    callbacks, lookups outside of callbacks wait until one ends. A lookup inside a callback waits as long as some
+ *    time. So callbacks that need each other's tiles do not wait for each other. The first load that ends gives the
+ *    tile of the cache.
+ * 4. **Cycles.** A tile that needs itself gives SHD_ERROR_CALLBACK, "it looks up the tile that it loads", if no copy of
+ *    it is resident. The other tiles of a call may be looked up: such a tile is then loaded alone.
+ * 5. **Memory.** Each callback inside another one needs tiles of its own. If all tiles that can be evicted are in use
+ *    by callbacks, lookups outside of callbacks wait until one ends. A lookup inside a callback waits as long as some
  *    callback can end, and otherwise gives SHD_ERROR_LIMIT. The outermost callback is then called once more, while no
- *    other outermost callback of the cache runs. So the error means: the cache is too small for this chain of callbacks.
- *    A cache has at least four tiles. Pins, and the tiles of running lookups, take up to two of them.
+ *    other outermost callback of the cache runs. So the error means: the cache is too small for this chain of
+ *    callbacks. A cache has at least four tiles. Pins, and the tiles of running lookups, take up to two of them.
  * 6. **Blocking.** A callback that takes long delays nobody but lookups that need its tiles. Lookups of resident tiles,
- *    and lookups with SHD_MISSING_TILES_COARSER, wait for no callback. A lookup may wait while others filter: a cache of
- *    N MiB has working memory for N lookups at once, at most 64. No callback runs with it.
- * 7. **Threads of the host.** Lookups that a callback makes on threads of its own count as lookups of others. They wait at
- *    most one second for a tile that another thread loads, and then load it themselves.
+ *    and lookups with SHD_MISSING_TILES_COARSER, wait for no callback. A lookup may wait while others filter: a cache
+ *    of N MiB has working memory for N lookups at once, at most 64. No callback runs with it.
+ * 7. **Threads of the host.** Lookups that a callback makes on threads of its own count as lookups of others. They wait
+ *    at most one second for a tile that another thread loads, and then load it themselves.
  * 8. **Limit.** A call that finds no place for a tile gives SHD_ERROR_LIMIT if no callback of the cache ends for 60
  *    seconds.
- * 9. **Release.** A callback may release objects of the calls that run it, also the last reference to its texture or its
- *    cache. A reference to an object that is older than the callback is dropped when the outermost function of shd on
- *    this thread returns. References to objects that the callback made are dropped at once.
- * 10. **Pins.** Pins belong to a tile, not to its texels: dropping, failing loads and other threads leave them. A pinned
- *    tile that could not be loaded is loaded by the next call that needs it.
- * 11. **fork().** A child can use the cache, also if threads of the parent load, look up or wait at the fork. The tiles that
- *    they were loading are loaded again. A callback may fork: the child ends it.
+ * 9. **Release.** A callback may release objects of the calls that run it, also the last reference to its texture or
+ *    its cache. A reference to an object that is older than the callback is dropped when the outermost function of shd
+ *    on this thread returns. References to objects that the callback made are dropped at once.
+ * 10. **Pins.** Pins belong to a tile, not to its texels: dropping, failing loads and other threads leave them. A
+ *    pinned tile that could not be loaded is loaded by the next call that needs it.
+ * 11. **fork().** A child can use the cache, also if threads of the parent load, look up or wait at the fork. The tiles
+ *    that they were loading are loaded again. A callback may fork: the child ends it.
  *
  * Lifetime:      reference counted; create returns an owned reference; a texture retains its cache.
  * Thread safety: every function from any thread.
@@ -108,9 +108,9 @@ typedef struct shd_tile {
 } shd_tile;
 
 /**
- * Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from any
- * thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then another.
- * It may call shd: see the rules above.
+ * Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
+ * any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
+ * another. It may call shd: see the rules above.
  * @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
  *          or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
  */

@@ -64,8 +64,9 @@ SHD_NODISCARD SHD_API shd_result shd_texture_unpin_tiles(const shd_texture *text
 
 /**
  * Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
- * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay pinned.
- * This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads it.
+ * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay
+ * pinned. This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads
+ * it.
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_drop_tiles(const shd_texture *texture, const shd_tile_region *region);

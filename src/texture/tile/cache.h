@@ -37,8 +37,8 @@ class TileCache {
   void stop_reading(uint32_t slot) { slots_[slot].readers.fetch_sub(1, std::memory_order_release); }
 
   /// Brings at least one of `count` > 0 different tiles, in ascending order. Returns the number of tiles in `held`, at
-  /// most kMaxTileBatch, which the caller reads. Calls callbacks and waits: the caller holds no lease and reads nothing.
-  /// Adds the tiles that it loaded to *loaded. Throws Failure if a callback fails.
+  /// most kMaxTileBatch, which the caller reads. Calls callbacks and waits: the caller holds no lease and reads
+  /// nothing. Adds the tiles that it loaded to *loaded. Throws Failure if a callback fails.
   uint32_t fetch(const TileSet& set, const uint32_t* tiles, size_t count, TileHold* held, uint32_t* loaded);
 
   /// Loads those of `count` tiles that are not resident, as fetch(). Returns the number of tiles loaded.

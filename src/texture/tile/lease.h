@@ -10,8 +10,8 @@
 
 namespace shd::texture {
 
-/// Tiles that one call keeps, and memory for copies of texels. A lease stays with its texture between calls, so that the
-/// next call finds the tiles of the previous one.
+/// Tiles that one call keeps, and memory for copies of texels. A lease stays with its texture between calls, so that
+/// the next call finds the tiles of the previous one.
 struct TileLease {
   static constexpr uint32_t kKept = 1024, kNoTile = 0xffffffff;
   static constexpr size_t kSpares = 4 * Stream::kCapacity;  // copies of texels, of up to 16 bytes; 4 L of an element

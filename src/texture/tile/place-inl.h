@@ -16,7 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
 /// Replaces the columns of elements 0..end - 1 by indices of texels in the memory of the cache. kNeighbours is cleared
-/// where columns are not adjacent there. Loads the tiles that are missing, without a lease, and throws Failure if that fails.
+/// where columns are not adjacent there. Loads the tiles that are missing, without a lease, and throws Failure if that
+/// fails.
 void PlaceInTiles(TileCall* call, size_t end, Stream* stream);
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -17,9 +17,9 @@ struct WaitingElements {
 };
 
 /// Places the texels of `waiting`, whose tiles are in TileCall::wanted and whose places within the tiles are in
-/// Stream::index; the other elements of 0..end - 1 have their places. Loads missing tiles, or, if the call must not wait,
-/// marks the lookups that need them. Texels whose tiles the lease cannot keep are copied. The call may have another
-/// lease afterwards.
+/// Stream::index; the other elements of 0..end - 1 have their places. Loads missing tiles, or, if the call must not
+/// wait, marks the lookups that need them. Texels whose tiles the lease cannot keep are copied. The call may have
+/// another lease afterwards.
 void resolve(TileCall* call, const WaitingElements& waiting, size_t end, size_t lanes, Stream* stream);
 
 }  // namespace shd::texture

@@ -22,8 +22,8 @@ enum SlotState : uint32_t {
 /// Memory of a tile. Members that are not atomic are guarded by the mutex of the cache.
 ///
 /// The table has one slot of a key: it is ready, empty, or loading. Further slots of the key are loading: several calls
-/// of the callback may write the same tile, and the first that ends is the slot of the table. Only the slot of the table
-/// has pins.
+/// of the callback may write the same tile, and the first that ends is the slot of the table. Only the slot of the
+/// table has pins.
 struct TileSlot {
   TileAtomic<uint64_t> key{0};  // TileKey, or 0
   TileAtomic<uint32_t> state{kSlotFree};

@@ -21,8 +21,8 @@ void TileCache::update(uint32_t at, Change&& change) {
 }
 
 uint32_t TileCache::claim(TileWait* wait) {
-  // The clock passes over few slots at once, because other calls wait for the mutex. The first half of them get a second
-  // chance if they were used lately.
+  // The clock passes over few slots at once, because other calls wait for the mutex. The first half of them get a
+  // second chance if they were used lately.
   constexpr uint32_t kMost = 4096;
   const uint32_t steps = std::min(2 * budget_.slots, kMost);
   for (uint32_t step = 0; step < steps; ++step, ++wait->scanned) {

@@ -9,9 +9,9 @@
 namespace shd::texture {
 
 /// Slots by key: open addressing with linear probes (Knuth, "The Art of Computer Programming", volume 3 (1998), 6.4,
-/// algorithms L and R). Removal moves the later keys of a run, so the table is never rebuilt. Any thread may search while
-/// one thread changes the table. A search may then miss a key, or find a slot that has another tile by now: callers check
-/// the slot, and search again under the lock.
+/// algorithms L and R). Removal moves the later keys of a run, so the table is never rebuilt. Any thread may search
+/// while one thread changes the table. A search may then miss a key, or find a slot that has another tile by now:
+/// callers check the slot, and search again under the lock.
 class TileTable {
  public:
   static constexpr uint32_t kNone = 0xffffffff;

@@ -9,14 +9,14 @@
 /// and the consumer of the format runs unchanged. Texels whose tiles are not at hand go to resolve.cpp, which loads the
 /// missing tiles of the whole stream in one call.
 ///
-/// Invariants: the memory of a cache is allocated once and never exceeds its budget. The table has one slot of a tile. A
-/// slot is reused only if nothing reads it. Pins belong to the tile.
+/// Invariants: the memory of a cache is allocated once and never exceeds its budget. The table has one slot of a tile.
+/// A slot is reused only if nothing reads it. Pins belong to the tile.
 ///
-/// Waiting: callbacks run while their call holds no lock, no lease and reads no slot; it holds the slots that they fill.
-/// A call inside a callback (core/call.h) never waits for a tile: it loads the tile a second time. It waits for a slot
-/// only while some callback has no such wait inside it, so waits have no cycle. Calls outside of callbacks hold nothing
-/// when they wait. Leases are held while lookups filter, and no longer. test_tile_orders.cpp runs this code in every order
-/// of its threads.
+/// Waiting: callbacks run while their call holds no lock, no lease and reads no slot; it holds the slots that they
+/// fill. A call inside a callback (core/call.h) never waits for a tile: it loads the tile a second time. It waits for a
+/// slot only while some callback has no such wait inside it, so waits have no cycle. Calls outside of callbacks hold
+/// nothing when they wait. Leases are held while lookups filter, and no longer. test_tile_orders.cpp runs this code in
+/// every order of its threads.
 ///
 /// | file                  | contents                                                            |
 /// |-----------------------|---------------------------------------------------------------------|
@@ -102,7 +102,8 @@ uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes);
 void lay_out_tiles(const TileShape& shape, Texture* texture);
 
 /// Gives tiles to a texture, whose size, levels and format are set. The caller then sets TileSet::handle, and
-/// TileSet::source.release, which is called with the texture. Throws std::bad_alloc, or Failure, and then keeps nothing.
+/// TileSet::source.release, which is called with the texture. Throws std::bad_alloc, or Failure, and then keeps
+/// nothing.
 void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
 /// A tile as the callback gets it, without memory.
