@@ -1133,7 +1133,7 @@ inline void texture_load_tiles(const shd_texture* texture_, const shd_tile_regio
 }
 
 /// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
-/// cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call. See shd_texture_pin_tiles().
+/// cache can be pinned; more give SHD_ERROR_LIMIT. If the call fails, it pins no tile. See shd_texture_pin_tiles().
 inline void texture_pin_tiles(const shd_texture* texture_, const shd_tile_region* region) {
   check(shd_texture_pin_tiles(texture_, region));
 }
@@ -1145,8 +1145,9 @@ inline void texture_unpin_tiles(const shd_texture* texture_, const shd_tile_regi
 }
 
 /// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
-/// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
-/// again by this call and stay pinned, unless the load fails. See shd_texture_drop_tiles().
+/// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay
+/// pinned. This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads
+/// it. See shd_texture_drop_tiles().
 inline void texture_drop_tiles(const shd_texture* texture_, const shd_tile_region* region) {
   check(shd_texture_drop_tiles(texture_, region));
 }

@@ -1156,7 +1156,7 @@ export type Stochastic =
 /**
  * Lookups where a tile of the texture is not in memory (shd/tile_cache.h). No effect for other textures.
  * - `wait`: load the tile; the result does not depend on the content of the cache
- * - `coarser`: Never load and never wait: filter from the finest levels whose tiles are resident, and request the
+ * - `coarser`: Never load and wait for no callback: filter from the finest levels with resident tiles, and request
  * missing ones
  * (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
  * detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
@@ -1562,7 +1562,9 @@ export interface Allocator {
  *
  * Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in
  * executor
- * also uses the calling thread if no thread can be started, and in a child process after a fork.
+ * also uses the calling thread if no thread can be started, in contexts that a child process inherits by fork(),
+ * and in
+ * all contexts of a child whose parent has used oneTBB.
  */
 export interface Executor {
   /**
@@ -3245,7 +3247,7 @@ export interface TileCacheStats {
   failedTiles: number;
   /** tiles that gave their place to others */
   evictedTiles: number;
-  /** lookups that waited for a tile that another thread loaded */
+  /** waits of lookups for tiles that other threads loaded */
   waits: number;
 }
 
@@ -4099,7 +4101,7 @@ export interface Raw {
   /**
    * Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles
    * of a
-   * cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call.
+   * cache can be pinned; more give SHD_ERROR_LIMIT. If the call fails, it pins no tile.
    */
   shd_texture_pin_tiles(texture: number, region: number): number;
   /**
@@ -4110,9 +4112,10 @@ export interface Raw {
   /**
    * Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has
    * changed.
-   * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are
-   * loaded
-   * again by this call and stay pinned, unless the load fails.
+   * Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay
+   * pinned. This call loads them again. If a load fails, it returns the error, and the next call that needs a tile
+   * loads
+   * it.
    */
   shd_texture_drop_tiles(texture: number, region: number): number;
   /**

@@ -1270,7 +1270,7 @@ namespace Shd
         /// <summary>load the tile; the result does not depend on the content of the cache</summary>
         Wait = 0,
         /// <summary>
-        /// Never load and never wait: filter from the finest levels whose tiles are resident, and request the missing ones
+        /// Never load and wait for no callback: filter from the finest levels with resident tiles, and request missing ones
         /// (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
         /// detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
         /// If no tile of any level is resident, the result is 0. Texels has the column `coarser`.

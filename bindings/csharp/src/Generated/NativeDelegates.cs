@@ -88,9 +88,9 @@ namespace Shd.Native
     public unsafe delegate void SlotFn(Fragments* @in, float** @out, void* userData);
 
     /// <summary>
-    /// Writes the texels of tiles, in the format of the texture. It is called without a lock, from any thread that looks
-    /// texels up, and by several threads at once for different tiles. It may call shd, except for lookups that need the same
-    /// tiles: they are refused.
+    /// Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
+    /// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
+    /// another. It may call shd: see the rules above.
     /// @return  Result.Ok, or the reason of a failure. Then no tile of the call is kept, the lookup returns Result.ErrorCallback,
     ///          or Result.ErrorCancelled for Result.ErrorCancelled, and the next lookup calls again
     /// </summary>

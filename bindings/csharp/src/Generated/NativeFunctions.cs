@@ -628,7 +628,7 @@ namespace Shd.Native
 
         /// <summary>
         /// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
-        /// cache can be pinned; more give Result.ErrorLimit, and then no tile is pinned by the call.
+        /// cache can be pinned; more give Result.ErrorLimit. If the call fails, it pins no tile.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_texture_pin_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TexturePinTiles(IntPtr texture, TileRegion* region);
@@ -642,8 +642,9 @@ namespace Shd.Native
 
         /// <summary>
         /// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
-        /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
-        /// again by this call and stay pinned, unless the load fails.
+        /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay
+        /// pinned. This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads
+        /// it.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_texture_drop_tiles", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureDropTiles(IntPtr texture, TileRegion* region);

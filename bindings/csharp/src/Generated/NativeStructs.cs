@@ -161,7 +161,8 @@ namespace Shd.Native
     /// Host job system. Frozen.
     ///
     /// Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in executor
-    /// also uses the calling thread if no thread can be started, and in a child process after a fork.
+    /// also uses the calling thread if no thread can be started, in contexts that a child process inherits by fork(), and in
+    /// all contexts of a child whose parent has used oneTBB.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Executor

@@ -912,7 +912,7 @@ namespace Shd
         public ulong FailedTiles;
         /// <summary>tiles that gave their place to others</summary>
         public ulong EvictedTiles;
-        /// <summary>lookups that waited for a tile that another thread loaded</summary>
+        /// <summary>waits of lookups for tiles that other threads loaded</summary>
         public ulong Waits;
 
         /// <summary>The defaults of the library.</summary>

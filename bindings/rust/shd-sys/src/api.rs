@@ -449,7 +449,7 @@ impl shd_irradiance {
     /// Environment Maps", 2001), at least 0. The error is up to 0.1 of the irradiance of a single light that faces the
     /// surface, and about 0.01 for environments without a sun.
     pub const HARMONICS: Self = Self(0);
-    /// a map of 64 x 64 directions: error up to 0.018 of such a light
+    /// a map of 96 x 96 directions: error up to 0.018 of such a light
     pub const CONVOLVED: Self = Self(1);
 }
 pub const SHD_IRRADIANCE_HARMONICS: shd_irradiance = shd_irradiance::HARMONICS;
@@ -905,9 +905,9 @@ impl shd_model {
     /// Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
     /// (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = max(roughness^2, 0.001),
     /// F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
-    /// Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v).
-    /// Metals reflect at most the incident light. Dielectrics do not: diffuse plus specular reflection exceeds 1 at
-    /// grazing angles (1.2 at 75 degrees from n, 1.6 at 85)
+    /// Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v), where
+    /// n.v counts as at least 1e-4: interpolated normals may face away from the eye. Metals reflect at most the incident
+    /// light. Dielectrics exceed it at grazing angles (1.2 at 75 degrees from n, 1.6 at 85), diffuse plus specular
     pub const METALLIC_ROUGHNESS: Self = Self(9);
     /// k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space; a normal
     /// without a direction reads the middle
@@ -1508,10 +1508,10 @@ impl shd_filter {
     pub const ANISOTROPIC: Self = Self(8);
     /// The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
     /// its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
-    /// texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
-    /// with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter, reduced by the averaging that level l already
-    /// has. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a is one to two texels.
-    /// `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+    /// texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
+    /// sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
+    /// the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
+    /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
     pub const EWA: Self = Self(9);
     /// An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic picks at random.
     pub const STOCHASTIC: Self = Self(10);
@@ -1709,7 +1709,7 @@ pub struct shd_missing_tiles(pub u32);
 impl shd_missing_tiles {
     /// load the tile; the result does not depend on the content of the cache
     pub const WAIT: Self = Self(0);
-    /// Never load and never wait: filter from the finest levels whose tiles are resident, and request the missing ones
+    /// Never load and wait for no callback: filter from the finest levels with resident tiles, and request missing ones
     /// (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
     /// detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
     /// If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
@@ -2504,9 +2504,9 @@ pub type shd_progress_report_fn = Option<unsafe extern "C" fn(user_data: *mut c_
 /// scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
-/// Writes the texels of tiles, in the format of the texture. It is called without a lock, from any thread that looks
-/// texels up, and by several threads at once for different tiles. It may call shd, except for lookups that need the same
-/// tiles: they are refused.
+/// Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
+/// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
+/// another. It may call shd: see the rules above.
 /// @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
 /// or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
 pub type shd_load_tiles_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, tiles: *const shd_tile, count: usize) -> shd_result>;
@@ -2618,7 +2618,8 @@ pub struct shd_color_desc {
     /// precision of 8-bit images; default SHD_DISPLAY_PRECISION_BAKED
     pub display_precision: shd_display_precision,
     /// path of a config file, at most 64 MiB; NULL = the file named by the environment
-    /// variable OCIO if it is set and not empty, else the built-in config
+    /// variable OCIO if it is set and not empty, else the built-in config. The config
+    /// and the tables that it names must be regular files
     pub config_path: *const c_char,
     /// a config in memory (YAML); then config_path must be NULL and OCIO is not read
     pub config_text: *const c_char,
@@ -2747,7 +2748,8 @@ init!(shd_allocator);
 /// Host job system. Frozen.
 ///
 /// Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in executor
-/// also uses the calling thread if no thread can be started, and in a child process after a fork.
+/// also uses the calling thread if no thread can be started, in contexts that a child process inherits by fork(), and in
+/// all contexts of a child whose parent has used oneTBB.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct shd_executor {
@@ -3361,10 +3363,13 @@ pub struct shd_load_desc {
     /// decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000
     pub max_ratio: f64,
     /// \[s\], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
-    /// checked between bands of rows
+    /// checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
+    /// costs a load all of its time; when it has been silent for two seconds, the
+    /// next load starts another one
     pub time_limit: f64,
-    /// program that decodes; NULL = shd-io-worker beside libshd_io or in its
-    /// installed place; borrowed for the call
+    /// program that decodes, relative to the working directory at the call; NULL =
+    /// shd-io-worker beside libshd_io or in its installed place; borrowed for the
+    /// call
     pub worker_path: *const c_char,
 }
 #[cfg(target_pointer_width = "64")]
@@ -4662,8 +4667,9 @@ pub struct shd_shape_desc {
     /// boxes and planes: length along x, y, z, 1e-30..1e30; default 2
     pub size: [f32; 3],
     /// Parts; 0 = the number in brackets. Sphere: around, 3..4096 \[32\], and from pole to pole, 2..4096 \[16\]. Box: along
-    /// x, y and z, 1..4096 \[1\]. Plane: along x and z, 1..4096 \[1\]. Torus: around the axis, 3..4096 \[48\], and around the
-    /// tube, 3..4096 \[24\]. Teapot: along each side of a patch, 2..256 \[8\]. Unused numbers are ignored.
+    /// x, y and z, 1..4096 \[1\]. Plane: \[0\] along x and \[2\] along z, as of `size`, 1..4096 \[1\]. Torus: around the axis,
+    /// 3..4096 \[48\], and around the tube, 3..4096 \[24\]. Teapot: along each side of a patch, 2..256 \[8\]. Unused numbers
+    /// are ignored, as size\[1\] and segments\[1\] of a plane.
     pub segments: [u32; 3],
 }
 #[cfg(target_pointer_width = "64")]
@@ -5136,7 +5142,7 @@ pub struct shd_tile_cache_stats {
     pub failed_tiles: u64,
     /// tiles that gave their place to others
     pub evicted_tiles: u64,
-    /// lookups that waited for a tile that another thread loaded
+    /// waits of lookups for tiles that other threads loaded
     pub waits: u64,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5589,7 +5595,8 @@ extern "C" {
     pub fn shd_context_worker_count(context: *const shd_context) -> u32;
     /// Write the defaults of a sized struct into the caller's memory and set its struct_size.
     ///
-    /// SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
+    /// SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields or is
+    /// not a multiple of the alignment of the struct
     ///
     /// - `kind`: the struct that `ptr` points at
     /// - `ptr`: the caller's struct, aligned for it
@@ -6120,14 +6127,15 @@ extern "C" {
     /// is larger than the cache.
     pub fn shd_texture_load_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
     /// Load the tiles of a region, and keep them until shd_texture_unpin_tiles(). Each call counts. Half of the tiles of a
-    /// cache can be pinned; more give SHD_ERROR_LIMIT, and then no tile is pinned by the call.
+    /// cache can be pinned; more give SHD_ERROR_LIMIT. If the call fails, it pins no tile.
     pub fn shd_texture_pin_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
     /// Undo one shd_texture_pin_tiles() of the same region. A region with a tile that is not pinned gives
     /// SHD_ERROR_INVALID_ARGUMENT, and nothing changes.
     pub fn shd_texture_unpin_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
     /// Drop the tiles of a region, and the tiles of all coarser levels that cover it, because their source has changed.
-    /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles are loaded
-    /// again by this call and stay pinned, unless the load fails.
+    /// Lookups that begin later load them again; lookups that run meanwhile may use either content. Pinned tiles stay
+    /// pinned. This call loads them again. If a load fails, it returns the error, and the next call that needs a tile loads
+    /// it.
     pub fn shd_texture_drop_tiles(texture: *const shd_texture, region: *const shd_tile_region) -> shd_result;
     /// Perspective projection, view to clip space. With SHD_DEPTH_ORDER_FORWARD and a finite far plane it has the bits of
     /// shd_view_from_camera().

@@ -915,8 +915,9 @@ pub struct ShapeDesc {
     /// boxes and planes: length along x, y, z, 1e-30..1e30; default 2
     pub size: [f32; 3],
     /// Parts; 0 = the number in brackets. Sphere: around, 3..4096 \[32\], and from pole to pole, 2..4096 \[16\]. Box: along
-    /// x, y and z, 1..4096 \[1\]. Plane: along x and z, 1..4096 \[1\]. Torus: around the axis, 3..4096 \[48\], and around the
-    /// tube, 3..4096 \[24\]. Teapot: along each side of a patch, 2..256 \[8\]. Unused numbers are ignored.
+    /// x, y and z, 1..4096 \[1\]. Plane: \[0\] along x and \[2\] along z, as of `size`, 1..4096 \[1\]. Torus: around the axis,
+    /// 3..4096 \[48\], and around the tube, 3..4096 \[24\]. Teapot: along each side of a patch, 2..256 \[8\]. Unused numbers
+    /// are ignored, as size\[1\] and segments\[1\] of a plane.
     pub segments: [u32; 3],
 }
 impl ShapeDesc {
@@ -1666,7 +1667,9 @@ pub struct LoadDesc {
     /// decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000
     pub max_ratio: f64,
     /// \[s\], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
-    /// checked between bands of rows
+    /// checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
+    /// costs a load all of its time; when it has been silent for two seconds, the
+    /// next load starts another one
     pub time_limit: f64,
 }
 impl LoadDesc {
@@ -1830,7 +1833,7 @@ pub struct TileCacheStats {
     pub failed_tiles: u64,
     /// tiles that gave their place to others
     pub evicted_tiles: u64,
-    /// lookups that waited for a tile that another thread loaded
+    /// waits of lookups for tiles that other threads loaded
     pub waits: u64,
 }
 impl TileCacheStats {
