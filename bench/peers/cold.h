@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/texture.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 
 namespace shd::bench {
 
-/// A tiled file with mip levels in the temporary folder, made by OpenImageIO as maketx makes it: tiles of 64 x 64
-/// texels, compressed by zip. Texels are RGBA8; an "exr" file has halves. Failures throw std::runtime_error.
+constexpr uint32_t kFileTile = 64;  // texels on an edge of a tile, as maketx makes them
+
+/// A tiled file with mip levels in the temporary folder, made by OpenImageIO as maketx makes it, compressed by zip. Texels are RGBA8; an "exr" file has halves. Failures throw std::runtime_error.
 class TiledFile {
  public:
   TiledFile(const std::string& extension, uint32_t edge, const std::vector<uint8_t>& texels);

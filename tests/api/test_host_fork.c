@@ -83,7 +83,7 @@ static shd_result make_sampler(shd_context *context, shd_sampler **out)
 
 static uint64_t look_up(const struct place *p, const shd_texture *texture)
 {
-    static _Thread_local float red[POINTS];
+    float red[POINTS];
     shd_lookups lookups = shd_lookups_default();
     shd_texels texels = shd_texels_default();
     lookups.count = POINTS;
