@@ -13,7 +13,8 @@ namespace shd::bench {
 
 constexpr uint32_t kFileTile = 64;  // texels on an edge of a tile, as maketx makes them
 
-/// A tiled file with mip levels in the temporary folder, made by OpenImageIO as maketx makes it, compressed by zip. Texels are RGBA8; an "exr" file has halves. Failures throw std::runtime_error.
+/// A tiled file with mip levels in the temporary folder, made by OpenImageIO as maketx makes it, compressed by zip.
+/// Texels are RGBA8; an "exr" file has halves. Failures throw std::runtime_error.
 class TiledFile {
  public:
   TiledFile(const std::string& extension, uint32_t edge, const std::vector<uint8_t>& texels);
