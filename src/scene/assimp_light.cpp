@@ -12,7 +12,7 @@
 namespace shd::scene {
 namespace {
 
-constexpr int kMaxDepth = 1024;
+constexpr int kMaxParents = 1024;
 
 bool copy_finite(const aiVector3D& from, float* out) {
   for (unsigned c = 0; c < 3; ++c) out[c] = from[c];
@@ -112,7 +112,7 @@ aiMatrix4x4 world_of(const aiScene& scene, const std::string& name, const aiNode
   *node = scene.mRootNode->FindNode(name.c_str());
   aiMatrix4x4 world;
   int depth = 0;
-  for (const aiNode* at = *node; at && depth < kMaxDepth; at = at->mParent, ++depth) {
+  for (const aiNode* at = *node; at && depth < kMaxParents; at = at->mParent, ++depth) {
     world = at->mTransformation * world;
   }
   return world;
