@@ -219,7 +219,7 @@ static void test_bad_reads(void **state)
     assert_true(info.width == 0 && info.height == 0 && info.samples == 0 && info.aovs == 0 && info.byte_size == 0);
     assert_int_equal(info.struct_size, sizeof info);
     info.struct_size = 8;
-    shd_assert_result("info", shd_framebuffer_get_info(framebuffer, &info), BAD, "out_info.struct_size: 8 is below 12");
+    shd_assert_result("info", shd_framebuffer_get_info(framebuffer, &info), BAD, "out_info.struct_size: 8 is below 16");
     view.struct_size = 0;
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &view), BAD,
                       "out_view.struct_size: 0");
