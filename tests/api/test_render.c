@@ -293,7 +293,7 @@ static const struct edit_case k_edits[] = {
     {"newer_draws/zero_tail", newer_draws, SHD_OK, ""},
     {"newer_draws/tail_of_0_set", newer_draw_0_set, SHD_ERROR_UNSUPPORTED, "render.draws[0]: draw: byte "},
     {"newer_draws/tail_of_1_set", newer_draw_1_set, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw: byte "},
-    {"newer_draws/odd_size", newer_draws_odd, REFUSED, "render.draws[1]: draw: not aligned"},
+    {"newer_draws/odd_size", newer_draws_odd, REFUSED, "render.draws[0]: draw.struct_size: 153 is not a multiple of 8"},
 };
 
 static int is_zero(const shd_render_stats *stats)
