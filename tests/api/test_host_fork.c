@@ -453,7 +453,14 @@ static void *make_all_calls(void *argument)
     return NULL;
 }
 
-/* Forks while four threads make calls of all kinds in one context. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+
+/* Forks while four threads make calls of all kinds in one context. Not under sanitizers: a fork leaves locks of their own
+ * allocators locked in the child. */
 static void test_storm(void **state)
 {
     struct place places[THREADS + 1];
@@ -490,6 +497,6 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"during/handles", test_handles, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"during/program", test_program, NULL, NULL, NULL};
-    tests[n++] = (struct CMUnitTest){"during/storm", test_storm, NULL, NULL, NULL};
+    if (!SANITIZED) tests[n++] = (struct CMUnitTest){"during/storm", test_storm, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.host_fork", tests, n, NULL, NULL);
 }
