@@ -459,8 +459,8 @@ enum { SANITIZED = 1 };
 enum { SANITIZED = 0 };
 #endif
 
-/* Forks while four threads make calls of all kinds in one context. Not under sanitizers: a fork leaves locks of their own
- * allocators locked in the child. */
+/* Forks while four threads make calls of all kinds in one context. Not under sanitizers: a fork leaves locks of their
+ * own allocators locked in the child. */
 static void test_storm(void **state)
 {
     struct place places[THREADS + 1];
