@@ -103,7 +103,7 @@ stage_tsan() {
   local runner=() targets=(tests_threads)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
   build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
-    TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^slow$'
+    TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^(slow|forks)$'
 }
 # The absence of the dependencies and the one SIMD target can change the binary, the bits, the process, and the programs
 # and projects of users.
