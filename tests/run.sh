@@ -16,7 +16,8 @@
 #   quick     format and release
 #
 # Missing Debian packages are installed first, by name and without recommendations. If all are there, only the stage
-# highway uses the network. SHD_NO_INSTALL=1 never installs and skips that stage. Builds go to build/ci/<stage>; ccache is used when present.
+# highway uses the network. SHD_NO_INSTALL=1 never installs and skips that stage. Builds go to build/ci/<stage>; ccache
+# is used when present.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
