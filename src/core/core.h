@@ -31,6 +31,6 @@
 /// | executor.h      | parallel_for over a Context                                       |
 /// | object.h        | handles: slabs, reference counts, type and life tags              |
 ///
-/// The headers up to read_desc.h, except status.h, need no library: libshd_color, libshd_io and its worker process
-/// include them as well. simd_name.h needs Highway's headers only: libshd_color includes it.
+/// The headers up to read_desc.h, except status.h and call.h, need no library: libshd_color, libshd_io and its worker
+/// process include them as well. simd_name.h needs Highway's headers only: libshd_color includes it.
 #pragma once
