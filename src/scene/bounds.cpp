@@ -8,18 +8,17 @@ namespace shd::scene {
 namespace {
 
 /// Extends a box, which is initially empty, by the vertices of an instance.
-void grow(const Geometry& geometry, const float* m, bool* empty, Bounds* box) {
+void grow(const Geometry& geometry, const Matrix& m, bool* empty, Bounds* box) {
   for (const uint32_t vertex : geometry.indices) {
-    const float* p = &geometry.position[size_t{3} * vertex];
-    double world[3];
+    double p[3], world[3];
+    for (size_t c = 0; c < 3; ++c) p[c] = double{geometry.position[size_t{3} * vertex + c]} + geometry.origin[c];
     bool finite = true;
-    for (int r = 0; r < 3; ++r) {
-      world[r] = double{m[r]} * double{p[0]} + double{m[4 + r]} * double{p[1]} + double{m[8 + r]} * double{p[2]} +
-                 double{m[12 + r]};
+    for (size_t r = 0; r < 3; ++r) {
+      world[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
       finite = finite && std::fabs(world[r]) < 3.4e38;
     }
     if (!finite) continue;
-    for (int r = 0; r < 3; ++r) {
+    for (size_t r = 0; r < 3; ++r) {
       box->low[r] = *empty ? world[r] : std::min(box->low[r], world[r]);
       box->high[r] = *empty ? world[r] : std::max(box->high[r], world[r]);
     }
@@ -32,14 +31,14 @@ void grow(const Geometry& geometry, const float* m, bool* empty, Bounds* box) {
 double Bounds::radius() const {
   double square = 0.0;
   for (int c = 0; c < 3; ++c) square += (high[c] - low[c]) * (high[c] - low[c]);
-  return std::max(0.5 * std::sqrt(square), 1e-6);
+  return std::max(0.5 * std::sqrt(square), 1e-30);
 }
 
-Bounds bounds_of(const Model& model) {
+Bounds bounds_of(const Model& model, const std::vector<Instance>& instances) {
   Bounds box;
   bool empty = true;
-  for (const Instance& instance : model.instances) {
-    grow(model.geometries[instance.geometry], instance.object_to_world.data(), &empty, &box);
+  for (const Instance& instance : instances) {
+    grow(model.geometries[instance.geometry], instance.object_to_world, &empty, &box);
   }
   return box;
 }

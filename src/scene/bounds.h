@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/model.h"
+#include "scene/pose.h"
 
 namespace shd::scene {
 
@@ -9,10 +9,10 @@ namespace shd::scene {
 /// Zero if no vertex is finite.
 struct Bounds {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-  /// Half the diagonal, at least 1e-6.
+  /// Half the diagonal, at least 1e-30.
   double radius() const;
 };
 
-Bounds bounds_of(const Model& model);
+Bounds bounds_of(const Model& model, const std::vector<Instance>& instances);
 
 }  // namespace shd::scene

@@ -166,30 +166,30 @@ void add_draws(Maker& maker) {
     shd_draw draw = shd_draw_default();
     draw.mesh = maker.out.meshes[instance.geometry].get();
     draw.material = maker.out.materials[instance.surface].get();
-    std::copy(instance.object_to_world.begin(), instance.object_to_world.end(), draw.object_to_world);
+    for (size_t i = 0; i < 16; ++i) draw.object_to_world[i] = static_cast<float>(instance.object_to_world[i]);
     maker.out.draws.push_back(draw);
   }
 }
 
 }  // namespace
 
-void make_objects(shd_context* context, Model&& model, const ObjectOptions& options, const Limits& limits,
-                  const Deadline& deadline, Objects* out) {
+void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
+                  const Limits& limits, const Deadline& deadline, Objects* out) {
   Maker maker = {context, options, *out, {}};
   out->warnings = std::move(model.warnings);
-  out->bounds = bounds_of(model);
-  out->textures =
-      load_textures(context, model, options.load, options.all_textures_required, limits, deadline, &out->warnings);
+  out->instances = place(model);
+  out->bounds = bounds_of(model, out->instances);
+  out->textures = load_textures(context, folder, model, options.load, options.all_textures_required, limits, deadline,
+                                &out->warnings);
   for (size_t i = 0; i < out->textures.size(); ++i) {
     if (!out->textures[i].get()) continue;
     out->found_textures.push_back(out->textures[i].get());
-    out->texture_names.push_back(model.textures[i].path);
+    out->texture_names.push_back(model.textures[i].name);
   }
   add_materials(maker, model.surfaces);
   add_meshes(maker, model.geometries, deadline);
   add_lights(maker, model.lights);
   add_cameras(maker, model.cameras);
-  out->instances = std::move(model.instances);
   add_draws(maker);
 }
 

@@ -44,8 +44,8 @@ struct Objects {
   Bounds bounds;
 };
 
-/// Makes all objects. Throws Failure; all objects made before are then released.
-void make_objects(shd_context* context, Model&& model, const ObjectOptions& options, const Limits& limits,
-                  const Deadline& deadline, Objects* out);
+/// Makes all objects; `folder` is that of the model. Throws Failure; all objects made before are then released.
+void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
+                  const Limits& limits, const Deadline& deadline, Objects* out);
 
 }  // namespace shd::scene

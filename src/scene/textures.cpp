@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "extension/error.h"
+#include "scene/disk_files.h"
 
 namespace shd::scene {
 namespace {
@@ -21,26 +22,28 @@ shd_result create_texture(shd_context* context, const TextureSource& source, uin
   return shd_texture_create(context, &desc, out.out());
 }
 
-shd_result load_texture(shd_context* context, const TextureSource& source, shd_load_desc desc, Texture& out) {
+shd_result load_texture(shd_context* context, const std::string& folder, const TextureSource& source,
+                        shd_load_desc desc, Texture& out) {
   if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
   if (!source.file.empty()) {
     return shd_texture_load_memory(context, source.file.data(), source.file.size(), &desc, out.out());
   }
   if (!source.rgba.empty()) return create_texture(context, source, desc.tables, out);
-  return shd_texture_load(context, source.path.c_str(), &desc, out.out());
+  const std::string path = find_file(folder + source.folder, source.name);
+  return shd_texture_load(context, path.empty() ? source.name.c_str() : path.c_str(), &desc, out.out());
 }
 
 /// The message for a texture that failed. Messages about files contain the name already.
 std::string message_of(const TextureSource& source) {
   const std::string text = shd_last_error();
-  return source.file.empty() && source.rgba.empty() ? text : source.path + ": " + text;
+  return source.file.empty() && source.rgba.empty() ? text : source.name + ": " + text;
 }
 
 }  // namespace
 
-std::vector<Texture> load_textures(shd_context* context, const Model& model, const shd_load_desc& load,
-                                   bool all_required, const Limits& limits, const Deadline& deadline,
-                                   std::vector<std::string>* warnings) {
+std::vector<Texture> load_textures(shd_context* context, const std::string& folder, const Model& model,
+                                   const shd_load_desc& load, bool all_required, const Limits& limits,
+                                   const Deadline& deadline, std::vector<std::string>* warnings) {
   std::vector<Texture> textures;
   uint64_t bytes = 0;
   for (const TextureSource& source : model.textures) {
@@ -49,7 +52,7 @@ std::vector<Texture> load_textures(shd_context* context, const Model& model, con
     const double left = std::max(deadline.seconds_left(), 1e-3);
     desc.time_limit = desc.time_limit > 0 ? std::min(desc.time_limit, left) : left;
     Texture texture;
-    const shd_result result = load_texture(context, source, desc, texture);
+    const shd_result result = load_texture(context, folder, source, desc, texture);
     if (result == SHD_ERROR_OUT_OF_MEMORY || (result != SHD_OK && all_required)) {
       core::refuse(result, "%s", message_of(source).c_str());
     }

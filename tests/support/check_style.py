@@ -31,8 +31,8 @@ THIRD_PARTY = {
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},
-    "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
-                "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},
+    "assimp/": {"src/scene/read/assimp_files.cpp", "src/scene/read/assimp_import.cpp", "src/scene/read/assimp_light.cpp",
+                "src/scene/read/assimp_parts.h", "src/scene/read/assimp_sanitize.cpp", "src/scene/read/assimp_surface.cpp"},
 }
 # Calls that open files by a path, and the files that may have them. core/regular_file.h opens all files that are read,
 # write_file.cpp opens its temporary files, the worker reads /proc, and decoders that need a path get an anonymous file
@@ -44,7 +44,7 @@ OPENERS = {
     r"\b(?:basic_)?(?:[io]?fstream|filebuf)\b": set(),
     r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio.cpp", "src/io/oiio_tiles.cpp"},
     r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},
-    r"\bReadFile\s*\(": {"src/scene/assimp_import.cpp"},
+    r"\bReadFile\s*\(": {"src/scene/read/assimp_import.cpp"},
     r"\bCreateFrom(?:File|Env)\s*\(": set(),
     r"\bdlopen\s*\(": {"src/io/module.cpp", "src/io/silence.cpp"},
 }

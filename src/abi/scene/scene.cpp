@@ -3,13 +3,14 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 
 #include "extension/desc.h"
 #include "extension/guard.h"
-#include "scene/import.h"
+#include "scene/disk_files.h"
 #include "scene/objects.h"
+#include "scene/read/read.h"
+#include "scene/text.h"
 
 namespace {
 
@@ -93,11 +94,22 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   return request;
 }
 
+/// Reads the model. Messages name its file.
+scene::Model read(scene::DiskFiles& files, const char* path, const scene::Limits& limits,
+                  const scene::Deadline& deadline) {
+  try {
+    return scene::read_model({files.model(), files.name(), files, limits, deadline});
+  } catch (const Failure& failure) {
+    refuse(failure.code, "\"%s\": %s", scene::text_of(path).c_str(), failure.what());
+  }
+}
+
 std::unique_ptr<Body> load(shd_context* context, const char* path, const Request& request) {
   const scene::Deadline deadline(request.limits.seconds);
   auto body = std::make_unique<Body>();
-  scene::make_objects(context, scene::import_file(path, request.limits, deadline), request.options, request.limits,
-                      deadline, body.get());
+  scene::DiskFiles files(path, request.limits, deadline);
+  scene::make_objects(context, files.folder(), read(files, path, request.limits, deadline), request.options,
+                      request.limits, deadline, body.get());
   for (std::string& warning : body->warnings) {
     core::make_printable(warning.data(), warning.size());
     shd_context_log(context, SHD_LOG_LEVEL_WARNING, warning.c_str());
@@ -242,9 +254,9 @@ shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_sc
     }
     const scene::Instance& from = body.instances[index];
     shd_scene_instance instance = shd_scene_instance_default();
-    instance.mesh = static_cast<uint32_t>(from.geometry);
-    instance.material = static_cast<uint32_t>(from.surface);
-    std::memcpy(instance.object_to_world, from.object_to_world.data(), sizeof instance.object_to_world);
+    instance.mesh = from.geometry;
+    instance.material = from.surface;
+    for (size_t i = 0; i < 16; ++i) instance.object_to_world[i] = static_cast<float>(from.object_to_world[i]);
     write_desc(instance, out_instance);
     return SHD_OK;
   });

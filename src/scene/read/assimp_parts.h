@@ -5,10 +5,11 @@
 #include <assimp/IOSystem.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "scene/limits.h"
-#include "scene/model.h"
+#include "scene/read/read.h"
+#include "scene/text.h"
 
 struct aiNode;
 struct aiScene;
@@ -16,14 +17,9 @@ struct aiScene;
 /// Declarations that the assimp_*.cpp files share.
 namespace shd::scene {
 
-/// Number of bytes that assimp has read from files, and the file that exceeded the budget.
-struct FileBudget {
-  uint64_t left = 0;
-  std::string exceeded;  // path; empty = none
-};
-
-/// File access for assimp: regular files only, within a budget, read whole into memory. Reads fail after the deadline.
-std::unique_ptr<Assimp::IOSystem> make_file_system(FileBudget& budget, const Deadline& deadline);
+/// Files of the source for assimp, which calls the model by its name. Reads fail after the deadline. assimp hides
+/// exceptions: the first Failure of Files is kept in `failure`.
+std::unique_ptr<Assimp::IOSystem> make_file_system(const Source& source, std::optional<core::Failure>& failure);
 
 /// Removes everything from a fresh import that assimp's post-processing steps cannot handle (with or without their
 /// asserts): only polygons with existing and finite vertices stay. Throws Failure beyond the limits and for a scene
@@ -36,11 +32,8 @@ void sanitize(aiScene& scene, const Limits& limits, Model& model);
 /// Whether the scene comes from glTF 2.0.
 bool is_gltf2(const aiScene& scene);
 
-/// A string of a file, made printable and short enough for a message.
-std::string text_of(const char* text);
-
-/// Reads the materials of a scene, and finds the textures that they name relative to the model's file.
-void add_surfaces(const aiScene& scene, const std::string& path, Model& model);
+/// Reads the materials of a scene, and the textures that they name.
+void add_surfaces(const aiScene& scene, Model& model);
 
 /// The world matrix of the node with this name; identity if there is no such node.
 aiMatrix4x4 world_of(const aiScene& scene, const std::string& name, const aiNode** node);

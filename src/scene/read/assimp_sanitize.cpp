@@ -8,7 +8,7 @@
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 
-#include "scene/assimp_parts.h"
+#include "scene/read/assimp_parts.h"
 
 namespace shd::scene {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
-#include <set>
-#include <vector>
+#include <optional>
 
 #include <assimp/IOStream.hpp>
 
-#include "core/regular_file.h"
-#include "scene/assimp_parts.h"
+#include "scene/read/assimp_parts.h"
 
 namespace shd::scene {
 namespace {
@@ -15,27 +13,26 @@ namespace {
 /// A file in memory, read only.
 class MemoryStream : public Assimp::IOStream {
  public:
-  MemoryStream(std::vector<unsigned char>&& bytes, const Deadline& deadline)
-      : bytes_(std::move(bytes)), deadline_(deadline) {}
+  MemoryStream(Bytes bytes, const Deadline& deadline) : bytes_(bytes), deadline_(deadline) {}
 
   size_t Read(void* buffer, size_t size, size_t count) override {
     if (size == 0 || count == 0) return 0;
-    const size_t whole = std::min((bytes_.size() - place_) / size, count);
+    const size_t whole = std::min((bytes_.size - place_) / size, count);
     check_progress(whole);
-    if (whole) std::memcpy(buffer, bytes_.data() + place_, whole * size);
+    if (whole) std::memcpy(buffer, bytes_.data + place_, whole * size);
     place_ += whole * size;
     return whole;
   }
   size_t Write(const void*, size_t, size_t) override { return 0; }
   aiReturn Seek(size_t offset, aiOrigin origin) override {
-    const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? place_ : bytes_.size();
+    const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? place_ : bytes_.size;
     const size_t place = from + offset;  // offsets may be negative; the sum wraps to the correct position
-    if (place > bytes_.size()) return aiReturn_FAILURE;
+    if (place > bytes_.size) return aiReturn_FAILURE;
     place_ = place;
     return aiReturn_SUCCESS;
   }
   size_t Tell() const override { return place_; }
-  size_t FileSize() const override { return bytes_.size(); }
+  size_t FileSize() const override { return bytes_.size; }
   void Flush() override {}
 
  private:
@@ -48,7 +45,7 @@ class MemoryStream : public Assimp::IOStream {
     deadline_.check();
   }
 
-  std::vector<unsigned char> bytes_;
+  const Bytes bytes_;
   const Deadline& deadline_;
   size_t place_ = 0;
   int empty_reads_ = 0;
@@ -60,41 +57,39 @@ bool is_skeleton(const std::string& path) {
   return path.size() >= end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
-class BudgetedFiles : public Assimp::IOSystem {
+class FileSystem : public Assimp::IOSystem {
  public:
-  BudgetedFiles(FileBudget& budget, const Deadline& deadline) : budget_(budget), deadline_(deadline) {}
+  FileSystem(const Source& source, std::optional<core::Failure>& failure) : source_(source), failure_(failure) {}
 
-  bool Exists(const char* path) const override { return !is_skeleton(path) && core::open_regular(path).file.fd >= 0; }
+  bool Exists(const char* path) const override { return find(path) != nullptr; }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (std::strchr(mode, 'w') || std::strchr(mode, 'a') || std::strchr(mode, '+')) return nullptr;
-    if (is_skeleton(path)) return nullptr;
-    const core::RegularFile opened = core::open_regular(path);
-    if (opened.file.fd < 0) return nullptr;
-    const bool known = counted_.count(path) != 0;  // readers open a file several times
-    if (!known && opened.size > budget_.left) {
-      if (budget_.exceeded.empty()) budget_.exceeded = path;
-      return nullptr;
-    }
-    std::vector<unsigned char> bytes(static_cast<size_t>(opened.size));
-    int error = 0;
-    if (core::read_at(opened.file.fd, 0, bytes.size(), bytes.data(), &error) < bytes.size()) return nullptr;
-    if (!known) budget_.left -= opened.size;
-    counted_.insert(path);
-    return new MemoryStream(std::move(bytes), deadline_);
+    const Bytes* bytes = find(path);
+    return bytes ? new MemoryStream(*bytes, source_.deadline) : nullptr;
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  FileBudget& budget_;
-  const Deadline& deadline_;
-  std::set<std::string> counted_;
+  const Bytes* find(const char* path) const {
+    if (path == source_.name) return &source_.bytes;
+    if (failure_ || is_skeleton(path)) return nullptr;
+    try {
+      return source_.files.find(path);
+    } catch (const core::Failure& failure) {
+      failure_ = failure;
+      return nullptr;
+    }
+  }
+
+  const Source& source_;
+  std::optional<core::Failure>& failure_;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> make_file_system(FileBudget& budget, const Deadline& deadline) {
-  return std::make_unique<BudgetedFiles>(budget, deadline);
+std::unique_ptr<Assimp::IOSystem> make_file_system(const Source& source, std::optional<core::Failure>& failure) {
+  return std::make_unique<FileSystem>(source, failure);
 }
 
 }  // namespace shd::scene

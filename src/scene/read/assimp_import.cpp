@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <optional>
 
 #include <assimp/BaseImporter.h>
 #include <assimp/postprocess.h>
@@ -9,11 +8,9 @@
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 
-#include "core/printable.h"
-#include "core/regular_file.h"
-#include "scene/assimp_parts.h"
 #include "scene/bounds.h"
-#include "scene/import.h"
+#include "scene/pose.h"
+#include "scene/read/assimp_parts.h"
 
 namespace shd::scene {
 namespace {
@@ -37,24 +34,6 @@ class Stopwatch : public Assimp::ProgressHandler {
  private:
   const Deadline& deadline_;
 };
-
-/// Throws Failure, with the reason, unless the path is a regular file that can be read.
-void check_file(const std::string& path, const Limits& limits) {
-  const std::string name = text_of(path.c_str());
-  const core::RegularFile opened = core::open_regular(path.c_str());
-  if (opened.other_kind) core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file", name.c_str());
-  if (opened.error) {
-    const bool missing = opened.error == ENOENT || opened.error == ENOTDIR;
-    core::refuse(missing ? SHD_ERROR_NOT_FOUND : SHD_ERROR_IO, "cannot open \"%s\": %s", name.c_str(),
-                 std::strerror(opened.error));
-  }
-  const uint64_t size = opened.size;
-  if (size == 0) core::refuse(SHD_ERROR_CORRUPT, "\"%s\" is empty", name.c_str());
-  if (size > limits.file_bytes) {
-    core::refuse(SHD_ERROR_LIMIT, "\"%s\" has %llu bytes, above scene.max_file_bytes %llu", name.c_str(),
-                 static_cast<unsigned long long>(size), static_cast<unsigned long long>(limits.file_bytes));
-  }
-}
 
 void append(std::vector<float>& to, const aiVector3D& from) {
   for (unsigned c = 0; c < 3; ++c) to.push_back(from[c]);
@@ -91,61 +70,63 @@ void add_geometries(Import& import) {
 }
 
 /// Converts a matrix from assimp's row-major order. Returns false if it is not finite.
-bool copy_matrix(const aiMatrix4x4& matrix, std::array<float, 16>& out) {
+bool copy_matrix(const aiMatrix4x4& matrix, Matrix& out) {
   bool finite = true;
   for (unsigned row = 0; row < 4; ++row) {
     for (unsigned column = 0; column < 4; ++column) {
       const float value = row < 3 ? matrix[row][column] : (column == 3 ? 1.0f : 0.0f);
-      out[4 * column + row] = value;
+      out[4 * column + row] = static_cast<double>(value);
       finite = finite && std::isfinite(value);
     }
   }
   return finite;
 }
 
-void place_meshes(Import& import, const aiNode& node, const aiMatrix4x4& matrix) {
+void place_meshes(Import& import, const aiNode& node, uint32_t index) {
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const unsigned mesh = node.mMeshes[i];
     if (mesh >= import.geometry_of.size() || import.geometry_of[mesh] == kNothing) continue;
-    Instance instance;
-    instance.geometry = import.geometry_of[mesh];
-    instance.surface = import.scene.mMeshes[mesh]->mMaterialIndex;
-    if (instance.surface >= import.model.surfaces.size()) instance.surface = 0;
-    if (!copy_matrix(matrix, instance.object_to_world)) {
-      import.model.warnings.push_back("node \"" + text_of(node.mName.C_Str()) + "\": its matrix is not finite");
-      continue;
-    }
-    import.model.instances.push_back(instance);
-    check_limit("instances", import.model.instances.size(), "max_instances", import.limits.instances);
+    Placement placement;
+    placement.geometry = static_cast<uint32_t>(import.geometry_of[mesh]);
+    placement.surface = import.scene.mMeshes[mesh]->mMaterialIndex;
+    if (placement.surface >= import.model.surfaces.size()) placement.surface = 0;
+    placement.node = index;
+    import.model.placements.push_back(placement);
+    check_limit("instances", import.model.placements.size(), "max_instances", import.limits.instances);
   }
 }
 
-/// Places the meshes of all nodes, depth first.
-void place_nodes(Import& import) {
+/// Copies all nodes, depth first. A node whose matrix is not finite is left out with all below it.
+void add_nodes(Import& import) {
   struct Visit {
     const aiNode* node;
-    aiMatrix4x4 parent;
+    int32_t parent;
   };
-  std::vector<Visit> open = {{import.scene.mRootNode, aiMatrix4x4()}};
+  std::vector<Visit> open = {{import.scene.mRootNode, -1}};
   while (!open.empty()) {
     const Visit visit = open.back();
     open.pop_back();
-    const aiMatrix4x4 matrix = visit.parent * visit.node->mTransformation;
-    place_meshes(import, *visit.node, matrix);
+    Node node;
+    node.name = text_of(visit.node->mName.C_Str());
+    node.parent = visit.parent;
+    if (!copy_matrix(visit.node->mTransformation, node.matrix)) {
+      import.model.warnings.push_back("node \"" + node.name + "\": its matrix is not finite");
+      continue;
+    }
+    const auto index = static_cast<uint32_t>(import.model.nodes.size());
+    import.model.nodes.push_back(std::move(node));
+    place_meshes(import, *visit.node, index);
     for (unsigned i = visit.node->mNumChildren; i-- > 0;) {
-      open.push_back({visit.node->mChildren[i], matrix});
+      open.push_back({visit.node->mChildren[i], static_cast<int32_t>(index)});
     }
   }
 }
 
 /// Throws Failure if assimp did not make `scene`.
-void require_scene(const aiScene* scene, const Assimp::Importer& importer, const Limits& limits,
-                   const FileBudget& budget, const Deadline& deadline) {
+void require_scene(const aiScene* scene, const Assimp::Importer& importer, const std::optional<core::Failure>& failure,
+                   const Deadline& deadline) {
   deadline.check();
-  if (!budget.exceeded.empty()) {
-    core::refuse(SHD_ERROR_LIMIT, "with \"%s\" its files have more bytes than scene.max_file_bytes %llu",
-                 text_of(budget.exceeded.c_str()).c_str(), static_cast<unsigned long long>(limits.file_bytes));
-  }
+  if (failure) throw *failure;
   if (scene && scene->mRootNode) return;
   const std::string reason = text_of(importer.GetErrorString());
   if (reason.find("No suitable reader") != std::string::npos)
@@ -155,18 +136,20 @@ void require_scene(const aiScene* scene, const Assimp::Importer& importer, const
 
 /// Reads the file without assimp's post-processing, removes data that the post-processing steps do not expect, and then
 /// runs these steps.
-const aiScene& read_scene(Assimp::Importer& importer, const std::string& path, const Limits& limits,
-                          const FileBudget& budget, const Deadline& deadline, Model& model) {
-  const aiScene* scene = importer.ReadFile(path, 0);
-  require_scene(scene, importer, limits, budget, deadline);
-  sanitize(const_cast<aiScene&>(*scene), limits, model);
+const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Model& model) {
+  std::optional<core::Failure> failure;
+  importer.SetIOHandler(make_file_system(source, failure).release());
+  const aiScene* scene = importer.ReadFile(source.name, 0);
+  require_scene(scene, importer, failure, source.deadline);
+  sanitize(const_cast<aiScene&>(*scene), source.limits, model);
   // Degenerate triangles stay: shd skips them, and assimp's own check would remove all triangles of a very small model.
   // In files of glTF 2.0 each texture has its own transform of uv, which slots apply; other formats leave it to assimp.
   const unsigned steps =
       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices | aiProcess_GenUVCoords;
   scene = importer.ApplyPostProcessing(steps);
   if (scene && !is_gltf2(*scene)) scene = importer.ApplyPostProcessing(aiProcess_TransformUVCoords);
-  require_scene(scene, importer, limits, budget, deadline);
+  require_scene(scene, importer, failure, source.deadline);
+  importer.SetIOHandler(nullptr);
   return *scene;
 }
 
@@ -176,41 +159,23 @@ void remove_loud_readers(Assimp::Importer& importer) {
   if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
 }
 
-Model import_checked(const std::string& path, const Limits& limits, const Deadline& deadline) {
-  FileBudget budget;
-  budget.left = limits.file_bytes;
-  Assimp::Importer importer;
-  remove_loud_readers(importer);
-  importer.SetIOHandler(make_file_system(budget, deadline).release());
-  importer.SetProgressHandler(new Stopwatch(deadline));
-  Model model;
-  const aiScene& scene = read_scene(importer, path, limits, budget, deadline, model);
-  Import import = {scene, limits, {}, std::move(model)};
-  add_surfaces(import.scene, path, import.model);
-  if (import.model.surfaces.empty()) import.model.surfaces.emplace_back();
-  add_geometries(import);
-  place_nodes(import);
-  if (import.model.instances.empty()) refuse_empty(import.model);
-  add_lights(import.scene, bounds_of(import.model).radius(), import.model);
-  add_cameras(import.scene, import.model);
-  return std::move(import.model);
-}
-
 }  // namespace
 
-std::string text_of(const char* text) {
-  std::string copy(text, strnlen(text, 400));
-  core::make_printable(copy.data(), copy.size());
-  return copy;
-}
-
-Model import_file(const std::string& path, const Limits& limits, const Deadline& deadline) {
-  check_file(path, limits);
-  try {
-    return import_checked(path, limits, deadline);
-  } catch (const core::Failure& failure) {
-    core::refuse(failure.code, "\"%s\": %s", text_of(path.c_str()).c_str(), failure.what());
-  }
+Model read_by_assimp(const Source& source) {
+  Assimp::Importer importer;
+  remove_loud_readers(importer);
+  importer.SetProgressHandler(new Stopwatch(source.deadline));
+  Model model;
+  const aiScene& scene = read_scene(importer, source, model);
+  Import import = {scene, source.limits, {}, std::move(model)};
+  add_surfaces(import.scene, import.model);
+  if (import.model.surfaces.empty()) import.model.surfaces.emplace_back();
+  add_geometries(import);
+  add_nodes(import);
+  if (import.model.placements.empty()) refuse_empty(import.model);
+  add_lights(import.scene, bounds_of(import.model, place(import.model)).radius(), import.model);
+  add_cameras(import.scene, import.model);
+  return std::move(import.model);
 }
 
 }  // namespace shd::scene

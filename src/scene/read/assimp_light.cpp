@@ -7,7 +7,7 @@
 #include <assimp/scene.h>
 #include <assimp/version.h>
 
-#include "scene/assimp_parts.h"
+#include "scene/read/assimp_parts.h"
 
 namespace shd::scene {
 namespace {

@@ -10,8 +10,7 @@
 
 #include <shd/sampler.h>
 
-#include "scene/assimp_parts.h"
-#include "scene/find_file.h"
+#include "scene/read/assimp_parts.h"
 
 namespace shd::scene {
 namespace {
@@ -19,7 +18,6 @@ namespace {
 /// State that the materials of one scene share.
 struct Materials {
   const aiScene& scene;
-  std::string folder;  // folder of the model, for its textures
   bool gltf2 = false;
   bool texture_replaces_color = false;                     // Collada: a texture replaces the colour
   std::map<std::pair<std::string, bool>, int> texture_of;  // key: name in the model, and whether it is data
@@ -44,7 +42,7 @@ int add_texture(Materials& materials, const std::string& name, bool data) {
   TextureSource source;
   source.data = data;
   if (const aiTexture* embedded = materials.scene.GetEmbeddedTexture(name.c_str())) {
-    source.path = "embedded texture " + text_of(name.c_str());
+    source.name = "embedded texture " + text_of(name);
     if (embedded->mHeight == 0) {  // a whole image file of mWidth bytes
       const auto* bytes = reinterpret_cast<const unsigned char*>(embedded->pcData);
       source.file.assign(bytes, bytes + embedded->mWidth);
@@ -52,7 +50,7 @@ int add_texture(Materials& materials, const std::string& name, bool data) {
       copy_texels(*embedded, source);
     }
   } else {
-    source.path = find_file(materials.folder, name);
+    source.name = name;
   }
   materials.model.textures.push_back(std::move(source));
   const int index = static_cast<int>(materials.model.textures.size()) - 1;
@@ -218,14 +216,8 @@ bool is_gltf2(const aiScene& scene) {
   return format_of(scene).find("glTF2") != std::string::npos;
 }
 
-void add_surfaces(const aiScene& scene, const std::string& path, Model& model) {
-  const size_t slash = path.find_last_of('/');
-  Materials materials{scene,
-                      slash == std::string::npos ? "." : path.substr(0, slash + 1),
-                      is_gltf2(scene),
-                      format_of(scene).find("Collada") != std::string::npos,
-                      {},
-                      model};
+void add_surfaces(const aiScene& scene, Model& model) {
+  Materials materials{scene, is_gltf2(scene), format_of(scene).find("Collada") != std::string::npos, {}, model};
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     model.surfaces.push_back(surface_of(materials, *scene.mMaterials[i]));
   }

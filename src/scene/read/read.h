@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: scene/read, the bytes of a model file to a Model.
+///
+/// Input:      untrusted bytes, and the files that they name, through Files.
+/// Output:     a Model that check_model() accepts. v of texture coordinates grows downwards.
+/// Invariants: nothing of this folder opens a file, prints or calls a function of libshd, so that the worker process can
+///             run it. The content decides the format. A problem with the whole file is a Failure. Whatever a file has
+///             and the Model has not is a warning that names it, one for each name; nothing is silent.
+///
+/// | file                | contents                                                    |
+/// |---------------------|-------------------------------------------------------------|
+/// | files.h             | the files that a model names                                |
+/// | readers.cpp         | the table of readers                                        |
+/// | warnings.h          | warnings of one reader, each said once                      |
+/// | check_model.h       | indices, sizes and numbers of a Model                       |
+/// | assimp_import.cpp   | every format without a reader of its own: meshes and nodes  |
+/// | assimp_sanitize.cpp | faces and nodes that assimp's own steps can work on         |
+/// | assimp_surface.cpp  | materials and the textures that they name                   |
+/// | assimp_light.cpp    | lights and cameras                                          |
+/// | assimp_files.cpp    | Files as the file system of assimp                          |
+/// | assimp_parts.h      | declarations that the assimp_*.cpp files share              |
+#pragma once
+
+#include <string>
+
+#include "scene/limits.h"
+#include "scene/model.h"
+#include "scene/read/files.h"
+
+namespace shd::scene {
+
+/// Input of a reader.
+struct Source {
+  Bytes bytes;       // the whole model file
+  std::string name;  // of the file, without folders; may be empty
+  Files& files;
+  const Limits& limits;
+  const Deadline& deadline;
+};
+
+/// Reads a model of any format. Throws Failure if there is nothing to draw or a budget is exceeded.
+Model read_model(const Source& source);
+
+/// The readers. Each is a row of readers.cpp.
+Model read_by_assimp(const Source& source);
+
+}  // namespace shd::scene

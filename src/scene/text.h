@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "core/printable.h"
+
+namespace shd::scene {
+
+/// A string of a file, made printable and short enough for a message.
+inline std::string text_of(const std::string& text) {
+  std::string copy = text.substr(0, std::min(text.find('\0'), size_t{400}));
+  core::make_printable(copy.data(), copy.size());
+  return copy;
+}
+
+}  // namespace shd::scene
