@@ -48,6 +48,9 @@ typedef enum shd_slot_target {
     SHD_SLOT_CLEARCOAT = 13,           /**< scalar: strength of the clear coat, clamped to 0..1 */
     SHD_SLOT_CLEARCOAT_ROUGHNESS = 14, /**< scalar: roughness of the clear coat */
     SHD_SLOT_CLEARCOAT_NORMAL = 15, /**< tangent-space normal of the clear coat, SHD_NORMAL_ENCODING_XYZ with z > 0 */
+    SHD_SLOT_TINT =
+        16, /**< colour that multiplies the diffuse slot, and a fourth channel that multiplies opacity: colours
+                             of vertices over a texture (glTF 2.0, 3.9.2) */
     SHD_SLOT_TARGET_MAX_ENUM = 0x7fffffff
 } shd_slot_target;
 
@@ -74,7 +77,7 @@ typedef enum shd_place_space {
 
 /**
  * A function that gives the values of a slot: writes in->count values to each column.
- * @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
+ * @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
  *             scalars; the others are NULL
  */
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *user_data);
@@ -82,7 +85,7 @@ typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *
 /**
  * A source for a coefficient. Required: target, and the fields that the source uses.
  *
- * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
+ * Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
  * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
  * those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
  * vertex, on level 0.

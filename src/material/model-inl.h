@@ -188,7 +188,8 @@ struct ModelBase {
 };
 
 /// Slots that every model reads, and slots of groups of models.
-constexpr uint32_t kColorSlots = 1u << SHD_SLOT_DIFFUSE | 1u << SHD_SLOT_OPACITY | 1u << SHD_SLOT_EMISSION;
+constexpr uint32_t kColorSlots =
+    1u << SHD_SLOT_DIFFUSE | 1u << SHD_SLOT_TINT | 1u << SHD_SLOT_OPACITY | 1u << SHD_SLOT_EMISSION;
 constexpr uint32_t kNormalSlots = 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_NORMAL_MIXED | 1u << SHD_SLOT_HEIGHT;
 constexpr uint32_t kAmbientSlots = 1u << SHD_SLOT_AMBIENT | 1u << SHD_SLOT_OCCLUSION;
 constexpr uint32_t kLitSlots = kColorSlots | kNormalSlots | kAmbientSlots;

@@ -12,7 +12,7 @@
 namespace shd::material {
 
 /// Number of coefficients that slots feed.
-constexpr uint32_t kSlotCount = SHD_SLOT_CLEARCOAT_NORMAL + 1;
+constexpr uint32_t kSlotCount = SHD_SLOT_TINT + 1;
 
 /// A checked shd_slot.
 struct Slot {
@@ -50,6 +50,7 @@ inline bool reads_places(const Slot& slot) {
 constexpr uint32_t slot_channels(uint32_t slot) {
   switch (slot) {
     case SHD_SLOT_DIFFUSE:
+    case SHD_SLOT_TINT:
     case SHD_SLOT_NORMAL:
     case SHD_SLOT_CLEARCOAT_NORMAL: return 4;
     case SHD_SLOT_AMBIENT:

@@ -12,11 +12,12 @@ namespace {
 
 using material::Slot;
 
-/// Number of columns of a slot that are filled. The alpha of a diffuse texture has no effect on opaque materials.
+/// Number of columns of a slot that are filled. The alpha of a colour texture has no effect on opaque materials.
 uint32_t filled_channels(const material::Material& material, uint32_t index) {
   const shd_slot_source source = material.slot[index].source;
   const bool has_texture = source == SHD_SLOT_SOURCE_TEXTURE || source == SHD_SLOT_SOURCE_SOLID;
-  const bool lacks_alpha = index == SHD_SLOT_DIFFUSE && has_texture && !material::has_opacity(material);
+  const bool is_color = index == SHD_SLOT_DIFFUSE || index == SHD_SLOT_TINT;
+  const bool lacks_alpha = is_color && has_texture && !material::has_opacity(material);
   return lacks_alpha ? 3 : material::slot_channels(index);
 }
 
@@ -88,6 +89,22 @@ void run_procedure(const Slot& slot, uint32_t index, const SlotContext& context,
   call_procedure(context.shading, inputs.fragments, slot, columns.slot[index]);
 }
 
+/// Multiplies the diffuse slot by the tint, whose columns may be those of the points.
+void multiply_by_tint(size_t count, const Columns& columns, material::Parameters* out) {
+  for (uint32_t c = 0; c < material::slot_channels(SHD_SLOT_TINT); ++c) {
+    const float* const tint = out->value[SHD_SLOT_TINT][c];
+    const float*& diffuse = out->value[SHD_SLOT_DIFFUSE][c];
+    if (!tint) continue;
+    if (!diffuse) {
+      diffuse = tint;
+      continue;
+    }
+    float* const product = columns.slot[SHD_SLOT_DIFFUSE][c];
+    for (size_t i = 0; i < count; ++i) product[i] = diffuse[i] * tint[i];
+    diffuse = product;
+  }
+}
+
 }  // namespace
 
 void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uint32_t slots, Columns* columns,
@@ -105,6 +122,7 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
     if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
   }
   look_up_textures(simd, context, textured, columns);
+  if (slots >> SHD_SLOT_TINT & 1) multiply_by_tint(context.points.count, *columns, out);
 }
 
 }  // namespace shd::shade

@@ -29,7 +29,8 @@ inline texture::Lookups lookups_of(const material::Slot& slot, const SlotContext
 
 /// Looks up the values at points of all `slots` (bits) that are set, except height and matcap. The columns are
 /// columns->slot, or for vertex attributes the columns of the points. An attribute that the mesh lacks is null, but all
-/// channels of normals are columns. Slots with equal lookups share them; the bits equal those of separate lookups.
+/// channels of normals are columns. The tint is multiplied into the diffuse slot. Slots with
+/// equal lookups share them; the bits equal those of separate lookups.
 /// Throws Failure if a procedure threw.
 void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uint32_t slots, Columns* columns,
                    material::Parameters* out);

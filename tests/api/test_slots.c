@@ -159,6 +159,49 @@ static void test_uv_set(void **state)
     }
 }
 
+/* The tint multiplies the diffuse slot and opacity, whatever the sources of both; absent channels count as 1. */
+static void test_tint(void **state)
+{
+    static const struct {
+        const char *name;
+        int diffuse, tint, has_attributes; /* diffuse: 0 none, 1 texture, 2 vertex; tint: 1 texture, 2 vertex */
+    } k_rows[] = {{"texture by vertex", 1, 2, 1}, {"vertex by texture", 2, 1, 1}, {"none by vertex", 0, 2, 1},
+                  {"vertex by vertex", 2, 2, 1},  {"texture by absent", 1, 2, 0}, {"none by texture", 0, 1, 1}};
+    size_t row, i;
+    int c, k;
+    (void)state;
+    for (row = 0; row < sizeof k_rows / sizeof *k_rows; ++row) {
+        const int sources[2] = {k_rows[row].diffuse, k_rows[row].tint};
+        scene s;
+        open_scene(&s);
+        s.has_attributes = k_rows[row].has_attributes;
+        s.material.blend = SHD_BLEND_STRAIGHT;
+        s.material.opacity = 0.5f;
+        s.material.diffuse[1] = 0.5f;
+        for (k = 0; k < 2; ++k) {
+            const shd_slot_target target = k ? SHD_SLOT_TINT : SHD_SLOT_DIFFUSE;
+            if (sources[k] == 1) textured(&s, target);
+            if (sources[k] == 2) add_slot(&s, shd_slot_vertex(target, 2));
+        }
+        render(&s);
+        for (i = 0; i < k_pixels; ++i) {
+            double want[4] = {1, 0.5, 1, 0.5};
+            for (c = 0; c < 4; ++c) {
+                for (k = 0; k < 2; ++k) {
+                    const double attribute = (c + 1) * 0.25 * (c % 2 ? u_of(i) : v_of(i));
+                    if (sources[k] == 1) want[c] *= texel(u_of(i), v_of(i), c);
+                    if (sources[k] == 2 && s.has_attributes) want[c] *= attribute;
+                }
+            }
+            for (c = 0; c < 3; ++c) {
+                shd_assert_close(k_rows[row].name, i, (double)s.f.plane[c][i], want[3] * want[c], 1e-6, 0);
+            }
+            shd_assert_close(k_rows[row].name, i, (double)s.f.plane[SHD_PLANE_A][i], want[3], 1e-6, 0);
+        }
+        close_scene(&s);
+    }
+}
+
 /* Columns of the mesh; 1 if the mesh has none. */
 static void test_vertex(void **state)
 {
@@ -475,9 +518,10 @@ int main(void)
         {"normal", test_normal, NULL, NULL, NULL},
         {"bump", test_bump, NULL, NULL, NULL},
         {"double_sided", test_double_sided, NULL, NULL, NULL},
+        {"tint", test_tint, NULL, NULL, NULL},
         {"program", test_program, NULL, NULL, NULL},
     };
-    size_t n = 11, i;
+    size_t n = 12, i;
     for (i = 0; i < sizeof k_wild / sizeof k_wild[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_wild[i].name, test_wild, NULL, NULL, (void *)&k_wild[i]};
     }
