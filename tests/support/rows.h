@@ -16,7 +16,8 @@ static size_t g_count;
 static inline void add(const char *name, CMUnitTestFunction body, const void *state)
 {
     if (g_count < MAX_CASES) {
-        g_tests[g_count++] = (struct CMUnitTest){name, body, NULL, NULL, (void *)state};
+        const struct CMUnitTest test = {name, body, NULL, NULL, (void *)state};
+        g_tests[g_count++] = test;
     } else {
         fprintf(stderr, "%s: more than %d cases\n", name, (int)MAX_CASES);
         exit(1);

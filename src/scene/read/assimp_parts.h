@@ -9,6 +9,7 @@
 #include <string>
 
 #include "scene/read/read.h"
+#include "scene/read/warnings.h"
 #include "scene/text.h"
 
 struct aiNode;
@@ -25,9 +26,6 @@ std::unique_ptr<Assimp::IOSystem> make_file_system(const Source& source, std::op
 /// asserts): only polygons with existing and finite vertices stay. Throws Failure beyond the limits and for a scene
 /// without polygons.
 void sanitize(aiScene& scene, const Limits& limits, Model& model);
-
-/// Refuses a model of which nothing can be drawn. The message ends with the last warning about a mesh or a node.
-[[noreturn]] void refuse_empty(const Model& model);
 
 /// Whether the scene comes from glTF 2.0.
 bool is_gltf2(const aiScene& scene);

@@ -89,13 +89,4 @@ void sanitize(aiScene& scene, const Limits& limits, Model& model) {
   if (triangles == 0) refuse_empty(model);
 }
 
-void refuse_empty(const Model& model) {
-  const auto is_cause = [](const std::string& warning) {
-    return warning.rfind("mesh ", 0) == 0 || warning.rfind("node ", 0) == 0;
-  };
-  const auto last = std::find_if(model.warnings.rbegin(), model.warnings.rend(), is_cause);
-  if (last == model.warnings.rend()) core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it");
-  core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it: %s", last->c_str());
-}
-
 }  // namespace shd::scene

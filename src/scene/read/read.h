@@ -14,6 +14,14 @@
 /// | readers.cpp         | the table of readers                                        |
 /// | warnings.h          | warnings of one reader, each said once                      |
 /// | check_model.h       | indices, sizes and numbers of a Model                       |
+/// | obj.cpp             | Wavefront OBJ: vertices, normals and surfaces of the faces  |
+/// | obj_parse.cpp       | the statements of an OBJ file                               |
+/// | obj_mtl.cpp         | MTL: materials of OBJ files                                 |
+/// | stl.cpp             | STL, text and binary, with colours of facets                |
+/// | text_lines.h        | statements, words and numbers of text files                 |
+/// | polygon.h           | polygons to triangles                                       |
+/// | positions.h         | positions in doubles to floats around an origin             |
+/// | colors.h            | colours of vertices and faces to linear light               |
 /// | assimp_import.cpp   | every format without a reader of its own: meshes and nodes  |
 /// | assimp_sanitize.cpp | faces and nodes that assimp's own steps can work on         |
 /// | assimp_surface.cpp  | materials and the textures that they name                   |
@@ -43,6 +51,10 @@ struct Source {
 Model read_model(const Source& source);
 
 /// The readers. Each is a row of readers.cpp.
+bool is_obj(const Source& source);
+Model read_obj(const Source& source);
+bool is_stl(const Source& source);
+Model read_stl(const Source& source);
 Model read_by_assimp(const Source& source);
 
 }  // namespace shd::scene
