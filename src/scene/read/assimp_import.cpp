@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +12,10 @@
 #include "scene/bounds.h"
 #include "scene/pose.h"
 #include "scene/read/assimp_parts.h"
+#include "scene/read/colors.h"
+#include "scene/read/join.h"
+#include "scene/read/positions.h"
+#include "scene/read/text_lines.h"
 
 namespace shd::scene {
 namespace {
@@ -39,10 +44,30 @@ void append(std::vector<float>& to, const aiVector3D& from) {
   for (unsigned c = 0; c < 3; ++c) to.push_back(from[c]);
 }
 
-void copy_vertices(const aiMesh& mesh, Geometry& geometry) {
+/// Colours of vertices are sRGB codes, except in glTF.
+void append_color(std::vector<float>& to, const aiColor4D& from, bool linear) {
+  for (unsigned c = 0; c < 3; ++c) {
+    const float channel = std::isfinite(from[c]) ? std::max(from[c], 0.0f) : 0.0f;
+    to.push_back(linear ? channel : linear_of_srgb(channel));
+  }
+  to.push_back(from.a >= 0.0f ? std::min(from.a, 1.0f) : 0.0f);
+}
+
+/// Appends a normal. One that is not finite becomes 0. Returns whether it has a direction.
+bool append_normal(std::vector<float>& to, const aiVector3D& from) {
+  const bool good = std::isfinite(from.x) && std::isfinite(from.y) && std::isfinite(from.z) &&
+                    (from.x != 0 || from.y != 0 || from.z != 0);
+  append(to, good ? from : aiVector3D(0, 0, 0));
+  return good;
+}
+
+void copy_vertices(const aiMesh& mesh, bool linear_colors, Geometry& geometry, Warnings& warnings) {
+  std::vector<double> positions;
+  bool good = true;
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    append(geometry.position, mesh.mVertices[i]);
-    if (mesh.HasNormals()) append(geometry.normal, mesh.mNormals[i]);
+    for (unsigned c = 0; c < 3; ++c) positions.push_back(static_cast<double>(mesh.mVertices[i][c]));
+    if (mesh.HasNormals()) good = append_normal(geometry.normal, mesh.mNormals[i]) && good;
+    if (mesh.HasVertexColors(0)) append_color(geometry.color, mesh.mColors[0][i], linear_colors);
     // assimp's v grows upwards for any file format. Its own aiProcess_FlipUVs runs before aiProcess_GenUVCoords creates
     // coordinates, and does not flip these.
     for (unsigned set = 0; set < 2; ++set) {
@@ -52,20 +77,38 @@ void copy_vertices(const aiMesh& mesh, Geometry& geometry) {
       uv.push_back(1.0f - mesh.mTextureCoords[set][i].y);
     }
   }
+  set_positions(geometry, positions, {0, 0, 0});
+  if (!good) warnings.add("normals of length 0 or not finite: those of the faces are used");
+  if (geometry.origin != Point{0, 0, 0}) {
+    warnings.add("mesh \"" + geometry.name + "\": assimp reads positions as floats; this far away they lose detail");
+  }
+}
+
+/// Parts of a mesh that the picture has not.
+void warn_of_parts(const aiMesh& mesh, Warnings& warnings) {
+  if (mesh.mNumBones) warnings.add("skins are left out");
+  if (mesh.mNumAnimMeshes) warnings.add("morph targets are left out");
+  if (mesh.HasVertexColors(1)) warnings.add("second sets of colours are left out");
 }
 
 void add_geometries(Import& import) {
+  Warnings warnings(import.model);
+  if (import.scene.mNumAnimations) warnings.add("animations are left out");
+  const bool linear_colors = format_of(import.scene).find("glTF") != std::string::npos;
   for (unsigned i = 0; i < import.scene.mNumMeshes; ++i) {
     const aiMesh& mesh = *import.scene.mMeshes[i];
     Geometry geometry;
     geometry.name = text_of(mesh.mName.C_Str());
-    if (mesh.HasPositions()) copy_vertices(mesh, geometry);
     for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
       const aiFace& face = mesh.mFaces[k];
       if (face.mNumIndices == 3) geometry.indices.insert(geometry.indices.end(), face.mIndices, face.mIndices + 3);
     }
     import.geometry_of.push_back(geometry.indices.empty() ? kNothing : import.model.geometries.size());
-    if (!geometry.indices.empty()) import.model.geometries.push_back(std::move(geometry));
+    if (geometry.indices.empty()) continue;
+    warn_of_parts(mesh, warnings);
+    copy_vertices(mesh, linear_colors, geometry, warnings);
+    join_identical(geometry);
+    import.model.geometries.push_back(std::move(geometry));
   }
 }
 
@@ -144,8 +187,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Mode
   sanitize(const_cast<aiScene&>(*scene), source.limits, model);
   // Degenerate triangles stay: shd skips them, and assimp's own check would remove all triangles of a very small model.
   // In files of glTF 2.0 each texture has its own transform of uv, which slots apply; other formats leave it to assimp.
-  const unsigned steps =
-      aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices | aiProcess_GenUVCoords;
+  const unsigned steps = aiProcess_Triangulate | aiProcess_GenUVCoords;
   scene = importer.ApplyPostProcessing(steps);
   if (scene && !is_gltf2(*scene)) scene = importer.ApplyPostProcessing(aiProcess_TransformUVCoords);
   require_scene(scene, importer, failure, source.deadline);
@@ -153,19 +195,39 @@ const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Mode
   return *scene;
 }
 
-/// Removes the readers that print. The one of OpenGEX writes about damaged files to stderr.
-void remove_loud_readers(Assimp::Importer& importer) {
-  Assimp::BaseImporter* const reader = importer.GetImporter("ogex");
-  if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
+/// Removes the readers of formats that have one of their own, and the one of OpenGEX, which writes about damaged files to
+/// stderr.
+void remove_readers(Assimp::Importer& importer) {
+  for (const char* const extension : {"ogex", "obj", "stl"}) {
+    Assimp::BaseImporter* const reader = importer.GetImporter(extension);
+    if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
+  }
+}
+
+/// assimp reads no colours of the faces of a PLY file.
+void warn_of_face_colors(const Source& source, Model& model) {
+  const std::string text = utf8_of(source.bytes, size_t{1} << 16);
+  TextLines lines(text);
+  std::string_view statement;
+  if (!lines.next(&statement) || statement != "ply") return;
+  bool in_faces = false;
+  while (lines.next(&statement) && statement != "end_header") {
+    const std::string_view word = take_word(&statement);
+    if (word == "element") in_faces = take_word(&statement) == "face";
+    if (word != "property" || !in_faces || statement.size() < 4) continue;
+    if (statement.substr(statement.size() - 4) == " red")
+      model.warnings.push_back("PLY: colours of faces are left out");
+  }
 }
 
 }  // namespace
 
 Model read_by_assimp(const Source& source) {
   Assimp::Importer importer;
-  remove_loud_readers(importer);
+  remove_readers(importer);
   importer.SetProgressHandler(new Stopwatch(source.deadline));
   Model model;
+  warn_of_face_colors(source, model);
   const aiScene& scene = read_scene(importer, source, model);
   Import import = {scene, source.limits, {}, std::move(model)};
   add_surfaces(import.scene, import.model);

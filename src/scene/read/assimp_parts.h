@@ -23,9 +23,12 @@ namespace shd::scene {
 std::unique_ptr<Assimp::IOSystem> make_file_system(const Source& source, std::optional<core::Failure>& failure);
 
 /// Removes everything from a fresh import that assimp's post-processing steps cannot handle (with or without their
-/// asserts): only polygons with existing and finite vertices stay. Throws Failure beyond the limits and for a scene
-/// without polygons.
+/// asserts): only polygons with existing and finite vertices stay, and meshes that have some. Throws Failure beyond the
+/// limits and for a scene without polygons.
 void sanitize(aiScene& scene, const Limits& limits, Model& model);
+
+/// Name of the format, as assimp's readers call it.
+std::string format_of(const aiScene& scene);
 
 /// Whether the scene comes from glTF 2.0.
 bool is_gltf2(const aiScene& scene);

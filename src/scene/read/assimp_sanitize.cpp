@@ -26,16 +26,25 @@ bool is_usable(const aiMesh& mesh, const aiFace& face) {
   return true;
 }
 
-/// Keeps polygons of three or more valid vertices. Returns the number of removed polygons of three or more vertices.
-size_t keep_polygons(aiMesh& mesh) {
-  size_t bad = 0;
+/// Faces that were removed.
+struct Removed {
+  size_t bad = 0;       // polygons of three or more vertices
+  uint64_t others = 0;  // points and lines
+};
+
+/// Keeps polygons of three or more valid vertices.
+Removed keep_polygons(aiMesh& mesh) {
+  Removed removed;
   unsigned kept = 0;
   mesh.mPrimitiveTypes = 0;
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     aiFace& face = mesh.mFaces[i];
-    if (face.mNumIndices < 3 || !face.mIndices) continue;  // points and lines
+    if (face.mNumIndices < 3 || !face.mIndices) {
+      ++removed.others;
+      continue;
+    }
     if (!mesh.mVertices || !is_usable(mesh, face)) {
-      ++bad;
+      ++removed.bad;
       continue;
     }
     mesh.mPrimitiveTypes |= face.mNumIndices == 3 ? aiPrimitiveType_TRIANGLE : aiPrimitiveType_POLYGON;
@@ -49,7 +58,7 @@ size_t keep_polygons(aiMesh& mesh) {
   for (unsigned i = 0; mesh.mVertices && i < mesh.mNumVertices; ++i) {
     if (!is_finite(mesh.mVertices[i])) mesh.mVertices[i] = aiVector3D(0, 0, 0);
   }
-  return bad;
+  return removed;
 }
 
 uint64_t count_triangles(const aiMesh& mesh) {
@@ -70,16 +79,45 @@ void check_nodes(const aiScene& scene, const Limits& limits) {
   }
 }
 
+/// Removes the meshes without faces, on which assimp's steps would fail.
+void remove_empty_meshes(aiScene& scene) {
+  std::vector<unsigned> new_of(scene.mNumMeshes);
+  unsigned kept = 0;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    new_of[i] = scene.mMeshes[i]->mNumFaces ? kept : scene.mNumMeshes;
+    if (scene.mMeshes[i]->mNumFaces) std::swap(scene.mMeshes[kept++], scene.mMeshes[i]);
+  }
+  std::vector<aiNode*> open = {scene.mRootNode};
+  while (!open.empty()) {
+    aiNode& node = *open.back();
+    open.pop_back();
+    unsigned count = 0;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const unsigned mesh = node.mMeshes[i] < new_of.size() ? new_of[node.mMeshes[i]] : scene.mNumMeshes;
+      if (mesh < scene.mNumMeshes) node.mMeshes[count++] = mesh;
+    }
+    node.mNumMeshes = count;
+    for (unsigned i = 0; i < node.mNumChildren; ++i) open.push_back(node.mChildren[i]);
+  }
+  for (unsigned i = kept; i < scene.mNumMeshes; ++i) {
+    delete scene.mMeshes[i];
+    scene.mMeshes[i] = nullptr;
+  }
+  scene.mNumMeshes = kept;
+}
+
 }  // namespace
 
 void sanitize(aiScene& scene, const Limits& limits, Model& model) {
   check_nodes(scene, limits);
-  uint64_t vertices = 0, triangles = 0;
+  uint64_t vertices = 0, triangles = 0, others = 0;
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
     aiMesh& mesh = *scene.mMeshes[i];
     vertices += mesh.mNumVertices;
-    if (const size_t bad = keep_polygons(mesh)) {
-      model.warnings.push_back("mesh \"" + text_of(mesh.mName.C_Str()) + "\": " + std::to_string(bad) +
+    const Removed removed = keep_polygons(mesh);
+    others += removed.others;
+    if (removed.bad) {
+      model.warnings.push_back("mesh \"" + text_of(mesh.mName.C_Str()) + "\": " + std::to_string(removed.bad) +
                                " faces with indices out of range or positions that are not finite");
     }
     triangles += count_triangles(mesh);
@@ -87,6 +125,8 @@ void sanitize(aiScene& scene, const Limits& limits, Model& model) {
   check_limit("vertices", vertices, "max_vertices", limits.vertices);
   check_limit("triangles", triangles, "max_triangles", limits.triangles);
   if (triangles == 0) refuse_empty(model);
+  if (others) model.warnings.push_back(std::to_string(others) + " lines and points are left out");
+  remove_empty_meshes(scene);
 }
 
 }  // namespace shd::scene

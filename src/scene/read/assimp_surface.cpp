@@ -11,6 +11,7 @@
 #include <shd/sampler.h>
 
 #include "scene/read/assimp_parts.h"
+#include "scene/read/text_lines.h"
 
 namespace shd::scene {
 namespace {
@@ -50,7 +51,7 @@ int add_texture(Materials& materials, const std::string& name, bool data) {
       copy_texels(*embedded, source);
     }
   } else {
-    source.name = name;
+    source.name = std::string(trimmed(name));
   }
   materials.model.textures.push_back(std::move(source));
   const int index = static_cast<int>(materials.model.textures.size()) - 1;
@@ -199,18 +200,16 @@ Surface surface_of(Materials& materials, const aiMaterial& material) {
     read_classic(materials, material, surface);
   }
   read_alpha(material, surface);
-  int two_sided = 0;
-  surface.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
   return surface;
 }
+
+}  // namespace
 
 std::string format_of(const aiScene& scene) {
   aiString format;
   if (scene.mMetaData) scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format);
   return format.C_Str();
 }
-
-}  // namespace
 
 bool is_gltf2(const aiScene& scene) {
   return format_of(scene).find("glTF2") != std::string::npos;
@@ -220,6 +219,12 @@ void add_surfaces(const aiScene& scene, Model& model) {
   Materials materials{scene, is_gltf2(scene), format_of(scene).find("Collada") != std::string::npos, {}, model};
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     model.surfaces.push_back(surface_of(materials, *scene.mMaterials[i]));
+  }
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene.mMeshes[i];
+    if (!mesh.HasVertexColors(0) || mesh.mMaterialIndex >= model.surfaces.size()) continue;
+    Surface& surface = model.surfaces[mesh.mMaterialIndex];
+    if (surface.name == AI_DEFAULT_MATERIAL_NAME) surface.diffuse = {1, 1, 1};  // the grey that assimp adds
   }
 }
 

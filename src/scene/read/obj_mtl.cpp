@@ -371,17 +371,21 @@ std::vector<int32_t> add_mtl_surfaces(const Source& source, const std::vector<st
   Mtls mtls{source, model, warnings, {}, {}};
   parse_libraries(mtls, libraries);
   std::vector<int32_t> out;
+  std::map<const Mtl*, int32_t> surface_of_mtl;
+  const auto add = [&](const std::string& name, const Mtl& material) {
+    const auto next = static_cast<int32_t>(model.surfaces.size());
+    const auto [at, is_new] = surface_of_mtl.try_emplace(&material, next);
+    if (is_new) model.surfaces.push_back(surface_of(mtls, name, material));
+    return at->second;
+  };
   for (const std::string& name : names) {
     auto at = mtls.materials.find(name);
     if (at == mtls.materials.end()) at = mtls.materials.find(std::string(without_comment(name)));
-    if (at == mtls.materials.end()) {
-      warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
-      out.push_back(kNone);
-      continue;
-    }
-    out.push_back(static_cast<int32_t>(model.surfaces.size()));
-    model.surfaces.push_back(surface_of(mtls, at->first, at->second));
+    const bool found = at != mtls.materials.end();
+    if (!found) warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
+    out.push_back(found ? add(at->first, at->second) : kNone);
   }
+  for (const auto& [name, material] : mtls.materials) add(name, material);
   return out;
 }
 

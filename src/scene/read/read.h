@@ -21,6 +21,7 @@
 /// | text_lines.h        | statements, words and numbers of text files                 |
 /// | polygon.h           | polygons to triangles                                       |
 /// | positions.h         | positions in doubles to floats around an origin             |
+/// | join.h              | equal vertices made one                                     |
 /// | colors.h            | colours of vertices and faces to linear light               |
 /// | assimp_import.cpp   | every format without a reader of its own: meshes and nodes  |
 /// | assimp_sanitize.cpp | faces and nodes that assimp's own steps can work on         |

@@ -91,10 +91,14 @@ struct Roof {
 };
 
 const Roof kRoofs[] = {
-    {"groups/none", "", "", 3, 6},           {"groups/off", "s off\n", "", 2, 8},
-    {"groups/zero", "s 0\n", "", 2, 8},      {"groups/one", "s 1\n", "", 3, 6},
-    {"groups/two", "s 1\n", "s 2\n", 2, 8},  {"groups/second_off", "s 1\n", "s off\n", 2, 8},
-    {"groups/object", "", "o other\n", 3, 8}, {"groups/material", "s 1\n", "usemtl m\n", 3, 8},
+    {"groups/none", "", "", 3, 6},
+    {"groups/off", "s off\n", "", 2, 8},
+    {"groups/zero", "s 0\n", "", 2, 8},
+    {"groups/one", "s 1\n", "", 3, 6},
+    {"groups/two", "s 1\n", "s 2\n", 2, 8},
+    {"groups/second_off", "s 1\n", "s off\n", 2, 8},
+    {"groups/object", "", "o other\n", 3, 8},
+    {"groups/material", "s 1\n", "usemtl m\n", 3, 8},
 };
 
 void test_groups(void** state) {
@@ -179,8 +183,8 @@ void test_size(void** state) {
 
 /// The common border of two objects far away has the same floats in both.
 void test_border(void**) {
-  const Model model = read_text(
-      "v 4000000.1 0 0\nv 4000001.3 0 0\nv 4000001.3 1.7 0\nv 4000009.9 0.3 0\no a\nf 1 2 3\no b\nf 2 4 3\n");
+  const Model model =
+      read_text("v 4000000.1 0 0\nv 4000001.3 0 0\nv 4000001.3 1.7 0\nv 4000009.9 0.3 0\no a\nf 1 2 3\no b\nf 2 4 3\n");
   assert_int_equal(model.geometries.size(), 2);
   assert_true(model.geometries[0].origin == model.geometries[1].origin);
 }
@@ -199,8 +203,9 @@ void test_colors(void**) {
 
 /// Parts by object and material, in the order of their first faces; a name that comes again continues its part.
 void test_parts(void**) {
-  const Model model = read_text(SQUARE "vt 0.5 0.25\no a\nusemtl x\nf 1/1 2 3\nusemtl y\nf 1 2 3\no b\nusemtl x\nf 1 2 3\n"
-                                       "o a\nf 1 3 4\n",
+  const Model model = read_text(SQUARE
+                                "vt 0.5 0.25\no a\nusemtl x\nf 1/1 2 3\nusemtl y\nf 1 2 3\no b\nusemtl x\nf 1 2 3\n"
+                                "o a\nf 1 3 4\n",
                                 "m.obj", {{"m.mtl", ""}});
   assert_int_equal(model.geometries.size(), 3);
   assert_string_equal(model.geometries[0].name.c_str(), "a");

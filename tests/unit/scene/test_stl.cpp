@@ -11,8 +11,7 @@ namespace {
 using namespace shd::scene;
 using namespace shd_test;
 
-#define FACET(n)                                                                                         \
-  "facet normal " n "\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n"
+#define FACET(n) "facet normal " n "\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n"
 
 struct Row {
   const char *name, *text;
@@ -25,14 +24,17 @@ const Row kTexts[] = {
     {"text/empty_solid", "solid a\n" FACET("0 0 1") "endsolid a\nsolid b\nendsolid b\n", 1, 1,
      "mesh \"b\": it has no triangles"},
     {"text/two_solids", "solid a\n" FACET("0 0 1") "endsolid a\nsolid b\n" FACET("0 0 1") "endsolid\n", 2, 2, ""},
-    {"text/capitals", "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 1 1 0\nENDLOOP\n"
-                      "ENDFACET\nENDSOLID\n", 1, 1, ""},
+    {"text/capitals",
+     "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 1 1 0\nENDLOOP\n"
+     "ENDFACET\nENDSOLID\n",
+     1, 1, ""},
     {"text/comment", "# made by hand\nsolid a\n" FACET("0 0 1") "endsolid\n", 1, 1, ""},
     {"text/without_endsolid", "solid\n" FACET("0 0 1"), 1, 1, ""},
     {"text/odd_word", "solid a\n" FACET("0 0 1") "color 1 0 0\n" FACET("0 0 1") "endsolid\n", 1, 2, "line 9"},
-    {"text/nan_position", "solid a\n" FACET("0 0 1")
-     "facet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid\n", 1, 1,
-     "1 faces with positions that are not finite"},
+    {"text/nan_position",
+     "solid a\n" FACET("0 0 1") "facet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 1 1 "
+                                "0\nendloop\nendfacet\nendsolid\n",
+     1, 1, "1 faces with positions that are not finite"},
     {"text/zero_normal", "solid a\n" FACET("0 0 0") "endsolid\n", 1, 1, "normals of length 0"},
     {"text/nan_normal", "solid a\n" FACET("nan nan nan") "endsolid\n", 1, 1, "normals of length 0"},
 };
