@@ -233,7 +233,7 @@ void add_parts(Build& build, Model& model) {
   std::vector<PartVertices> parts = collect(build);
   const Point base = base_of(parts);
   const float color_scale = color_scale_of(file);
-  std::vector<std::string> names;  // of materials that faces have
+  std::vector<std::string> names;  // materials of faces
   std::vector<int32_t> name_of(file.material_names.size(), kNone);
   for (size_t i = 0; i < parts.size(); ++i) {
     const int32_t material = file.parts[i].material;
