@@ -14,8 +14,6 @@ namespace {
 
 using extension::require;
 
-constexpr auto kTint = static_cast<shd_slot_target>(16);  // SHD_SLOT_TINT
-
 /// State that the functions share while the materials of one scene are made.
 struct Maker {
   shd_context* context;
@@ -55,7 +53,7 @@ std::vector<shd_slot> slots_of(Maker& maker, const Surface& surface, bool has_co
     std::copy(map.uv_transform.begin(), map.uv_transform.end(), slot.uv_transform);
     slots.push_back(slot);
   }
-  if (has_colors) slots.push_back(shd_slot_vertex(kTint, 0));
+  if (has_colors) slots.push_back(shd_slot_vertex(SHD_SLOT_TINT, 0));
   return slots;
 }
 

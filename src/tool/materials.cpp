@@ -21,7 +21,7 @@ shd_sampler* make_sampler(shd_context* context, const Options& options, std::vec
   return out.back().get();
 }
 
-constexpr int kTargets = SHD_SLOT_CLEARCOAT_NORMAL + 2;  // with colours of vertices
+constexpr int kTargets = SHD_SLOT_TINT + 1;
 
 /// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
