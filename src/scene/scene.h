@@ -15,8 +15,8 @@
 /// | limits.h     | budgets, and the deadline of a load                   |
 /// | read/read.h  | a file to a Model                                     |
 /// | disk_files.h | the files around a model, found by names of any system |
-/// | sample.h     | values of an animation at a time                      |
-/// | pose.h       | a Model's tree as matrices, at rest or at a time      |
+/// | sample.h     | values of an animation at given seconds               |
+/// | pose.h       | the tree of a Model as matrices of a pose             |
 /// | normals.h    | flat and missing normals                              |
 /// | deform.h     | vertices moved by morph targets and skins             |
 /// | bounds.h     | the box around all instances, and the scene's origin  |

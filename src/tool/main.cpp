@@ -62,7 +62,7 @@ struct Stage {
   shd_context* context;
   const Options& options;
   const Model& model;
-  const Model& shown;  // what the camera takes in
+  const Model& shown;  // inside the picture
   const Bounds& bounds;
   const Paint& paint;
   shd_environment* environment;

@@ -68,7 +68,7 @@ void add_floor(shd_context* context, const Options& options, const Bounds& bound
 /// The animation that the options name. Throws Failure that lists those of the file.
 Animation find_animation(const Options& options, const Model& model);
 
-/// The model of a file at a time of an animation.
+/// The pose of a model by an animation.
 Model pose_model(const Model& model, const Animation& animation, double seconds);
 
 /// Box of all placed vertices that triangles use, ignoring non-finite vertices.

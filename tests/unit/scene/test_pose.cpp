@@ -253,7 +253,7 @@ void test_flat(void**) {
   const Geometry before = g;
   std::vector<std::string> warnings;
   prepare_normals(g, Limits(), &warnings);
-  assert_true(warnings.empty());  // the file asks for flat normals
+  assert_true(warnings.empty());  // flat normals are no defect
   assert_int_equal(g.position.size(), 36);
   assert_int_equal(g.indices.size(), 12);
   assert_int_equal(g.color.size(), 48);
