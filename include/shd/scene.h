@@ -37,6 +37,7 @@ typedef struct shd_scene shd_scene;
 typedef enum shd_scene_flag {
     SHD_SCENE_NONE = 0,
     SHD_SCENE_REQUIRE_TEXTURES = 1, /**< a texture that cannot be read makes the load fail */
+    SHD_SCENE_HOST_FILTERS = 2,     /**< textures have the filters of shd_scene_desc.sampler, not those of the file */
     SHD_SCENE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_scene_flag;
 typedef uint32_t shd_scene_flags; /**< shd_scene_flag bits */
@@ -46,8 +47,9 @@ typedef struct shd_scene_desc {
     uint32_t struct_size;            /**< set by shd_scene_desc_default() */
     shd_scene_flags flags;           /**< default none */
     shd_mesh_flags mesh_flags;       /**< flags of all meshes; meshes with uv always have tangents; default none */
-    const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file.
-                                           Borrowed for the call; NULL = trilinear */
+    const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file, and
+                                          its filter and magnification where the file asks for nearest texels or
+                                          levels. Borrowed for the call; NULL = trilinear */
     const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
                                           ignored. Borrowed for the call; NULL = defaults */
     uint64_t max_file_bytes;         /**< sum of the model and the files that assimp reads with it; 0 = 2^30 */
@@ -71,17 +73,27 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 /**
  * Read a model file.
  *
- * Materials: materials with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG. All
- * reflect ambient light with their diffuse colour (ambient_share = 1). Every slot whose texture is in the file is set.
- * Heights are in their slot, but have no effect until a material enables bump, parallax or displacement. An opacity
- * below 1, an opacity map and glTF's BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two
- * sets of texture coordinates are used.
+ * Materials: unlit materials become SHD_MODEL_UNLIT, and those that transmit at least half of the light and are no
+ * metals SHD_MODEL_GLASS, which needs an environment. Others with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, and
+ * the rest SHD_MODEL_BLINN_PHONG. All reflect ambient light with their diffuse colour (ambient_share = 1). Every slot
+ * whose texture is in the file is set. Heights have no effect unless the file scales them. An opacity below 1, an
+ * opacity map and glTF's BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff, and a cutoff above 1 makes
+ * the opacity 0. The first two sets of texture coordinates are used. Colours of vertices are the attributes 0 to 3 of a
+ * mesh, and multiply the diffuse colour and the opacity.
+ *
+ * Faces: the backs of surfaces that are not double-sided are culled; a node that mirrors turns the front around.
+ *
+ * Normals that the file has not, and normals of length 0 or not finite, are computed.
  *
  * Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. If the light of the file
  * does not decrease with the square of the distance, its intensity is chosen so that both agree at the distance of half
  * the diagonal of the model.
  *
- * Points and lines, animations, skins and morph targets are left out.
+ * Skins and morph targets have the pose and the weights of the file; shd_scene_pose() samples animations. Points and
+ * lines are left out.
+ *
+ * A model whose centre is more than 1024 radii away from 0 is moved to 0, because floats would lose its details:
+ * shd_scene_info.origin.
  * @param context    retained
  * @param path       UTF-8 or any bytes the system accepts; a regular file; borrowed for the call
  * @param desc       borrowed for the call; NULL = all defaults
@@ -107,12 +119,16 @@ typedef struct shd_scene_info {
     uint32_t texture_count;  /**< that could be read */
     uint32_t light_count;    /**< 0 where the file has none */
     uint32_t camera_count;   /**< 0 where the file has none */
-    uint32_t instance_count; /**< at least 1; as many as draws */
+    uint32_t instance_count; /**< as many as draws */
     uint32_t warning_count;  /**< parts of the file that were left out or changed */
     uint64_t vertex_count;   /**< sum over all meshes, each counted once */
     uint64_t triangle_count; /**< sum over all meshes, each counted once */
     float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
     float bounds_max[3];     /**< highest x, y, z of all instances, world space */
+    double origin[3];        /**< a place in the world of the file is origin + the place in world space; 0 unless the
+                                  model is far away from 0. Equal in all poses */
+    uint32_t animation_count;     /**< 0 where the file has none */
+    uint32_t deformed_mesh_count; /**< meshes with a skin or morph targets, which each pose makes anew */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_info;
 
@@ -145,6 +161,7 @@ typedef enum shd_scene_part {
     SHD_SCENE_PART_TEXTURE = 2, /**< the path of its file */
     SHD_SCENE_PART_LIGHT = 3,
     SHD_SCENE_PART_CAMERA = 4,
+    SHD_SCENE_PART_ANIMATION = 5,
     SHD_SCENE_PART_MAX_ENUM = 0x7fffffff
 } shd_scene_part;
 
@@ -198,6 +215,7 @@ typedef struct shd_scene_instance {
     uint32_t mesh;             /**< index for shd_scene_mesh() */
     uint32_t material;         /**< index for shd_scene_material() */
     float object_to_world[16]; /**< affine, finite */
+    shd_cull cull;             /**< faces that its draw skips: SHD_CULL_NONE for surfaces that are double-sided */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_instance;
 
@@ -225,6 +243,30 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_instance(const shd_scene *scene, 
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_fill_render(const shd_scene *scene, shd_render_desc *in_out_render);
+
+/**
+ * The times of an animation [s]: its first key and its last one. Poses before and after are those of the keys. Its name
+ * is that of SHD_SCENE_PART_ANIMATION.
+ * @param index  below shd_scene_info.animation_count
+ * @param out_first  written; 0 on failure
+ * @param out_last   written; 0 on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *scene, uint32_t index,
+                                                               double *out_first, double *out_last);
+
+/**
+ * Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
+ * and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
+ * shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
+ * instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+ * @param animation  index, below shd_scene_info.animation_count
+ * @param seconds    finite; clamped to the times of each property
+ * @param out_scene  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_scene_pose(const shd_scene *scene, uint32_t animation, double seconds,
+                                                shd_scene **out_scene);
 
 SHD_END_DECLS
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "extension/error.h"
+#include "scene/normals.h"
+#include "scene/stage.h"
 #include "scene/textures.h"
 
 namespace shd::scene {
@@ -14,183 +17,257 @@ namespace {
 
 using extension::require;
 
-/// State that the functions share while one scene is made.
-struct Maker {
-  shd_context* context;
-  const ObjectOptions& options;
-  Objects& out;
-  std::map<std::pair<int, int>, shd_sampler*> sampler_of;  // by wraps
-};
-
-shd_sampler* sampler_of(Maker& maker, const Map& map) {
-  shd_sampler*& known = maker.sampler_of[{map.wrap_u, map.wrap_v}];
-  if (known) return known;
-  shd_sampler_desc desc = maker.options.sampler;
-  desc.wrap_u = static_cast<shd_wrap>(map.wrap_u);
-  desc.wrap_v = static_cast<shd_wrap>(map.wrap_v);
-  Sampler sampler;
-  require(shd_sampler_create(maker.context, &desc, sampler.out()));
-  known = sampler.get();
-  maker.out.samplers.push_back(std::move(sampler));
-  return known;
-}
-
-/// The slots of a surface, at most one for each target.
-std::vector<shd_slot> slots_of(Maker& maker, const Surface& surface) {
-  std::vector<shd_slot> slots;
-  for (size_t target = 0; target < surface.maps.size(); ++target) {
-    const Map& map = surface.maps[target];
-    shd_texture* texture = map.texture >= 0 ? maker.out.textures[static_cast<size_t>(map.texture)].get() : nullptr;
-    if (!texture) continue;
-    shd_slot slot = shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler_of(maker, map));
-    slot.uv_set = map.uv_set;
-    slot.channel = map.channel;
-    std::copy(map.uv_transform.begin(), map.uv_transform.end(), slot.uv_transform);
-    slots.push_back(slot);
-  }
-  return slots;
-}
-
-/// The exponent of a Blinn-Phong lobe with the width of a GGX lobe, p = 2 / alpha^2 - 2 with alpha = roughness^2, and
-/// the inverse function.
-float exponent_of(float roughness) {
-  const float alpha = std::max(roughness * roughness, 0.01f);
-  return std::max(2.0f / (alpha * alpha) - 2.0f, 0.0f);
-}
-
-float roughness_of(float exponent) {
-  return std::sqrt(std::sqrt(2.0f / (exponent + 2.0f)));
-}
-
-shd_material_desc desc_of(const Surface& surface) {
-  shd_material_desc desc = shd_material_desc_default();
-  const bool metallic = surface.metallic_roughness;
-  desc.model = metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
-  for (size_t c = 0; c < 3; ++c) {
-    desc.diffuse[c] = surface.diffuse[c];
-    desc.specular[c] = surface.specular[c];
-    desc.emission[c] = surface.emission[c];
-  }
-  desc.ambient_share = 1.0f;  // ambient light is reflected by the diffuse colour
-  desc.clearcoat = surface.clearcoat;
-  desc.clearcoat_roughness = surface.clearcoat_roughness;
-  desc.exponent = metallic ? exponent_of(surface.roughness) : surface.exponent;
-  desc.roughness = metallic ? surface.roughness : roughness_of(surface.exponent);
-  desc.metallic = surface.metallic;
-  desc.normal_scale = surface.normal_scale;
-  desc.occlusion_strength = surface.occlusion_strength;
-  if (surface.double_sided) desc.flags |= SHD_MATERIAL_DOUBLE_SIDED;
-  if (surface.alpha == Alpha::kMask) desc.alpha_cutoff = surface.alpha_cutoff;
-  if (surface.alpha == Alpha::kBlend) desc.blend = SHD_BLEND_SORTED;
-  desc.opacity = surface.opacity;
-  return desc;
-}
-
-void add_materials(Maker& maker, const std::vector<Surface>& surfaces) {
-  maker.out.material_descs.reserve(surfaces.size());
-  for (const Surface& surface : surfaces) {
-    maker.out.material_slots.push_back(slots_of(maker, surface));
-    shd_material_desc desc = desc_of(surface);
-    desc.slots = maker.out.material_slots.back().data();
-    desc.slot_count = static_cast<uint32_t>(maker.out.material_slots.back().size());
-    maker.out.material_descs.push_back(desc);
-    Material material;
-    require(shd_material_create(maker.context, &desc, material.out()));
-    maker.out.materials.push_back(std::move(material));
-    maker.out.material_names.push_back(surface.name);
-  }
+bool is_deformed(const MeshRow& row) {
+  return row.skin >= 0 || row.node >= 0;
 }
 
 void set_columns(shd_f32_in* out, size_t count, const std::vector<float>& from) {
   for (size_t c = 0; c < count && !from.empty(); ++c) out[c] = {from.data() + c, count * sizeof(float)};
 }
 
-void add_meshes(Maker& maker, const std::vector<Geometry>& geometries, const Deadline& deadline) {
-  for (const Geometry& geometry : geometries) {
+/// A mesh of a geometry whose positions, normals, tangents and indices are those of `vertices`.
+Mesh make_mesh(shd_context* context, const Geometry& geometry, Vertices&& vertices, uint32_t flags) {
+  if (!vertices.normal.empty()) fill_normals(vertices.position, vertices.indices, &vertices.normal);
+  shd_mesh_desc desc = shd_mesh_desc_default();
+  desc.vertex_count = static_cast<uint32_t>(vertices.position.size() / 3);
+  set_columns(desc.position, 3, vertices.position);
+  set_columns(desc.normal, 3, vertices.normal);
+  set_columns(desc.tangent, 4, vertices.tangent);
+  set_columns(desc.uv, 2, geometry.uv);
+  set_columns(desc.uv1, 2, geometry.uv1);
+  shd_f32_in color[4] = {};
+  set_columns(color, 4, geometry.color);
+  desc.attributes = color;
+  desc.attribute_count = geometry.color.empty() ? 0 : 4;
+  desc.indices.data = vertices.indices.data();
+  desc.index_count = vertices.indices.size();
+  desc.flags = flags;
+  if (!geometry.uv.empty() && vertices.tangent.empty()) desc.flags |= SHD_MESH_TANGENTS;
+  Mesh mesh;
+  require(shd_mesh_create(context, &desc, mesh.out()));
+  return mesh;
+}
+
+/// Finds the meshes: one for each geometry, skin and node with weights of morph targets that are placed.
+void find_rows(Parts& parts) {
+  const Model& model = parts.model;
+  std::map<std::tuple<uint32_t, int32_t, int32_t>, uint32_t> known;
+  for (const Placement& placement : model.placements) {
+    const Geometry& geometry = model.geometries[placement.geometry];
+    MeshRow row = {placement.geometry, geometry.joint.empty() ? -1 : placement.skin, -1};
+    if (!geometry.morphs.empty()) row.node = static_cast<int32_t>(placement.node);
+    const auto added =
+        known.emplace(std::make_tuple(row.geometry, row.skin, row.node), static_cast<uint32_t>(parts.rows.size()));
+    parts.row_of.push_back(added.first->second);
+    if (!added.second) continue;
+    parts.rows.push_back(row);
+    parts.mesh_names.push_back(geometry.name);
+  }
+}
+
+void make_rigid_meshes(Parts& parts, const Deadline& deadline) {
+  for (const MeshRow& row : parts.rows) {
     deadline.check();
-    shd_mesh_desc desc = shd_mesh_desc_default();
-    desc.vertex_count = static_cast<uint32_t>(geometry.position.size() / 3);
-    set_columns(desc.position, 3, geometry.position);
-    set_columns(desc.normal, 3, geometry.normal);
-    set_columns(desc.uv, 2, geometry.uv);
-    set_columns(desc.uv1, 2, geometry.uv1);
-    desc.indices.data = geometry.indices.data();
-    desc.index_count = geometry.indices.size();
-    desc.flags = maker.options.mesh_flags | (geometry.uv.empty() ? 0u : uint32_t{SHD_MESH_TANGENTS});
-    Mesh mesh;
-    require(shd_mesh_create(maker.context, &desc, mesh.out()));
-    maker.out.meshes.push_back(std::move(mesh));
-    maker.out.mesh_names.push_back(geometry.name);
-    maker.out.vertex_count += desc.vertex_count;
-    maker.out.triangle_count += desc.index_count / 3;
+    parts.meshes.emplace_back();
+    if (is_deformed(row)) continue;
+    const Geometry& g = parts.model.geometries[row.geometry];
+    parts.meshes.back() =
+        make_mesh(parts.context, g, {g.origin, g.position, g.normal, g.tangent, g.indices}, parts.mesh_flags);
   }
 }
 
-void add_lights(Maker& maker, const std::vector<NamedLight>& lights) {
-  for (const NamedLight& named : lights) {
-    Light light;
-    require(shd_light_create(maker.context, &named.desc, light.out()));
-    maker.out.light_list.push_back(light.get());
-    maker.out.lights.push_back(std::move(light));
-    maker.out.light_descs.push_back(named.desc);
-    maker.out.light_names.push_back(named.name);
+/// Drops the columns of geometries that no pose needs.
+void drop_columns(Parts& parts) {
+  std::vector<bool> deformed(parts.model.geometries.size());
+  for (const MeshRow& row : parts.rows) {
+    if (is_deformed(row)) deformed[row.geometry] = true;
+  }
+  for (size_t i = 0; i < deformed.size(); ++i) {
+    if (deformed[i]) continue;
+    Geometry& geometry = parts.model.geometries[i];
+    Geometry kept;
+    kept.origin = geometry.origin;
+    kept.position = std::move(geometry.position);
+    kept.indices = std::move(geometry.indices);
+    geometry = std::move(kept);
+  }
+  for (TextureSource& source : parts.model.textures) source = TextureSource();
+}
+
+void warn_about_joints(Parts& parts) {
+  for (const Placement& placement : parts.model.placements) {
+    const Geometry& geometry = parts.model.geometries[placement.geometry];
+    if (placement.skin < 0 || geometry.joint.empty()) continue;
+    const size_t count = parts.model.skins[static_cast<size_t>(placement.skin)].joints.size();
+    const bool good = std::all_of(geometry.joint.begin(), geometry.joint.end(), [&](auto j) { return j < count; });
+    if (!good) parts.warnings.push_back("mesh \"" + geometry.name + "\": some of its joints are not in its skin");
   }
 }
 
-/// Chooses near and far planes that enclose the whole model, if the file has no such planes.
-void add_cameras(Maker& maker, const std::vector<NamedCamera>& cameras) {
-  const Bounds& box = maker.out.bounds;
-  const double radius = box.radius();
-  for (const NamedCamera& named : cameras) {
-    shd_camera camera = named.camera;
-    double square = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const double away = static_cast<double>(camera.eye[c]) - 0.5 * (box.low[c] + box.high[c]);
-      square += away * away;
+void add_animations(Parts& parts) {
+  for (const Animation& animation : parts.model.animations) {
+    Times out;
+    bool first = true;
+    size_t useless = 0;
+    for (const Channel& channel : animation.channels) {
+      const auto from = static_cast<double>(channel.times.front()), to = static_cast<double>(channel.times.back());
+      out.first = first ? from : std::min(out.first, from);
+      out.last = first ? to : std::max(out.last, to);
+      first = false;
+      if (!is_usable(parts.model, channel)) ++useless;
     }
-    const auto far_plane = static_cast<float>(std::min(std::sqrt(square) + 2.0 * radius, 1e30));
-    if (!(camera.near_plane > 0.0f)) camera.near_plane = 1e-3f * far_plane;
-    if (!(camera.far_plane > camera.near_plane)) camera.far_plane = std::max(far_plane, 2.0f * camera.near_plane);
-    shd_view view;
-    if (shd_view_from_camera(&camera, &view) != SHD_OK) {
-      maker.out.warnings.push_back("camera \"" + named.name + "\": " + shd_last_error());
+    parts.animations.push_back(out);
+    parts.animation_names.push_back(animation.name);
+    if (useless == 0) continue;
+    parts.warnings.push_back("animation \"" + animation.name +
+                             "\": channels that do not fit their node: " + std::to_string(useless));
+  }
+}
+
+/// Meshes and instances of a pose.
+void add_meshes(const Parts& parts, const Pose& pose, const Deadline* deadline, std::vector<Vertices>* deformed,
+                Objects* out) {
+  for (size_t i = 0; i < parts.rows.size(); ++i) {
+    if (deadline) deadline->check();
+    const MeshRow& row = parts.rows[i];
+    deformed->emplace_back();
+    out->meshes.emplace_back();
+    if (is_deformed(row)) {
+      deformed->back() = deform(parts.model, row, pose);
+      Vertices vertices = deformed->back();
+      out->meshes.back() = make_mesh(parts.context, parts.model.geometries[row.geometry], std::move(vertices),
+                                     parts.mesh_flags | SHD_MESH_KEEP_NONFINITE);
+    } else {
+      shd_mesh_retain(parts.meshes[i].get());
+      *out->meshes.back().out() = parts.meshes[i].get();
+    }
+    shd_mesh_info info = shd_mesh_info_default();
+    require(shd_mesh_get_info(out->meshes.back().get(), &info));
+    out->vertex_count += info.vertex_count - info.split_count;
+    out->triangle_count += info.triangle_count;
+  }
+}
+
+/// A mesh at its place in the world of the file.
+struct Placed {
+  uint32_t row, surface;
+  Matrix object_to_world;  // positions of the mesh, without their origin
+};
+
+std::vector<Placed> place_rows(const Parts& parts, const Pose& pose, const std::vector<Vertices>& deformed) {
+  std::vector<Placed> out;
+  for (size_t i = 0; i < parts.row_of.size(); ++i) {
+    const Placement& placement = parts.model.placements[i];
+    const uint32_t row = parts.row_of[i];
+    const bool moves = is_deformed(parts.rows[row]), skinned = parts.rows[row].skin >= 0;
+    const auto& origin = moves ? deformed[row].origin : parts.model.geometries[placement.geometry].origin;
+    const Matrix& world = skinned ? kIdentity : pose.worlds[placement.node];
+    if (placement.copies.empty() || skinned) out.push_back({row, placement.surface, with_origin(world, origin)});
+    for (size_t k = 0; k < placement.copies.size() && !skinned; ++k) {
+      out.push_back({row, placement.surface, with_origin(multiply(world, placement.copies[k]), origin)});
+    }
+  }
+  return out;
+}
+
+Bounds bounds_of(const Parts& parts, const std::vector<Placed>& placed, const std::vector<Vertices>& deformed) {
+  Bounds box;
+  for (const Placed& one : placed) {
+    const bool moves = is_deformed(parts.rows[one.row]);
+    const Geometry& geometry = parts.model.geometries[parts.rows[one.row].geometry];
+    const Vertices& vertices = deformed[one.row];
+    grow(moves ? vertices.position : geometry.position, moves ? vertices.indices : geometry.indices,
+         one.object_to_world, &box);
+  }
+  return box;
+}
+
+/// Faces that are not drawn: the back of surfaces that are not double-sided. A mirror turns the winding (glTF 2.0,
+/// 3.7.4); a matrix without a determinant has no front.
+shd_cull cull_of(const Surface& surface, const Matrix& m) {
+  const double det = determinant(m);
+  if (surface.double_sided || !(std::fabs(det) > 0.0)) return SHD_CULL_NONE;
+  return det > 0.0 ? SHD_CULL_BACK : SHD_CULL_FRONT;
+}
+
+void add_instances(const Parts& parts, const std::vector<Placed>& placed, Objects* out) {
+  size_t lost = 0;
+  for (const Placed& one : placed) {
+    shd_scene_instance instance = shd_scene_instance_default();
+    instance.mesh = one.row;
+    instance.material = one.surface;
+    instance.cull = cull_of(parts.model.surfaces[one.surface], one.object_to_world);
+    bool finite = true;
+    for (size_t i = 0; i < 16; ++i) {
+      const double moved = i >= 12 && i < 15 ? one.object_to_world[i] - parts.origin[i - 12] : one.object_to_world[i];
+      instance.object_to_world[i] = static_cast<float>(moved);
+      finite = finite && std::isfinite(instance.object_to_world[i]);
+    }
+    if (!finite) {
+      ++lost;
       continue;
     }
-    maker.out.cameras.push_back(camera);
-    maker.out.camera_names.push_back(named.name);
+    shd_draw draw = shd_draw_default();
+    draw.mesh = out->meshes[one.row].get();
+    draw.material = parts.materials.materials[one.surface].get();
+    draw.cull = instance.cull;
+    std::copy_n(instance.object_to_world, 16, draw.object_to_world);
+    out->instances.push_back(instance);
+    out->draws.push_back(draw);
   }
+  if (lost > 0) out->warnings.push_back("instances whose matrices are not finite as floats: " + std::to_string(lost));
 }
 
-void add_draws(Maker& maker) {
-  for (const Instance& instance : maker.out.instances) {
-    shd_draw draw = shd_draw_default();
-    draw.mesh = maker.out.meshes[instance.geometry].get();
-    draw.material = maker.out.materials[instance.surface].get();
-    for (size_t i = 0; i < 16; ++i) draw.object_to_world[i] = static_cast<float>(instance.object_to_world[i]);
-    maker.out.draws.push_back(draw);
+/// Everything of a scene that a pose changes. Sets the origin of the parts with `choose`.
+void make_pose(const Parts& parts, const Pose& pose, const Deadline* deadline, std::array<double, 3>* choose,
+               Objects* out) {
+  std::vector<Vertices> deformed;
+  out->warnings = parts.warnings;
+  add_meshes(parts, pose, deadline, &deformed, out);
+  const std::vector<Placed> placed = place_rows(parts, pose, deformed);
+  out->bounds = bounds_of(parts, placed, deformed);
+  if (choose) *choose = origin_of(out->bounds);
+  add_instances(parts, placed, out);
+  for (size_t c = 0; c < 3; ++c) {
+    out->bounds.low[c] -= parts.origin[c];
+    out->bounds.high[c] -= parts.origin[c];
   }
+  add_lights(parts, pose, out);
+  add_cameras(parts, pose, out);
 }
 
 }  // namespace
 
 void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
                   const Limits& limits, const Deadline& deadline, Objects* out) {
-  Maker maker = {context, options, *out, {}};
-  out->warnings = std::move(model.warnings);
-  out->instances = place(model);
-  out->bounds = bounds_of(model, out->instances);
-  out->textures = load_textures(context, folder, model, options.load, options.all_textures_required, limits, deadline,
-                                &out->warnings);
-  for (size_t i = 0; i < out->textures.size(); ++i) {
-    if (!out->textures[i].get()) continue;
-    out->found_textures.push_back(out->textures[i].get());
-    out->texture_names.push_back(model.textures[i].name);
+  const auto parts = std::make_shared<Parts>();
+  out->parts = parts;
+  parts->context = context;
+  parts->mesh_flags = options.mesh_flags;
+  parts->model = std::move(model);
+  parts->warnings = std::move(parts->model.warnings);
+  for (Geometry& geometry : parts->model.geometries) prepare_normals(geometry, limits, &parts->warnings);
+  parts->textures = load_textures(context, folder, parts->model, options.load, options.all_textures_required, limits,
+                                  deadline, &parts->warnings);
+  for (size_t i = 0; i < parts->textures.size(); ++i) {
+    if (!parts->textures[i].get()) continue;
+    parts->found_textures.push_back(parts->textures[i].get());
+    parts->texture_names.push_back(parts->model.textures[i].name);
   }
-  add_materials(maker, model.surfaces);
-  add_meshes(maker, model.geometries, deadline);
-  add_lights(maker, model.lights);
-  add_cameras(maker, model.cameras);
-  add_draws(maker);
+  make_materials(context, parts->model, parts->textures, options.sampler, options.host_filters, &parts->materials,
+                 &parts->warnings);
+  for (const Surface& surface : parts->model.surfaces) parts->material_names.push_back(surface.name);
+  find_rows(*parts);
+  warn_about_joints(*parts);
+  add_animations(*parts);
+  make_rigid_meshes(*parts, deadline);
+  drop_columns(*parts);
+  make_pose(*parts, pose_of(parts->model), &deadline, &parts->origin, out);
+}
+
+void pose_objects(const std::shared_ptr<const Parts>& parts, uint32_t animation, double seconds, Objects* out) {
+  out->parts = parts;
+  make_pose(*parts, pose_of(parts->model, &parts->model.animations[animation], seconds), nullptr, nullptr, out);
 }
 
 }  // namespace shd::scene

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include <shd/io.h>
+#include <shd/scene.h>
 
 #include "scene/bounds.h"
+#include "scene/deform.h"
 #include "scene/limits.h"
+#include "scene/materials.h"
 #include "scene/model.h"
 #include "scene/owned.h"
 
@@ -12,40 +17,62 @@ namespace shd::scene {
 
 /// Settings for all objects of a scene.
 struct ObjectOptions {
-  shd_sampler_desc sampler;  // wraps come from the model
+  shd_sampler_desc sampler;  // wraps come from the model, and filters unless host_filters
   shd_load_desc load;        // tables of all textures
   uint32_t mesh_flags;
   bool all_textures_required;
+  bool host_filters;
 };
 
-/// A model as handles, and the data that they were made from. Members point at each other, so Objects is never moved or
-/// copied.
-struct Objects {
-  std::vector<Texture> textures;  // textures of the model, in its order; empty where a texture could not be read
+/// The first and the last key of an animation [s].
+struct Times {
+  double first = 0, last = 0;
+};
+
+/// What all poses of a scene share; never changes once it is made. Members point at each other, so Parts is never moved
+/// or copied.
+struct Parts {
+  shd_context* context = nullptr;  // retained by each scene
+  Model model;                     // without columns and bytes that no pose needs
+  std::vector<Texture> textures;   // textures of the model, in its order; empty where a texture could not be read
   std::vector<shd_texture*> found_textures;
   std::vector<std::string> texture_names;  // paths of found_textures, in their order
-  std::vector<Sampler> samplers;
-  std::vector<std::vector<shd_slot>> material_slots;  // slots of each material
-  std::vector<shd_material_desc> material_descs;
-  std::vector<Material> materials;
+  MaterialSet materials;
   std::vector<std::string> material_names;
-  std::vector<Mesh> meshes;
+  std::vector<MeshRow> rows;     // meshes
+  std::vector<uint32_t> row_of;  // [placement]
+  std::vector<Mesh> meshes;      // by rows; empty where a pose makes the mesh
   std::vector<std::string> mesh_names;
+  std::vector<Times> animations;
+  std::vector<std::string> animation_names;
+  std::array<double, 3> origin = {0, 0, 0};  // world of the file = origin + world of shd
+  uint32_t mesh_flags = 0;
+  std::vector<std::string> warnings;
+};
+
+/// A scene in one pose. Its pointers lead to its parts, so Objects is never moved or copied.
+struct Objects {
+  std::shared_ptr<const Parts> parts;
+  std::vector<Mesh> meshes;  // by Parts::rows
   std::vector<shd_light_desc> light_descs;
   std::vector<Light> lights;
   std::vector<const shd_light*> light_list;
   std::vector<std::string> light_names;
   std::vector<shd_camera> cameras;
   std::vector<std::string> camera_names;
-  std::vector<Instance> instances;
+  std::vector<shd_scene_instance> instances;
   std::vector<shd_draw> draws;  // one for each instance, in their order
   std::vector<std::string> warnings;
   uint64_t vertex_count = 0, triangle_count = 0;  // sums over all meshes
-  Bounds bounds;
+  Bounds bounds;                                  // without Parts::origin
 };
 
-/// Makes all objects; `folder` is that of the model. Throws Failure; all objects made before are then released.
+/// Makes all objects in the pose of the file; `folder` is that of the model. Throws Failure; all objects made before
+/// are then released.
 void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
                   const Limits& limits, const Deadline& deadline, Objects* out);
+
+/// Makes the objects of a pose of an animation. Meshes without skins and morph targets are shared. Throws Failure.
+void pose_objects(const std::shared_ptr<const Parts>& parts, uint32_t animation, double seconds, Objects* out);
 
 }  // namespace shd::scene

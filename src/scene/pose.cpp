@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/pose.h"
 
+#include <algorithm>
+
+#include "scene/sample.h"
+
 namespace shd::scene {
 namespace {
 
@@ -19,6 +23,15 @@ Matrix matrix_of(const Node& node) {
   return out;
 }
 
+void set_property(const Channel& channel, const std::vector<double>& values, Node& node, std::vector<double>& weights) {
+  switch (channel.target) {
+    case Target::kTranslation: std::copy_n(values.begin(), 3, node.translation.begin()); break;
+    case Target::kRotation: std::copy_n(values.begin(), 4, node.rotation.begin()); break;
+    case Target::kScale: std::copy_n(values.begin(), 3, node.scale.begin()); break;
+    case Target::kWeights: weights = values; break;
+  }
+}
+
 }  // namespace
 
 Matrix multiply(const Matrix& a, const Matrix& b) {
@@ -31,18 +44,41 @@ Matrix multiply(const Matrix& a, const Matrix& b) {
   return out;
 }
 
-std::vector<Matrix> world_matrices(const Model& model) {
-  std::vector<Matrix> out;
-  out.reserve(model.nodes.size());
-  for (const Node& node : model.nodes) {
-    const Matrix local = matrix_of(node);
-    out.push_back(node.parent < 0 ? local : multiply(out[static_cast<size_t>(node.parent)], local));
-  }
+double determinant(const Matrix& m) {
+  return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) + m[8] * (m[1] * m[6] - m[5] * m[2]);
+}
+
+std::array<double, 3> transform(const Matrix& m, const std::array<double, 3>& p) {
+  std::array<double, 3> out;
+  for (size_t r = 0; r < 3; ++r) out[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
   return out;
 }
 
+bool is_usable(const Model& model, const Channel& channel) {
+  const size_t count = component_count(channel);
+  if (channel.target == Target::kWeights) return count > 0;
+  return model.nodes[channel.node].parts && count == (channel.target == Target::kRotation ? 4u : 3u);
+}
+
+Pose pose_of(const Model& model, const Animation* animation, double seconds) {
+  std::vector<Node> nodes = model.nodes;
+  Pose pose;
+  for (const Node& node : nodes) pose.weights.emplace_back(node.weights.begin(), node.weights.end());
+  for (size_t i = 0; animation && i < animation->channels.size(); ++i) {
+    const Channel& channel = animation->channels[i];
+    if (!is_usable(model, channel)) continue;
+    set_property(channel, sample(channel, seconds), nodes[channel.node], pose.weights[channel.node]);
+  }
+  pose.worlds.reserve(nodes.size());
+  for (const Node& node : nodes) {
+    const Matrix local = matrix_of(node);
+    pose.worlds.push_back(node.parent < 0 ? local : multiply(pose.worlds[static_cast<size_t>(node.parent)], local));
+  }
+  return pose;
+}
+
 std::vector<Instance> place(const Model& model) {
-  const std::vector<Matrix> worlds = world_matrices(model);
+  const std::vector<Matrix> worlds = pose_of(model).worlds;
   std::vector<Instance> out;
   for (const Placement& placement : model.placements) {
     const Matrix& world = worlds[placement.node];

@@ -15,10 +15,15 @@
 /// | limits.h     | budgets, and the deadline of a load                   |
 /// | read/read.h  | a file to a Model                                     |
 /// | disk_files.h | the files around a model, found by names of any system |
-/// | pose.h       | a Model's tree as matrices of instances               |
-/// | bounds.h     | the box around all instances                          |
+/// | sample.h     | values of an animation at given seconds               |
+/// | pose.h       | the tree of a Model as matrices of a pose             |
+/// | normals.h    | flat and missing normals                              |
+/// | deform.h     | vertices moved by morph targets and skins             |
+/// | bounds.h     | the box around all instances, and the scene's origin  |
 /// | textures.h   | textures of a Model as handles                        |
-/// | objects.h    | a Model as handles, descs and draws                   |
+/// | materials.h  | surfaces of a Model as materials                      |
+/// | stage.h      | lights and cameras of a pose                          |
+/// | objects.h    | a Model as handles, descs and draws of a pose         |
 /// | owned.h      | handles that release themselves                       |
 /// | text.h       | texts of files, made safe for messages                |
 #pragma once

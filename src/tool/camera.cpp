@@ -42,7 +42,7 @@ Fit fit_view(const Camera& camera, const Model& model, const Bounds& bounds, flo
   }
   Fit fit;
   if (left > right) return fit;
-  if (!model.geometries[0].mesh) {  // corners of a volume's box are empty: the centre stays in the middle
+  if (!model.geometries[0].mesh) {  // corners of a box are empty: the centre stays in the middle
     right = std::max(right, -left);
     top = std::max(top, -bottom);
     left = -right;
@@ -74,7 +74,7 @@ Camera file_camera(const Options& options, const Model& model) {
 
 }  // namespace
 
-Camera make_camera(const Options& options, const Model& model, const Bounds& bounds, float turn) {
+Camera make_camera(const Options& options, const Model& model, const Model& shown, const Bounds& bounds, float turn) {
   if (options.camera) return file_camera(options, model);
   const float az = (options.azimuth + turn) * kDegree, el = options.elevation * kDegree;
   Camera camera{};
@@ -90,7 +90,7 @@ Camera make_camera(const Options& options, const Model& model, const Bounds& bou
   if (options.distance > 0.0f) {
     fit.distance = options.distance * bounds.radius;
   } else {
-    fit = fit_view(camera, model, bounds, tan_y * desc.aspect, tan_y);
+    fit = fit_view(camera, shown, bounds, tan_y * desc.aspect, tan_y);
     fit.distance = std::max(fit.distance, 1.05f * bounds.radius);
   }
   const float depth = (options.floor ? 7.0f : 1.01f) * bounds.radius;  // the floor reaches beyond the model

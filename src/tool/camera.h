@@ -12,5 +12,6 @@ struct Camera {
 };
 
 /// Makes the camera of `--camera`, or of `--orbit`, rotated by `turn` degrees, and `--fov`. Without a given distance,
-/// the position and direction of the eye are chosen so that every vertex is just inside the picture.
-Camera make_camera(const Options& options, const Model& model, const Bounds& bounds, float turn);
+/// the position and direction of the eye are chosen so that every vertex of `shown` is just inside the picture. `model`
+/// has the cameras of the file.
+Camera make_camera(const Options& options, const Model& model, const Model& shown, const Bounds& bounds, float turn);

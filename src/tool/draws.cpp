@@ -72,6 +72,7 @@ Draws make_draws(shd_context* context, const Options& options, const Model& mode
     }
     draw.material = paint.materials[instance.surface].get();
     draw.frequency = options.frequency;
+    draw.cull = instance.cull;
     if (options.sample_shading) draw.flags |= SHD_DRAW_SAMPLE_SHADING;
     if (options.wire_width > 0.0f) {
       draw.fill = SHD_FILL_WIREFRAME;

@@ -33,6 +33,9 @@ Camera
   --fov DEGREES         vertical field of view (default 35)
   --camera N            camera number N of the file, from 0, instead of these
   --turntable N         N pictures once around, OUT-0001.png and on
+  --animation N|NAME    pose of the file at a time of this animation, by its number from 0 or its name
+  --time SECONDS        that time (default the first key)
+  --frames N            N pictures from the first key to the last one, OUT-0001.png and on
 
 Light
   --lights PRESET       studio, headlight, course (two points), file (those of the model), none (default studio, or

@@ -62,6 +62,7 @@ struct Stage {
   shd_context* context;
   const Options& options;
   const Model& model;
+  const Model& shown;  // inside the picture
   const Bounds& bounds;
   const Paint& paint;
   shd_environment* environment;
@@ -70,7 +71,7 @@ struct Stage {
 
 void render(const Stage& stage, float turn, const shd_progress& progress, shd_framebuffer* framebuffer) {
   const Options& options = stage.options;
-  const Camera camera = make_camera(options, stage.model, stage.bounds, turn);
+  const Camera camera = make_camera(options, stage.model, stage.shown, stage.bounds, turn);
   const Draws draws = make_draws(stage.context, options, stage.model, stage.paint, camera);
   const std::vector<StageLight> lights = make_lights(stage.context, options, stage.model, stage.bounds, camera);
   const std::vector<Shadow> shadows = make_shadows(stage.context, options, stage.bounds, draws, lights);
@@ -111,6 +112,10 @@ void report_unused(const Options& options, const Model& model) {
   if (info.light_count > 0 && options.preset != LightPreset::kFile) {
     std::fprintf(stderr, "shd-render: lights of the model that are not used: %u (--lights file)\n", info.light_count);
   }
+  if (info.animation_count > 0 && options.animation.empty()) {
+    std::fprintf(stderr, "shd-render: animations of the model that are not used: %u (--animation 0)\n",
+                 info.animation_count);
+  }
   if (info.camera_count > 0 && !options.camera) {
     std::fprintf(stderr, "shd-render: cameras of the model that are not used: %u (--camera 0)\n", info.camera_count);
   }
@@ -143,6 +148,49 @@ void report_missing_uv(const Options& options, const Model& model) {
   }
 }
 
+/// Reports surfaces that need what the options have not.
+void report_glass(const Options& options, const Model& model) {
+  for (const Surface& surface : model.surfaces) {
+    if (surface.desc.model != SHD_MODEL_GLASS || options.reflectance || keeps_model(options, surface.desc.model)) {
+      continue;
+    }
+    std::fprintf(stderr, "shd-render: material \"%s\": its transmission is drawn with an --environment only\n",
+                 surface.name.c_str());
+  }
+}
+
+/// The poses of the pictures.
+struct Poses {
+  Animation animation;
+  std::vector<double> times;  // [s]; empty = the pose of the file
+};
+
+Poses find_poses(const Options& options, const Model& model) {
+  Poses poses;
+  if (options.animation.empty()) return poses;
+  poses.animation = find_animation(options, model);
+  const double first = poses.animation.first, length = poses.animation.last - first;
+  if (options.frames == 0) poses.times.push_back(options.time.value_or(first));
+  for (uint32_t i = 0; i < options.frames; ++i) {
+    poses.times.push_back(first + length * i / std::max(options.frames - 1.0, 1.0));
+  }
+  return poses;
+}
+
+/// The corners of a box around all poses; no geometry if there is one pose.
+Model show_all(const Poses& poses, const Model& model) {
+  if (poses.times.size() < 2) return Model();
+  Box box;
+  for (const double time : poses.times) grow(box, box_of(pose_model(model, poses.animation, time)));
+  return box_model(box);
+}
+
+/// Adds the floor and the occlusion of the options.
+void add_extras(shd_context* context, const Options& options, const Bounds& bounds, Model& model) {
+  if (options.floor) add_floor(context, options, bounds, model);
+  if (options.occlusion) add_occlusion(context, options, bounds, model);
+}
+
 void run(const Options& options) {
   check_output_name(options);
   const Context context = make_context(options);
@@ -150,18 +198,26 @@ void run(const Options& options) {
   Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
   report_unused(options, model);
   report_missing_uv(options, model);
-  const Bounds bounds = bounds_of(model);
-  make_camera(options, model, bounds, 0.0f);  // throws before textures are read
-  if (options.floor) add_floor(context.get(), options, bounds, model);
-  if (options.occlusion) add_occlusion(context.get(), options, bounds, model);
+  report_glass(options, model);
+  const Poses poses = find_poses(options, model);
+  if (!poses.times.empty()) model = pose_model(model, poses.animation, poses.times[0]);
+  const Model all = show_all(poses, model);
+  const Model& shown = all.geometries.empty() ? model : all;
+  const Bounds bounds = bounds_of(shown);
+  make_camera(options, model, shown, bounds, 0.0f);  // throws before textures are read
+  add_extras(context.get(), options, bounds, model);
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   const Environment environment = load_environment(context.get(), options);
-  const Stage stage = {context.get(), options, model, bounds, paint, environment.get(), volume};
-  const uint32_t pictures = std::max(options.turntable, 1u);
+  const Stage stage = {context.get(), options, model, shown, bounds, paint, environment.get(), volume};
+  const uint32_t pictures = std::max({options.turntable, options.frames, 1u});
   Progress progress(options.progress || isatty(STDERR_FILENO), pictures);
   for (uint32_t i = 0; i < pictures; ++i) {
-    const float turn = 360.0f * static_cast<float>(i) / static_cast<float>(pictures);
+    if (i > 0 && options.frames > 0) {
+      model = pose_model(model, poses.animation, poses.times[i]);
+      add_extras(context.get(), options, bounds, model);
+    }
+    const float turn = options.turntable ? 360.0f * static_cast<float>(i) / static_cast<float>(pictures) : 0.0f;
     render(stage, turn, progress.of_picture(i), framebuffer.get());
     const std::string name = picture_name(options, i);
     save_picture(context.get(), framebuffer.get(), options, name);

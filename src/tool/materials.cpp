@@ -21,7 +21,7 @@ shd_sampler* make_sampler(shd_context* context, const Options& options, std::vec
   return out.back().get();
 }
 
-constexpr int kTargets = SHD_SLOT_CLEARCOAT_NORMAL + 1;
+constexpr int kTargets = SHD_SLOT_TINT + 1;
 
 /// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
@@ -110,15 +110,22 @@ Extras make_extras(shd_context* context, const Options& options) {
 
 shd_model model_of(const Options& options, const Model& model) {
   if (options.reflectance) return *options.reflectance;
-  const auto is_metallic = [](const Surface& surface) { return surface.desc.model == SHD_MODEL_METALLIC_ROUGHNESS; };
+  const auto is_metallic = [](const Surface& surface) {
+    return surface.desc.model == SHD_MODEL_METALLIC_ROUGHNESS || surface.desc.model == SHD_MODEL_GLASS;
+  };
   const bool metallic = std::any_of(model.surfaces.begin(), model.surfaces.end(), is_metallic);
   return metallic || !options.environment.empty() ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
+}
+
+bool keeps_model(const Options& options, shd_model model) {
+  return !options.reflectance &&
+         (model == SHD_MODEL_UNLIT || (model == SHD_MODEL_GLASS && !options.environment.empty()));
 }
 
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,
                        const Extras& extras, std::vector<Sampler>& samplers) {
   shd_material_desc desc = surface.desc;
-  desc.model = model;
+  if (!keeps_model(options, desc.model)) desc.model = model;
   desc.debug_view = options.debug_view;
   set_lobe(desc, options);
   Replacements replacements;

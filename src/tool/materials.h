@@ -18,6 +18,9 @@ struct Extras {
 /// Loads the files that the options name. Throws Failure (kExitInput) for a file that cannot be read.
 Extras make_extras(shd_context* context, const Options& options);
 
+/// Whether a surface of the file keeps its model: unlit, and glass where an environment is seen through it.
+bool keeps_model(const Options& options, shd_model model);
+
 /// The reflectance model for surfaces: the model of the options, otherwise metallic-roughness if the importer found it,
 /// otherwise Blinn-Phong.
 shd_model model_of(const Options& options, const Model& model);

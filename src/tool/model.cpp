@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "tool/failure.h"
 #include "tool/shapes.h"
 #include "tool/textures.h"
 
 namespace {
-
-struct Box {
-  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-};
 
 void grow(Box& box, const float* m, const float* p) {
   double world[3];
@@ -37,6 +33,7 @@ Scene load_scene(shd_context* context, const Options& options) {
   shd_scene_desc desc = shd_scene_desc_default();
   desc.sampler = &sampler;
   desc.texture = &texture;
+  if (options.has_filter) desc.flags |= SHD_SCENE_HOST_FILTERS;
   if (options.line_width > 0.0f) desc.mesh_flags |= SHD_MESH_ADJACENCY;
   Scene scene;
   if (shd_scene_load(context, options.model.c_str(), &desc, scene.out()) != SHD_OK) {
@@ -74,6 +71,7 @@ void add_scene_parts(Model& model, const shd_scene_info& info) {
     Instance instance;
     instance.geometry = from.mesh;
     instance.surface = from.material;
+    instance.cull = from.cull;
     std::copy(from.object_to_world, from.object_to_world + 16, instance.object_to_world.begin());
     model.instances.push_back(instance);
   }
@@ -89,6 +87,17 @@ Model import_model(shd_context* context, const Options& options) {
   }
   add_scene_parts(model, info);
   return model;
+}
+
+/// The animation whose number, or else whose name, is the text.
+std::optional<uint32_t> index_of(const shd_scene* scene, uint32_t count, const std::string& text) {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (text == std::to_string(i)) return i;
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    if (text == shd_scene_name(scene, SHD_SCENE_PART_ANIMATION, i)) return i;
+  }
+  return std::nullopt;
 }
 
 void add_shape(shd_context* context, const Options& options, shd_shape shape, uint32_t steps, const Surface& surface,
@@ -139,7 +148,49 @@ void add_floor(shd_context* context, const Options& options, const Bounds& bound
   add_shape(context, options, SHD_SHAPE_PLANE, parts, surface, instance, model);
 }
 
-Bounds bounds_of(const Model& model) {
+Animation find_animation(const Options& options, const Model& model) {
+  shd_scene_info info = shd_scene_info_default();
+  if (model.scene.get()) check(shd_scene_get_info(model.scene.get(), &info), "scene");
+  const auto index = index_of(model.scene.get(), info.animation_count, options.animation);
+  if (!index) {
+    std::string text = "--animation " + options.animation + ": the model has no such animation";
+    for (uint32_t i = 0; i < info.animation_count && i < 16; ++i) {
+      text += (i == 0 ? "; it has " : ", ") + std::to_string(i) + " \"" +
+              shd_scene_name(model.scene.get(), SHD_SCENE_PART_ANIMATION, i) + "\"";
+    }
+    throw Failure(kExitInput, text);
+  }
+  Animation animation;
+  animation.index = *index;
+  check(shd_scene_get_animation_times(model.scene.get(), *index, &animation.first, &animation.last), "animation");
+  return animation;
+}
+
+Model pose_model(const Model& model, const Animation& animation, double seconds) {
+  Model posed;
+  check(shd_scene_pose(model.scene.get(), animation.index, seconds, posed.scene.out()), "pose");
+  shd_scene_info info = shd_scene_info_default();
+  check(shd_scene_get_info(posed.scene.get(), &info), "scene");
+  add_scene_parts(posed, info);
+  return posed;
+}
+
+Model box_model(const Box& box) {
+  Model model;
+  Geometry corners;
+  for (uint32_t i = 0; i < 8; ++i) {
+    for (size_t c = 0; c < 3; ++c) {
+      corners.position.push_back(static_cast<float>(i >> c & 1 ? box.high[c] : box.low[c]));
+    }
+    corners.indices.push_back(i);
+  }
+  model.geometries.push_back(std::move(corners));
+  model.surfaces.push_back({"box", shd_material_desc_default()});
+  model.instances.emplace_back();
+  return model;
+}
+
+Box box_of(const Model& model) {
   Box box;
   for (const Instance& instance : model.instances) {
     const Geometry& geometry = model.geometries[instance.geometry];
@@ -147,6 +198,18 @@ Bounds bounds_of(const Model& model) {
       grow(box, instance.object_to_world.data(), &geometry.position[size_t{3} * vertex]);
     }
   }
+  return box;
+}
+
+void grow(Box& box, const Box& by) {
+  for (size_t c = 0; c < 3; ++c) {
+    box.low[c] = std::min(box.low[c], by.low[c]);
+    box.high[c] = std::max(box.high[c], by.high[c]);
+  }
+}
+
+Bounds bounds_of(const Model& model) {
+  const Box box = box_of(model);
   Bounds bounds;
   if (box.low[0] > box.high[0]) return bounds;
   double diagonal = 0.0;
@@ -155,6 +218,6 @@ Bounds bounds_of(const Model& model) {
     diagonal += (box.high[c] - box.low[c]) * (box.high[c] - box.low[c]);
   }
   bounds.bottom = static_cast<float>(box.low[1]);
-  bounds.radius = std::max(static_cast<float>(0.5 * std::sqrt(diagonal)), 1e-6f);
+  bounds.radius = std::max(static_cast<float>(0.5 * std::sqrt(diagonal)), 1e-30f);
   return bounds;
 }

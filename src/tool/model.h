@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Surface {
 /// A geometry placed in the world.
 struct Instance {
   size_t geometry = 0, surface = 0;
+  shd_cull cull = SHD_CULL_NONE;
   std::array<float, 16> object_to_world = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // column-major
 };
 
@@ -35,6 +37,18 @@ struct Model {
   std::vector<Geometry> geometries;
   std::vector<Surface> surfaces;
   std::vector<Instance> instances;
+};
+
+/// A box in world space; low is above high if it is empty.
+struct Box {
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+
+/// An animation of a file, and its first and last time [s].
+struct Animation {
+  uint32_t index = 0;
+  double first = 0, last = 0;
 };
 
 /// A sphere around everything in world space, and the height of the lowest vertex.
@@ -50,6 +64,20 @@ Model make_model(shd_context* context, const Options& options);
 
 /// Adds a square floor under the model, four radii to each side.
 void add_floor(shd_context* context, const Options& options, const Bounds& bounds, Model& model);
+
+/// The animation that the options name. Throws Failure that lists those of the file.
+Animation find_animation(const Options& options, const Model& model);
+
+/// The pose of a model by an animation.
+Model pose_model(const Model& model, const Animation& animation, double seconds);
+
+/// Box of all placed vertices that triangles use, ignoring non-finite vertices.
+Box box_of(const Model& model);
+
+void grow(Box& box, const Box& by);
+
+/// The corners of a box as vertices, without a mesh: something for a camera to show.
+Model box_model(const Box& box);
 
 /// Sphere around the box of all placed vertices that triangles use, ignoring non-finite vertices.
 Bounds bounds_of(const Model& model);

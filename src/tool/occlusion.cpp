@@ -13,7 +13,7 @@ namespace {
 
 /// All columns of a mesh, and one of occlusion.
 struct Columns {
-  std::vector<float> position[3], normal[3], tangent[4], uv[2], uv1[2], occlusion;
+  std::vector<float> position[3], normal[3], tangent[4], uv[2], uv1[2], attributes[kOcclusionAttribute + 1];
   std::vector<uint32_t> indices;
 };
 
@@ -35,6 +35,11 @@ Columns read_mesh(const shd_mesh* mesh, const shd_mesh_info& info) {
   read(mesh, shd_mesh_read_tangents, info.vertex_count, columns.tangent);
   read(mesh, shd_mesh_read_uv, info.vertex_count, columns.uv);
   read(mesh, shd_mesh_read_uv1, info.vertex_count, columns.uv1);
+  for (uint32_t i = 0; i < kOcclusionAttribute; ++i) {
+    columns.attributes[i].resize(info.vertex_count);
+    const shd_f32_out out = {columns.attributes[i].data(), 0};
+    check(shd_mesh_read_attribute(mesh, i, &out), "mesh");
+  }
   columns.indices.resize(size_t{3} * info.triangle_count);
   const shd_u32_out indices = {columns.indices.data(), 0};
   check(shd_mesh_read_indices(mesh, &indices), "mesh");
@@ -43,7 +48,7 @@ Columns read_mesh(const shd_mesh* mesh, const shd_mesh_info& info) {
 
 Mesh make_mesh(shd_context* context, const Options& options, const Columns& columns) {
   shd_mesh_desc desc = shd_mesh_desc_default();
-  desc.vertex_count = static_cast<uint32_t>(columns.occlusion.size());
+  desc.vertex_count = static_cast<uint32_t>(columns.position[0].size());
   for (size_t c = 0; c < 3; ++c) {
     desc.position[c].data = columns.position[c].data();
     desc.normal[c].data = columns.normal[c].data();
@@ -55,10 +60,10 @@ Mesh make_mesh(shd_context* context, const Options& options, const Columns& colu
     desc.uv[c].data = columns.uv[c].data();
     desc.uv1[c].data = columns.uv1[c].data();
   }
-  const shd_f32_in occlusion = {columns.occlusion.data(), 0};
-  static_assert(kOcclusionAttribute == 0, "the only attribute");
-  desc.attributes = &occlusion;
-  desc.attribute_count = 1;
+  shd_f32_in attributes[kOcclusionAttribute + 1];
+  for (size_t i = 0; i <= kOcclusionAttribute; ++i) attributes[i] = {columns.attributes[i].data(), 0};
+  desc.attributes = attributes;
+  desc.attribute_count = kOcclusionAttribute + 1;
   desc.indices.data = columns.indices.data();
   desc.index_count = columns.indices.size();
   desc.flags = SHD_MESH_KEEP_NONFINITE;
@@ -99,8 +104,8 @@ void add_occlusion(shd_context* context, const Options& options, const Bounds& b
     shd_mesh_info info = shd_mesh_info_default();
     check(shd_mesh_get_info(from.mesh, &info), "mesh");
     Columns columns = read_mesh(from.mesh, info);
-    columns.occlusion.resize(info.vertex_count);
-    const shd_f32_out out = {columns.occlusion.data(), 0};
+    columns.attributes[kOcclusionAttribute].resize(info.vertex_count);
+    const shd_f32_out out = {columns.attributes[kOcclusionAttribute].data(), 0};
     check(shd_occlusion_compute_vertices(context, &desc, &draws[i], &out), "occlusion");
     geometries.emplace_back();
     geometries.back().own = make_mesh(context, options, columns);

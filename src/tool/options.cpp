@@ -169,6 +169,11 @@ void read_orbit(const std::string& option, const std::string& value, Options& ou
   if (*text) refuse(option, value, wanted);
 }
 
+void read_animation(const std::string& option, const std::string& value, Options& out) {
+  if (value.empty()) refuse(option, value, "the number or the name of an animation of the file");
+  out.animation = value;
+}
+
 LightOption read_light(const std::string& option, const std::string& value, shd_light_kind kind) {
   const char* wanted = "X,Y,Z or X,Y,Z:R,G,B (colour not negative; a direction is not 0,0,0)";
   const char* text = value.c_str();
@@ -267,6 +272,11 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   if (name == "--turntable") {
     return out.turntable = read_whole(name, value, 1, 9999, "a whole number 1..9999"), true;
   }
+  if (name == "--animation") return read_animation(name, value, out), true;
+  if (name == "--time") {
+    return out.time = static_cast<double>(read_number(name, value, -1e9f, 1e9f, "a number of seconds")), true;
+  }
+  if (name == "--frames") return out.frames = read_whole(name, value, 1, 9999, "a whole number 1..9999"), true;
   if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
   if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_POINT)), true;
   if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_DIRECTIONAL)), true;
@@ -311,7 +321,7 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   if (name == "--specular") return out.specular = read_scale(name, value), true;
   if (name == "--metallic") return out.metallic = read_number(name, value, 0, 1, "a number 0..1"), true;
   if (name == "--roughness") return out.roughness = read_number(name, value, 0, 1, "a number 0..1"), true;
-  if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
+  if (name == "--filter") return out.filter = pick(name, value, kFilters), out.has_filter = true;
   if (name == "--lod-bias") return out.lod_bias = read_number(name, value, -15, 15, "a number -15..15"), true;
   if (name == "--texture") return out.texture = value, true;
   if (name == "--solid") return out.solid = pick(name, value, kSolids), true;
@@ -385,6 +395,10 @@ Options parse_options(int argc, const char* const* argv) {
   }
   if (named && !options.volume.file.empty()) throw Failure(kExitUsage, "--volume is drawn instead of a model");
   if (options.camera && options.turntable) throw Failure(kExitUsage, "--turntable turns no --camera of the file");
+  if (options.animation.empty() && options.time) throw Failure(kExitUsage, "--time needs an --animation");
+  if (options.animation.empty() && options.frames) throw Failure(kExitUsage, "--frames needs an --animation");
+  if (options.time && options.frames) throw Failure(kExitUsage, "--frames has all times: --time is one");
+  if (options.turntable && options.frames) throw Failure(kExitUsage, "--turntable and --frames: one of them");
   const bool lit = !options.lights.empty() || options.lamps > 0 || !options.environment.empty();
   if (!options.preset) options.preset = lit ? LightPreset::kNone : LightPreset::kStudio;
   if (!options.ambient) options.ambient.emplace().fill(options.environment.empty() ? 0.15f : 0.0f);

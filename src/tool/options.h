@@ -38,7 +38,11 @@ struct Options {
   float fov = 35.0f;                         // vertical [deg]
   std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
   uint32_t turntable = 0;                    // pictures once around; 0 = one picture
+  std::string animation;                     // number or name of one of the file; empty = the pose of the file
+  std::optional<double> time;                // place in the animation [s]; absent = its first key
+  uint32_t frames = 0;                       // pictures from the first to the last key; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
+  bool has_filter = false;  // `filter` was given, and replaces those of the file
   float lod_bias = 0.0f;
   shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials

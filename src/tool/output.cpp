@@ -31,7 +31,7 @@ void check_output_name(const Options& options) {
 }
 
 std::string picture_name(const Options& options, uint32_t picture) {
-  if (options.turntable == 0) return options.output;
+  if (options.turntable == 0 && options.frames == 0) return options.output;
   char number[16];
   std::snprintf(number, sizeof number, "-%04u", picture + 1);
   const size_t dot = options.output.rfind('.');

@@ -6,7 +6,7 @@
 /// Throws Failure (kExitUsage) for a name whose extension cannot be written, before any time is spent on the picture.
 void check_output_name(const Options& options);
 
-/// The name of a picture, counted from 0: the name of the options; for a turntable with -0001 and following before its
+/// The name of a picture, counted from 0: the name of the options; for a turntable or frames with -0001 and following before its
 /// extension.
 std::string picture_name(const Options& options, uint32_t picture);
 

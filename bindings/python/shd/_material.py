@@ -8,7 +8,8 @@ from ._desc import desc_type
 from ._objects import Material, Sampler, slot
 from ._texture import Texture
 
-OPAQUE, DIFFUSE = 255, 0
+OPAQUE = 255
+SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
 
 
@@ -73,7 +74,7 @@ class Look:
         if self._flat is None:
             kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
             slots = [s for s in self._desc._values.get("slots", ())
-                     if enum_value("shd_slot_target", s.target, "target") == DIFFUSE]
+                     if int(enum_value("shd_slot_target", s.target, "target")) in SHOWN]
             self._flat = Material(self._context, model="unlit", slots=slots, **kept)
         return self._flat
 
@@ -109,12 +110,14 @@ def make_look(context, color=None, texture=None, vertex_colors=False, blend=None
 
 
 def file_look(context, desc, metallic=0.0):
-    """The material of a file, as metallic-roughness: lights have one unit for all materials.
+    """The material of a file, unlit or as metallic-roughness: lights have one unit for all materials.
 
     `metallic` is the value of materials of the Blinn-Phong model.
     """
     if desc.model == _api.enum_type("shd_model").BLINN_PHONG:
         desc = desc.replace(metallic=metallic)
+    if desc.model == _api.enum_type("shd_model").UNLIT:
+        return Look(context, desc)
     slots = [s for s in desc._values.get("slots", ()) if enum_value("shd_slot_target", s.target, "target") not in PHONG]
     return Look(context, desc.replace(model="metallic_roughness", slots=slots, ambient_share=1.0))
 

@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 
 from ._camera import matrix
+from ._convert import enum_value
 from ._desc import desc_type
 from ._material import Fixed, file_look, linear_color, make_look, options_of
 from ._objects import Mesh
@@ -42,9 +43,14 @@ class Part:
         self.is_empty = not info["triangle_count"]
 
     def draw(self, pose, **values):
-        return desc_type("shd_draw")(**{
-            "mesh": self.mesh, "object_to_world": (pose @ self.local).astype(np.float32), "compare": "greater",
-            **self.values, **values})
+        """A draw at a pose. Culling is that of the surface: mirrors turn the winding of its triangles."""
+        placed = pose @ self.local
+        made = {"mesh": self.mesh, "object_to_world": placed.astype(np.float32), "compare": "greater", **self.values,
+                **values}
+        if np.linalg.det(placed[:3, :3]) < 0:
+            cull = enum_value("shd_cull", made.get("cull", "none"), "cull")
+            made["cull"] = {1: "front", 2: "back"}.get(int(cull), cull)
+        return desc_type("shd_draw")(**made)
 
 
 def from_arrays(context, position, indices=None, normal=None, uv=None, color=None, texture=None, material=None,
@@ -159,4 +165,5 @@ def from_scene(context, scene, **values):
     """The parts of a model file. Options are those of file_look()."""
     looks = [file_look(context, desc, **values) for desc in scene.material_descs]
     meshes = scene.meshes
-    return [Part(meshes[i.mesh], looks[i.material], np.float64(i.object_to_world)) for i in scene.instances]
+    return [Part(meshes[i.mesh], looks[i.material], np.float64(i.object_to_world),
+                 {"cull": "back" if int(i.cull) else "none"}) for i in scene.instances]

@@ -53,7 +53,8 @@ class Scene(Object):
         return self._texts(_api.lib.shd_scene_warning, self.info["warning_count"])
 
     def names(self, part) -> list:
-        """The names of the parts of a kind: names("mesh"), "material", "texture" (a path), "light" or "camera"."""
+        """The names of the parts of a kind: names("mesh"), "material", "texture" (a path), "light",
+        "camera" or "animation"."""
         kind = _api.enum_type("shd_scene_part")(enum_value("shd_scene_part", part, "part"))
         return self._texts(_api.lib.shd_scene_name, self.info[f"{kind.name.lower()}_count"], int(kind))
 
@@ -98,14 +99,34 @@ class Scene(Object):
         """The instances of the file, as a list of SceneInstance: indices of a mesh and a material, and a matrix."""
         structs = self._structs(_api.lib.shd_scene_get_instance, "shd_scene_instance", "instance_count")
         return [desc_type("shd_scene_instance")(mesh=s.mesh, material=s.material,
-                                                object_to_world=_matrix(s.object_to_world)) for s in structs]
+                                                object_to_world=_matrix(s.object_to_world), cull=s.cull)
+                for s in structs]
 
     @property
     def draws(self) -> list:
         """The instances of the file, as a list of Draw with mesh, material and object_to_world."""
         meshes, materials = self.meshes, self.materials
         return [desc_type("shd_draw")(mesh=meshes[i.mesh], material=materials[i.material],
-                                      object_to_world=i.object_to_world) for i in self.instances]
+                                      object_to_world=i.object_to_world, cull=i.cull) for i in self.instances]
+
+    def animation_times(self, index) -> "tuple[float, float]":
+        """The first and the last key of an animation [s]."""
+        keep, times = [], (ctypes.c_double * 2)()
+        _api.check(_api.lib.shd_scene_get_animation_times(self.handle(self._kind, keep), index,
+                                                          ctypes.addressof(times), ctypes.addressof(times) + 8))
+        return times[0], times[1]
+
+    def pose(self, animation, seconds) -> "Scene":
+        """A scene of the file at a time of an animation, given by its number or its name."""
+        if isinstance(animation, str):
+            names = self.names("animation")
+            if animation not in names:
+                raise ValueError(f"animation: \"{animation}\" is not one of {names}")
+            animation = names.index(animation)
+        keep, posed = [], Scene.__new__(Scene)
+        posed._adopt(keep, _api.lib.shd_scene_pose, self.handle(self._kind, keep), animation, ctypes.c_double(seconds))
+        posed._info_values = posed._info("shd_scene_info")
+        return posed
 
     @property
     def light_descs(self) -> list:

@@ -79,16 +79,17 @@ void check_parts(shd_context* context, const scene::ObjectOptions& options) {
 Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   shd_scene_desc desc = shd_scene_desc_default();
   read_desc("scene", in, &desc);
-  if (desc.flags & ~uint32_t{SHD_SCENE_REQUIRE_TEXTURES}) {
-    refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known",
-           desc.flags & ~uint32_t{SHD_SCENE_REQUIRE_TEXTURES});
+  constexpr uint32_t kKnown = SHD_SCENE_REQUIRE_TEXTURES | SHD_SCENE_HOST_FILTERS;
+  if (desc.flags & ~kKnown) {
+    refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known", desc.flags & ~kKnown);
   }
-  Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false}, {}};
+  Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false, false}, {}};
   read_desc("scene.sampler", desc.sampler, &request.options.sampler);
   read_desc("scene.texture", desc.texture, &request.options.load);
   if (!desc.sampler) request.options.sampler.filter = SHD_FILTER_TRILINEAR;
   request.options.load.color_space = SHD_COLOR_ENCODING_AUTO;
   request.options.all_textures_required = (desc.flags & SHD_SCENE_REQUIRE_TEXTURES) != 0;
+  request.options.host_filters = (desc.flags & SHD_SCENE_HOST_FILTERS) != 0;
   read_limits(desc, &request.limits);
   check_parts(context, request.options);
   return request;
@@ -110,51 +111,70 @@ std::unique_ptr<Body> load(shd_context* context, const char* path, const Request
   scene::DiskFiles files(path, request.limits, deadline);
   scene::make_objects(context, files.folder(), read(files, path, request.limits, deadline), request.options,
                       request.limits, deadline, body.get());
-  for (std::string& warning : body->warnings) {
-    core::make_printable(warning.data(), warning.size());
-    shd_context_log(context, SHD_LOG_LEVEL_WARNING, warning.c_str());
-  }
   return body;
 }
 
 const std::vector<std::string>* names_of(const Body& body, shd_scene_part part) {
   switch (core::enum_bits(part)) {
-    case SHD_SCENE_PART_MESH: return &body.mesh_names;
-    case SHD_SCENE_PART_MATERIAL: return &body.material_names;
-    case SHD_SCENE_PART_TEXTURE: return &body.texture_names;
+    case SHD_SCENE_PART_MESH: return &body.parts->mesh_names;
+    case SHD_SCENE_PART_MATERIAL: return &body.parts->material_names;
+    case SHD_SCENE_PART_TEXTURE: return &body.parts->texture_names;
     case SHD_SCENE_PART_LIGHT: return &body.light_names;
     case SHD_SCENE_PART_CAMERA: return &body.camera_names;
+    case SHD_SCENE_PART_ANIMATION: return &body.parts->animation_names;
     default: return nullptr;
   }
 }
 
-/// The handle of row `index`, or null.
+/// Row `index` of a vector of handles, or null.
 template <class Owner>
-auto handle_of(const shd_scene* handle, const std::vector<Owner> Body::*rows, uint32_t index) {
-  const Body* body = body_of(handle);
-  return body && index < (body->*rows).size() ? (body->*rows)[index].get() : nullptr;
+auto handle_of(const std::vector<Owner>& rows, uint32_t index) {
+  return index < rows.size() ? rows[index].get() : nullptr;
 }
 
-/// Row `index` to the caller's struct.
-template <class Out>
-shd_result read_row(const shd_scene* handle, const std::vector<Out> Body::*rows, const char* part, uint32_t index,
-                    const char* name, Out* out) {
+/// Row `index` to the caller's struct. `rows_of` gives the rows of a body.
+template <class RowsOf, class Out>
+shd_result read_row(const shd_scene* handle, RowsOf rows_of, const char* part, uint32_t index, const char* name,
+                    Out* out) {
   return guard([&]() -> shd_result {
     require(begin_output(name, out));
-    const Body& body = require_body(handle);
-    if (index >= (body.*rows).size()) {
-      refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu %s", index, (body.*rows).size(), part);
+    const std::vector<Out>& rows = rows_of(require_body(handle));
+    if (index >= rows.size()) {
+      refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu %s", index, rows.size(), part);
     }
-    write_desc((body.*rows)[index], out);
+    write_desc(rows[index], out);
     return SHD_OK;
   });
+}
+
+/// Throws Failure if there is no such animation.
+const scene::Times& animation_of(const Body& body, uint32_t index) {
+  const std::vector<scene::Times>& animations = body.parts->animations;
+  if (index < animations.size()) return animations[index];
+  refuse(SHD_ERROR_NOT_FOUND, "animation: %u, but the scene has %zu animations", index, animations.size());
+}
+
+/// Makes the handle of a body.
+void create_handle(shd_context* context, std::unique_ptr<Body> body, shd_scene** out_scene) {
+  const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
+  shd_object* object = nullptr;
+  require(shd_object_create(context, kSceneType, body.get(), destroy, &object));
+  (void)body.release();
+  *out_scene = reinterpret_cast<shd_scene*>(object);
+}
+
+void log_warnings(shd_context* context, Body& body, size_t first) {
+  for (size_t i = first; i < body.warnings.size(); ++i) {
+    core::make_printable(body.warnings[i].data(), body.warnings[i].size());
+    shd_context_log(context, SHD_LOG_LEVEL_WARNING, body.warnings[i].c_str());
+  }
 }
 
 shd_scene_info info_of(const Body& body) {
   shd_scene_info info = shd_scene_info_default();
   info.mesh_count = static_cast<uint32_t>(body.meshes.size());
-  info.material_count = static_cast<uint32_t>(body.materials.size());
-  info.texture_count = static_cast<uint32_t>(body.found_textures.size());
+  info.material_count = static_cast<uint32_t>(body.parts->material_names.size());
+  info.texture_count = static_cast<uint32_t>(body.parts->found_textures.size());
   info.light_count = static_cast<uint32_t>(body.lights.size());
   info.camera_count = static_cast<uint32_t>(body.cameras.size());
   info.instance_count = static_cast<uint32_t>(body.instances.size());
@@ -164,7 +184,10 @@ shd_scene_info info_of(const Body& body) {
   for (int c = 0; c < 3; ++c) {
     info.bounds_min[c] = static_cast<float>(body.bounds.low[c]);
     info.bounds_max[c] = static_cast<float>(body.bounds.high[c]);
+    info.origin[c] = body.parts->origin[c];
   }
+  info.animation_count = static_cast<uint32_t>(body.parts->animations.size());
+  for (const scene::Mesh& rigid : body.parts->meshes) info.deformed_mesh_count += rigid.get() ? 0 : 1;
   return info;
 }
 
@@ -180,11 +203,8 @@ shd_result shd_scene_load(shd_context* context, const char* path, const shd_scen
     if (!path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: NULL");
     if (!*path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: empty");
     std::unique_ptr<Body> body = load(context, path, read_scene_desc(context, desc));
-    const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
-    shd_object* object = nullptr;
-    require(shd_object_create(context, kSceneType, body.get(), destroy, &object));
-    (void)body.release();
-    *out_scene = reinterpret_cast<shd_scene*>(object);
+    log_warnings(context, *body, 0);
+    create_handle(context, std::move(body), out_scene);
     return SHD_OK;
   });
 }
@@ -217,47 +237,77 @@ const char* shd_scene_name(const shd_scene* scene, shd_scene_part part, uint32_t
 }
 
 shd_mesh* shd_scene_mesh(const shd_scene* scene, uint32_t index) {
-  return handle_of(scene, &Body::meshes, index);
+  const Body* body = body_of(scene);
+  return body ? handle_of(body->meshes, index) : nullptr;
 }
 
 shd_material* shd_scene_material(const shd_scene* scene, uint32_t index) {
-  return handle_of(scene, &Body::materials, index);
+  const Body* body = body_of(scene);
+  return body ? handle_of(body->parts->materials.materials, index) : nullptr;
 }
 
 shd_texture* shd_scene_texture(const shd_scene* scene, uint32_t index) {
   const Body* body = body_of(scene);
-  return body && index < body->found_textures.size() ? body->found_textures[index] : nullptr;
+  return body && index < body->parts->found_textures.size() ? body->parts->found_textures[index] : nullptr;
 }
 
 shd_light* shd_scene_light(const shd_scene* scene, uint32_t index) {
-  return handle_of(scene, &Body::lights, index);
+  const Body* body = body_of(scene);
+  return body ? handle_of(body->lights, index) : nullptr;
 }
 
 shd_result shd_scene_get_material_desc(const shd_scene* scene, uint32_t index, shd_material_desc* out_desc) {
-  return read_row(scene, &Body::material_descs, "materials", index, "out_desc", out_desc);
+  const auto rows = [](const Body& body) -> auto& {
+    return body.parts->materials.descs;
+  };
+  return read_row(scene, rows, "materials", index, "out_desc", out_desc);
 }
 
 shd_result shd_scene_get_light_desc(const shd_scene* scene, uint32_t index, shd_light_desc* out_desc) {
-  return read_row(scene, &Body::light_descs, "lights", index, "out_desc", out_desc);
+  const auto rows = [](const Body& body) -> auto& {
+    return body.light_descs;
+  };
+  return read_row(scene, rows, "lights", index, "out_desc", out_desc);
 }
 
 shd_result shd_scene_get_camera(const shd_scene* scene, uint32_t index, shd_camera* out_camera) {
-  return read_row(scene, &Body::cameras, "cameras", index, "out_camera", out_camera);
+  const auto rows = [](const Body& body) -> auto& {
+    return body.cameras;
+  };
+  return read_row(scene, rows, "cameras", index, "out_camera", out_camera);
 }
 
 shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_scene_instance* out_instance) {
+  const auto rows = [](const Body& body) -> auto& {
+    return body.instances;
+  };
+  return read_row(scene, rows, "instances", index, "out_instance", out_instance);
+}
+
+shd_result shd_scene_get_animation_times(const shd_scene* scene, uint32_t index, double* out_first, double* out_last) {
   return guard([&]() -> shd_result {
-    require(begin_output("out_instance", out_instance));
+    if (out_first) *out_first = 0;
+    if (out_last) *out_last = 0;
+    if (!out_first) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_first: NULL");
+    if (!out_last) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_last: NULL");
+    const scene::Times& times = animation_of(require_body(scene), index);
+    *out_first = times.first;
+    *out_last = times.last;
+    return SHD_OK;
+  });
+}
+
+shd_result shd_scene_pose(const shd_scene* scene, uint32_t animation, double seconds, shd_scene** out_scene) {
+  return guard([&]() -> shd_result {
+    if (!out_scene) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_scene: NULL");
+    *out_scene = nullptr;
     const Body& body = require_body(scene);
-    if (index >= body.instances.size()) {
-      refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu instances", index, body.instances.size());
-    }
-    const scene::Instance& from = body.instances[index];
-    shd_scene_instance instance = shd_scene_instance_default();
-    instance.mesh = from.geometry;
-    instance.material = from.surface;
-    for (size_t i = 0; i < 16; ++i) instance.object_to_world[i] = static_cast<float>(from.object_to_world[i]);
-    write_desc(instance, out_instance);
+    (void)animation_of(body, animation);
+    if (!std::isfinite(seconds)) refuse(SHD_ERROR_INVALID_ARGUMENT, "seconds: %g is not finite", seconds);
+    auto posed = std::make_unique<Body>();
+    scene::pose_objects(body.parts, animation, seconds, posed.get());
+    log_warnings(body.parts->context, *posed, body.parts->warnings.size());
+    create_handle(body.parts->context, std::move(posed), out_scene);
     return SHD_OK;
   });
 }
