@@ -2,6 +2,7 @@
 /* KTX2 and DDS files, built byte by byte, as textures: every format, all kinds, levels, supercompression, swizzles and
  * curves; DDS against OpenImageIO's decoder. */
 #define _GNU_SOURCE
+#include "support/loads.h"
 #include "support/rows.h"
 #include "support/texture_formats.h"
 
@@ -268,7 +269,7 @@ static void test_curve(void **state)
     shd_texture *texture = NULL;
     io_bytes file = c->vulkan ? file_make_ktx2(&t, &k, NULL) : file_make_dds(&t, "DXT5", 0);
     desc.color_space = c->encoding;
-    shd_assert_result(c->name, shd_texture_load_file_memory(g_context, file.data, file.size, &desc, &info, &texture),
+    shd_assert_result(c->name, load_file_memory(g_context, file.data, file.size, &desc, &info, &texture),
                       c->result, c->message);
     assert_int_equal(info.format, c->format);
     assert_true((texture != NULL) == (c->result == SHD_OK));
@@ -318,7 +319,7 @@ static void test_code(void **state)
     shd_texture *texture = NULL, *decoded = NULL;
     int x, y, k;
     desc.color_space = SHD_COLOR_ENCODING_DATA;
-    shd_assert_ok(shd_texture_load_file_memory(g_context, file.data, file.size, &desc, &info, &texture));
+    shd_assert_ok(load_file_memory(g_context, file.data, file.size, &desc, &info, &texture));
     assert_int_equal(info.format, c->format);
     assert_int_equal(info.flags, c->flags);
     check_images(c->name, texture, &t, 0, c->format, SAME);
@@ -374,7 +375,7 @@ static void test_astc(void **state)
         }
         file = file_make_ktx2(&t, &k, levels);
         if (i == 1) desc.color_space = SHD_COLOR_ENCODING_DATA;
-        result = shd_texture_load_file_memory(g_context, file.data, file.size, &desc, &info, &texture);
+        result = load_file_memory(g_context, file.data, file.size, &desc, &info, &texture);
         free(levels[0].data), free(levels[1].data), free(file.data);
         if (file_is_absent(result)) skip();
         shd_assert_result("astc", result, SHD_OK, "");
