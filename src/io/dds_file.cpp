@@ -230,7 +230,8 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   if (!dx10) read_caps(in, &parsed);
   const Declared declared = dx10 ? read_dx10(in, &parsed) : code ? read_code(in, &parsed) : read_masks(in, &parsed);
   const uint32_t stored = info.level_count;
-  if (info.level_count == whole_level_count(info) + 1) --info.level_count;  // one below 1 x 1
+  const bool sized = info.width <= kMaxSide && info.height <= kMaxSide && info.depth <= kMaxSide;
+  if (sized && stored == whole_level_count(info) + 1) --info.level_count;  // one below 1 x 1
   check_sizes(kName, limits, &parsed);
   place_levels(in, dx10 ? kHeaderDx10 : kHeader, stored, partial, &parsed);
   parsed.storage.format = choose_curve(kName, parsed.storage.format, declared, encoding);

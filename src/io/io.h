@@ -70,9 +70,9 @@ namespace shd::io {
 
 /// Parts of a file that a load reads.
 enum class Parts : uint32_t {
-  kImage,   // part `subimage`, as RGBA
-  kSlice,   // part `subimage`; one channel stays one
-  kSlices,  // all parts from `subimage` on, as the slices of a volume; one channel stays one
+  kImage,         // part `subimage`, as RGBA
+  kSlice,         // part `subimage`; one channel stays one
+  kSlices,        // all parts from `subimage` on, as the slices of a volume; one channel stays one
   kGrid,          // a grid of an OpenVDB file, as a volume of one channel
   kTexture,       // a KTX2 or DDS file as it is stored; SHD_LOAD_FILE_LEVELS: with its levels
   kTextureImage,  // image `subimage` of the base level of such a file

@@ -182,7 +182,9 @@ bool is_texture(const LoadOptions& options) {
 /// Size of the texels of a texture. Throws Failure unless its description is one of a file of this size.
 size_t check_texture(const WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   check_layout(reply.layout, options);
-  const size_t size = check_bytes(options.limits, reply.layout.size, 1, file_size);
+  Limits limits = options.limits;
+  limits.pixels = UINT64_MAX;  // check_layout() has counted the texels; these are bytes
+  const size_t size = check_bytes(limits, reply.layout.size, 1, file_size);
   const shd_texture_file_info& info = reply.layout.info;
   if (reply.size != size || reply.width != info.width || reply.height != info.height ||
       reply.format != static_cast<uint32_t>(info.format) || reply.depth != 1 || reply.level_count != 1) {

@@ -31,9 +31,9 @@ Span read_part(const ByteReader& in, const char* name, uint64_t offset, uint64_t
   core::refuse(SHD_ERROR_UNSUPPORTED,
                "KTX2: Basis Universal (%s). No package of Debian has its transcoder: transcode the file to BC7 or "
                "BC6H before it is loaded, as `ktx transcode` of KTX-Software does",
-               model == kModelUastc                                      ? "UASTC"
+               model == kModelUastc                                  ? "UASTC"
                : model == kModelUastcHdr || model == kModelUastcHdr6 ? "UASTC HDR"
-                                                                         : "ETC1S, BasisLZ");
+                                                                     : "ETC1S, BasisLZ");
 }
 
 /// Sizes and counts of the header.

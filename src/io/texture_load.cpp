@@ -31,8 +31,10 @@ Selection select_texture(const shd_texture_file_info& info, const LoadOptions& o
   selection.level_count = options.flags & SHD_LOAD_FILE_LEVELS ? info.level_count : 1;
   selection.flip_rows = (options.flags & SHD_LOAD_FLIP_V) != 0;
   if (selection.flip_rows && is_blocks(info.format)) {
-    core::refuse(SHD_ERROR_UNSUPPORTED, "load.flags: SHD_LOAD_FLIP_V, but rows within blocks of format %d cannot be "
-                 "reversed", static_cast<int>(info.format));
+    core::refuse(SHD_ERROR_UNSUPPORTED,
+                 "load.flags: SHD_LOAD_FLIP_V, but rows within blocks of format %d cannot be "
+                 "reversed",
+                 static_cast<int>(info.format));
   }
   return selection;
 }

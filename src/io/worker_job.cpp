@@ -93,8 +93,8 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
   reply->height = bitmap.height;
   reply->level_count = bitmap.level_count;
   reply->depth = bitmap.depth;
-  reply->size = bitmap.layout.image_count ? bitmap.layout.size
-                                          : bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
+  reply->size =
+      bitmap.layout.image_count ? bitmap.layout.size : bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
   reply->info = bitmap.info;
   reply->grid = bitmap.grid;
   reply->layout = bitmap.layout;

@@ -315,7 +315,7 @@ void test_ratio(void **)
     shd_texture_release(texture);
     desc.flags = SHD_LOAD_FILE_LEVELS;
     shd_assert_result("ratio", shd_texture_load(g_context, path.c_str(), &desc, &texture), SHD_ERROR_LIMIT,
-                      "22369620 decoded bytes from 22369748 are above load.max_ratio 0.9");
+                      "22369620 decoded bytes from");
 }
 
 /// The flag and the tables, and bitmaps, which have one level.

@@ -231,10 +231,9 @@ static void test_arguments(void **state)
     shd_assert_result("context", load_raw(NULL, path, &desc, NULL, &texture), ARGUMENT, "context: NULL");
     shd_assert_result("path", load_raw(g_context, NULL, &desc, NULL, &texture), ARGUMENT, "path: NULL");
     shd_assert_result("out", load_raw(g_context, path, &desc, NULL, NULL), ARGUMENT, "out_texture: NULL");
-    shd_assert_result("absent", load_raw(g_context, io_path("absent.raw"), &desc, NULL, &texture),
-                      SHD_ERROR_NOT_FOUND, "absent.raw");
-    shd_assert_result("folder", load_raw(g_context, "/", &desc, NULL, &texture), SHD_ERROR_IO,
-                      "is not a regular file");
+    shd_assert_result("absent", load_raw(g_context, io_path("absent.raw"), &desc, NULL, &texture), SHD_ERROR_NOT_FOUND,
+                      "absent.raw");
+    shd_assert_result("folder", load_raw(g_context, "/", &desc, NULL, &texture), SHD_ERROR_IO, "is not a regular file");
     shd_assert_ok(load_raw(g_context, path, &desc, NULL, &texture));
     shd_assert_ok(shd_texture_get_info(texture, &info));
     assert_int_equal(info.level_count, 3); /* the default tables: 5 x 3 x 4, 2 x 1 x 2, 1 x 1 x 1 */

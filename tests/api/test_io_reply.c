@@ -3,10 +3,10 @@
  * Each load ends with its error before its time limit and a second more, and the next load with the real worker
  * succeeds. */
 #define _GNU_SOURCE
-#include "support/loads.h"
 #include "support/io_files.h"
 #include "support/io_samples.h"
 #include "support/io_worker.h"
+#include "support/loads.h"
 #include "support/volume_files.h"
 
 #include <sys/wait.h>

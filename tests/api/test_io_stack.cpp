@@ -267,8 +267,7 @@ void test_mismatch(void **state)
         shd_load_desc load = shd_load_desc_default();
         shd_texture *texture = reinterpret_cast<shd_texture *>(g_context);
         load.flags = flags;
-        shd_assert_result(c.name, load_stack(g_context, &desc, &load, &texture), SHD_ERROR_CORRUPT,
-                          c.file_message);
+        shd_assert_result(c.name, load_stack(g_context, &desc, &load, &texture), SHD_ERROR_CORRUPT, c.file_message);
         assert_null(texture);
         if (!c.page_message) continue;
         shd_assert_result(c.name, load_pages(write_pages(c.stack, 2, &c.other), &load, &texture), SHD_ERROR_CORRUPT,

@@ -235,7 +235,7 @@ void test_cut(void **)
         shd_assert_result("cut", load_vdb(g_context, path.c_str(), nullptr, &load, &info, &texture),
                           size > 0 && size < 8 ? SHD_ERROR_UNSUPPORTED : SHD_ERROR_CORRUPT,
                           size == 0  ? "is empty"
-                          : size < 8 ? "not OpenVDB"
+                          : size < 8 ? "of no known image format"
                                      : "is cut off");
         assert_null(texture);
         assert_true(info.active_voxels == 0 && info.object_to_world[0] == 0.0f);
@@ -408,8 +408,8 @@ void test_bad(void **state)
             c.change(*grid, desc, load);
             load.flags |= flags;
             write_grids(path, {grid}, openvdb::io::COMPRESS_ACTIVE_MASK, statistics);
-            shd_assert_result(c.name, load_vdb(g_context, path.c_str(), &desc, &load, nullptr, &texture),
-                              c.expected, c.message);
+            shd_assert_result(c.name, load_vdb(g_context, path.c_str(), &desc, &load, nullptr, &texture), c.expected,
+                              c.message);
             assert_true((texture != nullptr) == (c.expected == SHD_OK));
             shd_texture_release(texture);
         }
@@ -437,7 +437,8 @@ void test_others(void **)
     shd_assert_result("stream", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "a stream, without offsets of grids");
     io_write(path.c_str(), "P6\n2 2\n255\nabcdefghijkl", 23);
-    shd_assert_result("ppm", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
+    desc = shd_vdb_desc_default();
+    shd_assert_result("ppm", load_vdb(g_context, path.c_str(), &desc, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "not OpenVDB");
     // A name that OpenVDB does not find again. Its message contains the path that it was given, which differs between
     // loads.
@@ -459,8 +460,8 @@ void test_others(void **)
     }
     shd_assert_result("absent", load_vdb(g_context, io_path("no.vdb"), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_NOT_FOUND, "no.vdb");
-    shd_assert_result("out", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, nullptr),
-                      ARGUMENT, "out_texture: NULL");
+    shd_assert_result("out", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, nullptr), ARGUMENT,
+                      "out_texture: NULL");
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 
 #include <shd/io.h>
 
-static inline shd_load_desc loads_desc(const shd_load_desc *load)
-{
-    return load ? *load : shd_load_desc_default();
-}
+static inline shd_load_desc loads_desc(const shd_load_desc *load) { return load ? *load : shd_load_desc_default(); }
 
 static inline shd_result load_file(shd_context *context, const char *path, const shd_load_desc *load,
                                    shd_texture_file_info *info, shd_texture **out)

@@ -51,7 +51,11 @@ LoadRequest read_bitmap_load(const shd_load_desc* in) {
   const shd_load_desc& desc = request.desc;
   if (desc.raw || desc.stack || desc.vdb || desc.info || desc.vdb_info) {
     refuse(SHD_ERROR_UNSUPPORTED, "load.%s: set, but a bitmap has no such desc",
-           desc.raw ? "raw" : desc.stack ? "stack" : desc.vdb ? "vdb" : desc.info ? "info" : "vdb_info");
+           desc.raw     ? "raw"
+           : desc.stack ? "stack"
+           : desc.vdb   ? "vdb"
+           : desc.info  ? "info"
+                        : "vdb_info");
   }
   request.options.flags &= ~uint32_t{SHD_LOAD_FILE_LEVELS};
   return request;

@@ -191,8 +191,8 @@ io::Bitmap expand_stored(shd_context* context, io::Bitmap&& stored, const LoadRe
     return out;
   }
   const uint64_t pixels = uint64_t{out.width} * out.height;
-  out.pixels = io::Buffer(memory_of(context), io::check_bytes(request.options.limits, pixels,
-                                                              io::bitmap_pixel_size(out.format), SIZE_MAX));
+  out.pixels = io::Buffer(memory_of(context),
+                          io::check_bytes(request.options.limits, pixels, io::bitmap_pixel_size(out.format), SIZE_MAX));
   Lookup lookup;
   layout.info.format = io::without_srgb(layout.info.format);
   layout.info.depth = 0;
