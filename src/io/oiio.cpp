@@ -439,6 +439,7 @@ void describe(const Decoder& d, Bitmap* out) {
 }
 
 Bitmap decode_with(Decoder& d, const Memory& memory) {
+  if (d.file.format == SHD_FILE_FORMAT_HDR) d.turn = read_hdr_header(d.file.bytes, d.file.size);
   open_input(d);
   d.input.handle->threads(1);
   begin_pixels(d.input.handle->format_name());
@@ -450,7 +451,6 @@ Bitmap decode_with(Decoder& d, const Memory& memory) {
     }
   }
   choose_channels(d);
-  if (d.file.format == SHD_FILE_FORMAT_HDR) d.turn = read_hdr_header(d.file.bytes, d.file.size);
   d.one_channel = d.options.parts != Parts::kImage && d.spec.nchannels == 1;
   Bitmap out;
   out.format = bitmap_format(d);

@@ -34,7 +34,7 @@ static void make_files(void)
     g_files[DDS_DX10] = file_make_dds(&k_blocks, "DX10", 98);
 }
 
-/** Loads a copy in memory of exactly this size; without a desc in this process, where a sanitizer sees the parser. */
+/** Loads a copy in memory of exactly this size; by default in this process, so that sanitizers check the parser. */
 static shd_result load(shd_context *context, const unsigned char *bytes, size_t size, const shd_load_desc *desc,
                        shd_texture **out)
 {
