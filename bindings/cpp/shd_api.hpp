@@ -60,9 +60,7 @@
 #include <shd/vertices.h>
 #include <shd/view.h>
 #include <shd/volume.h>
-#if __has_include(<shd/volume_file.h>)
 #include <shd/volume_file.h>
-#endif
 #include <shd/wrap.h>
 
 #include "shd.hpp"
@@ -193,7 +191,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
-/// Make a texture from an image file. See shd_texture_load().
+/// Make a texture from a file. The content decides its kind: See shd_texture_load().
 [[nodiscard]] inline shd_result texture_load(
     shd_context* context_,
     const char* path,
@@ -205,7 +203,8 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
-/// Make a texture from an image file that is in memory, as shd_texture_load() does. See shd_texture_load_memory().
+/// Make a texture from a file that is in memory, as shd_texture_load() does. desc.stack is SHD_ERROR_INVALID_ARGUMENT.
+/// See shd_texture_load_memory().
 [[nodiscard]] inline shd_result texture_load_memory(
     shd_context* context_,
     const void* bytes,
@@ -323,36 +322,6 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
-#if __has_include(<shd/texture_file.h>)
-/// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file. See shd_texture_load_file().
-[[nodiscard]] inline shd_result texture_load_file(
-    shd_context* context_,
-    const char* path,
-    const shd_load_desc* load,
-    shd_texture_file_info* out_info,
-    shd::texture& out_texture) noexcept {
-  shd_texture* handle = nullptr;
-  const shd_result result = shd_texture_load_file(context_, path, load, out_info, &handle);
-  out_texture.reset(handle);
-  return result;
-}
-
-/// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does. See
-/// shd_texture_load_file_memory().
-[[nodiscard]] inline shd_result texture_load_file_memory(
-    shd_context* context_,
-    const void* bytes,
-    size_t size,
-    const shd_load_desc* load,
-    shd_texture_file_info* out_info,
-    shd::texture& out_texture) noexcept {
-  shd_texture* handle = nullptr;
-  const shd_result result = shd_texture_load_file_memory(context_, bytes, size, load, out_info, &handle);
-  out_texture.reset(handle);
-  return result;
-}
-
-#endif
 /// Make a tile cache. See shd_tile_cache_create().
 [[nodiscard]] inline shd_result tile_cache_create(
     shd_context* context_,
@@ -391,47 +360,6 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
-#if __has_include(<shd/volume_file.h>)
-/// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
-[[nodiscard]] inline shd_result texture_load_raw(
-    shd_context* context_,
-    const char* path,
-    const shd_raw_desc* raw,
-    const shd_load_desc* load,
-    shd::texture& out_texture) noexcept {
-  shd_texture* handle = nullptr;
-  const shd_result result = shd_texture_load_raw(context_, path, raw, load, &handle);
-  out_texture.reset(handle);
-  return result;
-}
-
-/// Make a 3D texture from images of one size and format. See shd_texture_load_stack().
-[[nodiscard]] inline shd_result texture_load_stack(
-    shd_context* context_,
-    const shd_stack_desc* stack,
-    const shd_load_desc* load,
-    shd::texture& out_texture) noexcept {
-  shd_texture* handle = nullptr;
-  const shd_result result = shd_texture_load_stack(context_, stack, load, &handle);
-  out_texture.reset(handle);
-  return result;
-}
-
-/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
-[[nodiscard]] inline shd_result texture_load_vdb(
-    shd_context* context_,
-    const char* path,
-    const shd_vdb_desc* vdb,
-    const shd_load_desc* load,
-    shd_vdb_info* out_info,
-    shd::texture& out_texture) noexcept {
-  shd_texture* handle = nullptr;
-  const shd_result result = shd_texture_load_vdb(context_, path, vdb, load, out_info, &handle);
-  out_texture.reset(handle);
-  return result;
-}
-
-#endif
 
 #ifdef __cpp_exceptions
 /// Shade the surfaces of draws into a framebuffer at their texture coordinates. See shd_bake().
@@ -702,14 +630,15 @@ inline shd_bitmap_info bitmap_get_info(const shd_bitmap* bitmap_) {
   return made;
 }
 
-/// Make a texture from an image file. See shd_texture_load().
+/// Make a texture from a file. The content decides its kind: See shd_texture_load().
 inline shd::texture texture_load(shd_context* context_, const char* path, const shd_load_desc* desc) {
   shd::texture made;
   check(texture_load(context_, path, desc, made));
   return made;
 }
 
-/// Make a texture from an image file that is in memory, as shd_texture_load() does. See shd_texture_load_memory().
+/// Make a texture from a file that is in memory, as shd_texture_load() does. desc.stack is SHD_ERROR_INVALID_ARGUMENT.
+/// See shd_texture_load_memory().
 inline shd::texture texture_load_memory(
     shd_context* context_,
     const void* bytes,
@@ -1061,30 +990,6 @@ inline void texture_update(
 }
 
 #if __has_include(<shd/texture_file.h>)
-/// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file. See shd_texture_load_file().
-inline shd::texture texture_load_file(
-    shd_context* context_,
-    const char* path,
-    const shd_load_desc* load,
-    shd_texture_file_info* out_info) {
-  shd::texture made;
-  check(texture_load_file(context_, path, load, out_info, made));
-  return made;
-}
-
-/// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does. See
-/// shd_texture_load_file_memory().
-inline shd::texture texture_load_file_memory(
-    shd_context* context_,
-    const void* bytes,
-    size_t size,
-    const shd_load_desc* load,
-    shd_texture_file_info* out_info) {
-  shd::texture made;
-  check(texture_load_file_memory(context_, bytes, size, load, out_info, made));
-  return made;
-}
-
 /// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
 /// swizzle of the texture is not written. See shd_texture_save_ktx2().
 inline void texture_save_ktx2(const shd_texture* texture_, const char* path, const shd_ktx2_desc* desc) {
@@ -1236,41 +1141,6 @@ inline shd::volume volume_create(shd_context* context_, const shd_volume_desc* d
   return made;
 }
 
-#if __has_include(<shd/volume_file.h>)
-/// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
-inline shd::texture texture_load_raw(
-    shd_context* context_,
-    const char* path,
-    const shd_raw_desc* raw,
-    const shd_load_desc* load) {
-  shd::texture made;
-  check(texture_load_raw(context_, path, raw, load, made));
-  return made;
-}
-
-/// Make a 3D texture from images of one size and format. See shd_texture_load_stack().
-inline shd::texture texture_load_stack(
-    shd_context* context_,
-    const shd_stack_desc* stack,
-    const shd_load_desc* load) {
-  shd::texture made;
-  check(texture_load_stack(context_, stack, load, made));
-  return made;
-}
-
-/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
-inline shd::texture texture_load_vdb(
-    shd_context* context_,
-    const char* path,
-    const shd_vdb_desc* vdb,
-    const shd_load_desc* load,
-    shd_vdb_info* out_info) {
-  shd::texture made;
-  check(texture_load_vdb(context_, path, vdb, load, out_info, made));
-  return made;
-}
-
-#endif
 #endif
 
 }  // namespace shd

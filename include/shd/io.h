@@ -54,6 +54,8 @@
 #include <shd/framebuffer.h>
 #include <shd/image.h>
 #include <shd/texture.h>
+#include <shd/texture_file.h>
+#include <shd/volume_file.h>
 
 SHD_BEGIN_DECLS
 
@@ -68,14 +70,16 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature; no
                                        palettes whose first index is not 0 */
     SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
-    SHD_FILE_FORMAT_DDS = 1 << 7, /**< BC1 to BC7 and plain pixels; no cube maps or volumes */
+    SHD_FILE_FORMAT_DDS = 1 << 7, /**< blocks and pixels (shd/texture_file.h) */
     SHD_FILE_FORMAT_WEBP = 1 << 8,
     SHD_FILE_FORMAT_PNM = 1 << 9, /**< PBM, PGM, PPM and PFM */
     SHD_FILE_FORMAT_PSD = 1 << 10,
     SHD_FILE_FORMAT_DPX = 1 << 11,
     SHD_FILE_FORMAT_GIF = 1 << 12,
-    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM; default of shd_load_desc.formats. */
-    SHD_FILE_FORMAT_DEFAULT = 0x3ff,
+    SHD_FILE_FORMAT_KTX2 = 1 << 13, /**< blocks and pixels (shd/texture_file.h) */
+    SHD_FILE_FORMAT_VDB = 1 << 14,  /**< grids of OpenVDB, textures alone (shd/volume_file.h) */
+    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP, PNM, KTX2 and VDB; default of shd_load_desc.formats. */
+    SHD_FILE_FORMAT_DEFAULT = 0x63ff,
     /** Also every other format of the OpenImageIO build. For trusted files. */
     SHD_FILE_FORMAT_ANY = 0x40000000,
     SHD_FILE_FORMAT_MAX_ENUM = 0x7fffffff
@@ -103,14 +107,29 @@ typedef enum shd_load_flag {
     SHD_LOAD_PARTIAL = 2, /**< a damaged file loads: rows above the damage, zero below, and SHD_BITMAP_PARTIAL is set */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     /**
-     * Textures: take the mip levels of the file, unchanged, instead of averages of its base. OpenEXR, DDS and TIFF as
-     * written by maketx (`.tx`) can have levels. If they end before 1 x 1, the mipmap of the texture ends there, too.
+     * Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
+     * written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
      * If the file has none, shd builds all of them. Level l must be max(1, size >> l) wide and high: OpenEXR files of
      * rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED, and so are levels of a file whose data
      * window is not its display window. A damaged level is SHD_ERROR_CORRUPT; with SHD_LOAD_PARTIAL it and all smaller
      * levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have no levels.
      */
     SHD_LOAD_FILE_LEVELS = 8,
+    /**
+     * Bitmaps: colour becomes linear light by its colour space, as an image that is a light needs it. RGBA8_SRGB, whose
+     * format has the curve, linear 8-bit, half and float pixels stay as they are; all others become RGBA32F, and
+     * shd_bitmap_color_space() is "Linear Rec.709". Primaries are not converted. An unknown colour space is
+     * SHD_ERROR_UNSUPPORTED. Textures are always linear.
+     */
+    SHD_LOAD_LINEAR = 16,
+    /**
+     * Textures of images with alpha: invisible texels give no fringes. r, g and b of the mip levels are averages
+     * weighted by alpha (SHD_TEXEL_CONTENT_ALPHA_WEIGHTED). Texels of alpha 0, in all levels, take the mean colour of
+     * their visible neighbours, or of the next coarser level if no neighbour is visible; so lookups between a visible
+     * and an invisible texel have the colour of the visible one. For straight alpha. No effect on other textures, on
+     * KTX2 and DDS, and with SHD_LOAD_FILE_LEVELS if the file has levels.
+     */
+    SHD_LOAD_ALPHA_WEIGHTED = 32,
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
 } shd_load_flag;
 typedef uint32_t shd_load_flags; /**< shd_load_flag bits */
@@ -135,6 +154,16 @@ typedef struct shd_load_desc {
     const char *worker_path;        /**< program that decodes, relative to the working directory at the call; NULL =
                                          shd-io-worker beside libshd_io or in its installed place; borrowed for the
                                          call */
+    const shd_raw_desc *raw;        /**< textures: the file is voxels of this layout; borrowed for the call; default
+                                         NULL */
+    const shd_stack_desc *stack;    /**< textures: slices of a 3D texture from the files of the desc, without a path;
+                                         borrowed for the call; default NULL */
+    const shd_vdb_desc *vdb;        /**< textures: grid and box of an OpenVDB file; borrowed for the call; default NULL
+                                         = the first grid of float or double, if the content is OpenVDB */
+    shd_texture_file_info *info;    /**< textures: gets the contents of a KTX2 or DDS file; all zero on failure and for
+                                         other files, and its struct_size is read; default NULL */
+    shd_vdb_info *vdb_info;         /**< textures: gets the properties of an OpenVDB grid; all zero on failure and for
+                                         other files, and its struct_size is read; default NULL */
     /* ---- end of 0.1; append below ---- */
 } shd_load_desc;
 
@@ -236,15 +265,20 @@ static inline shd_bitmap_info shd_bitmap_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, shd_bitmap_info *out_info);
 
 /**
- * Make a texture from an image file.
+ * Make a texture from a file. The content decides its kind:
  *
- * sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
- * with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
- * alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
- * does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
+ *  - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
+ *    files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
+ *    RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
+ *    shd_bitmap_color_space() does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip
+ *    levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
+ *    ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
+ *  - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
+ *  - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
  *
- * The mip levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
- * ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
+ * Textures whose tiles stay in a file are opened by shd_texture_open().
+ * @param path         as for shd_bitmap_load(); NULL with desc.stack
+ * @param desc         borrowed for the call; NULL = all defaults
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */
@@ -252,8 +286,8 @@ SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const ch
                                                   shd_texture **out_texture);
 
 /**
- * Make a texture from an image file that is in memory, as shd_texture_load() does.
- * @param bytes  [size]; borrowed for the call
+ * Make a texture from a file that is in memory, as shd_texture_load() does. desc.stack is SHD_ERROR_INVALID_ARGUMENT.
+ * @param bytes  [size], at any address; borrowed for the call
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_load_memory(shd_context *context, const void *bytes, size_t size,

@@ -1,15 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief libshd_io: textures from KTX 2.0 and DDS files as they are stored, with all levels, faces and layers.
+ * @brief libshd_io: textures in KTX 2.0 and DDS files as they are stored, with all levels, faces and layers.
  *
- * Blocks stay compressed and pixels keep their numbers; docs/compressed.md lists the formats. shd_texture_load() is
- * another way to read a DDS file: it decodes one image to RGBA.
+ * shd_texture_load() (shd/io.h) reads them. Blocks stay compressed and pixels keep their numbers; docs/compressed.md
+ * lists the formats. shd_bitmap_load() decodes one image to RGBA.
  *
- * Files are untrusted. shd's own parser checks all offsets, counts and sizes before memory is allocated. Streams of
- * Zstandard and zlib and blocks of ASTC are decoded in this process, into memory of the sizes that the header has
- * given; the budgets of shd_load_desc bound these sizes. Zstandard, zlib and libastcenc take their working memory from
- * malloc; all other memory comes from the context.
+ * Levels: with SHD_TABLE_MIPMAP in shd_load_desc.tables, the texture has the levels of the file, and its mipmap ends
+ * with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
+ * SHD_TABLE_MIPMAP the texture has the base level. SHD_LOAD_FILE_LEVELS has no effect.
+ *
+ * Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). shd_load_desc.subimage chooses one
+ * cube map of an array of cube maps. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
+ *
+ * Colour: SHD_COLOR_ENCODING_AUTO takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
+ * BC3 and channels of 8 bits are then sRGB. SRGB takes the _SRGB format of the same storage; LINEAR and DATA take the
+ * other one. A format without an _SRGB format is SHD_ERROR_UNSUPPORTED with SRGB, and if the file declares the sRGB
+ * curve for it.
+ *
+ * Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become shd_texture_desc.swizzle and
+ * `fill`. BGRA becomes RGBA.
+ *
+ * ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
+ * error colour of ASTC: magenta, or NaN in HDR.
+ *
+ * DDS files that writers got wrong are read as they mean it: dwFourCC counts only with DDPF_FOURCC; the size of
+ * DDS_PIXELFORMAT may be 24 or 0; of the second header, resourceDimension 0 is a 2D texture, and arraySize 0 is 1;
+ * arraySize of cube maps may count faces, if the file has no more bytes; levels below 1 x 1 are left out.
+ *
+ * Files are untrusted. Without SHD_LOAD_IN_PROCESS they are parsed and decompressed in a child of shd-io-worker. shd's
+ * own parser checks all offsets, counts and sizes before memory is allocated. max_pixels counts the texels of the base
+ * level in all layers. max_ratio compares the bytes of the texture with those of the file. SHD_LOAD_FLIP_V reverses the
+ * rows of pixels; with blocks it is SHD_ERROR_UNSUPPORTED. SHD_LOAD_PARTIAL: a DDS file of one image that is cut off
+ * has the levels before the end; texels of the base behind the end are 0.
+ *
+ * SHD_ERROR_CORRUPT: a file that is cut off, or that contradicts itself. SHD_ERROR_UNSUPPORTED: Basis Universal
+ * (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message has its name.
+ * SHD_ERROR_LIMIT: a budget, or a size above those of shd_texture_desc.
  *
  * Sources: Khronos, "KTX File Format Specification 2.0" (2021); Khronos, "Data Format Specification 1.3" (2020);
  * Microsoft, "Programming Guide for DDS" and "DDS_HEADER structure".
@@ -19,13 +46,14 @@
  * @code
  * shd_load_desc load = shd_load_desc_default();
  * shd_texture_file_info info = shd_texture_file_info_default();
- * result = shd_texture_load_file(context, "bricks.ktx2", &load, &info, &texture);
+ * load.info = &info;
+ * result = shd_texture_load(context, "bricks.ktx2", &load, &texture);
  * @endcode
  */
 #ifndef SHD_TEXTURE_FILE_H
 #define SHD_TEXTURE_FILE_H
 
-#include <shd/io.h>
+#include <shd/texture.h>
 
 SHD_BEGIN_DECLS
 
@@ -85,54 +113,6 @@ static inline shd_texture_file_info shd_texture_file_info_default(void)
     info.struct_size = (uint32_t)sizeof info;
     return info;
 }
-
-/**
- * Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file.
- *
- * Levels: with SHD_TABLE_MIPMAP in shd_load_desc.tables, the texture has the levels of the file, and its mipmap ends
- * with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
- * SHD_TABLE_MIPMAP the texture has the base level.
- *
- * Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). shd_load_desc.subimage chooses one
- * cube map of an array of cube maps. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
- *
- * Colour: SHD_COLOR_ENCODING_AUTO takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
- * BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;
- * LINEAR and DATA take the other one. A format without an _SRGB format is SHD_ERROR_UNSUPPORTED with SRGB, and if the
- * file declares the sRGB curve for it.
- *
- * Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become shd_texture_desc.swizzle and
- * `fill`. BGRA becomes RGBA.
- *
- * ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
- * error colour of ASTC: magenta, or NaN in HDR.
- *
- * SHD_ERROR_CORRUPT: a file that is cut off, or that contradicts itself. SHD_ERROR_UNSUPPORTED: Basis Universal
- * (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message names it.
- * SHD_ERROR_LIMIT: a budget, or a size above those of shd_texture_desc.
- * @param path         as for shd_bitmap_load()
- * @param load         borrowed for the call; NULL = all defaults. Budgets, tables, color_space, subimage and
- *                     SHD_LOAD_FLIP_V, which reverses the rows of pixels, have an effect; SHD_LOAD_IN_PROCESS,
- *                     SHD_LOAD_FILE_LEVELS and worker_path have none; other flags and `formats` are
- *                     SHD_ERROR_UNSUPPORTED. max_pixels counts the texels of the base level in all layers. max_ratio
- *                     compares the bytes of the texture with those of the file
- * @param out_info     NULL, or its struct_size is read; the rest is written, all zero on failure
- * @param out_texture  owned; NULL on failure
- * @since 0.1
- */
-SHD_NODISCARD SHD_API shd_result shd_texture_load_file(shd_context *context, const char *path,
-                                                       const shd_load_desc *load, shd_texture_file_info *out_info,
-                                                       shd_texture **out_texture);
-
-/**
- * Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does.
- * @param bytes  [size], at any address; borrowed for the call
- * @since 0.1
- */
-SHD_NODISCARD SHD_API shd_result shd_texture_load_file_memory(shd_context *context, const void *bytes, size_t size,
-                                                              const shd_load_desc *load,
-                                                              shd_texture_file_info *out_info,
-                                                              shd_texture **out_texture);
 
 /** Options of a KTX2 file that is written. */
 typedef struct shd_ktx2_desc {

@@ -3,30 +3,53 @@
  * @file
  * @brief libshd_io: 3D textures from files of voxels, from stacks of images, and from OpenVDB grids.
  *
- * The slices of a file are those of the texture: x, the column of a texel, is the fastest index, then y, its row, then
- * z, its slice. Slice 0 lies at w = 0. The budgets of shd_load_desc count the voxels of the whole texture as pixels,
- * and are checked before memory is allocated. shd_load_desc.tables are the tables of the texture; volumes
- * (shd/volume.h) read the base level alone.
+ * shd_texture_load() (shd/io.h) reads them: shd_load_desc.raw, .stack and .vdb have the descs of this header. The
+ * slices of a file are those of the texture: x, the column of a texel, is the fastest index, then y, its row, then z,
+ * its slice. Slice 0 lies at w = 0. The budgets of shd_load_desc count the voxels of the whole texture as pixels, and
+ * are checked before memory is allocated. shd_load_desc.tables are the tables of the texture; volumes (shd/volume.h)
+ * read the base level alone.
  *
  * Stacks and grids are decoded as the images of shd/io.h: in a child of shd-io-worker, unless SHD_LOAD_IN_PROCESS is
  * set. A file of voxels needs no decoder.
  *
- * OpenVDB is optional when libshd_io is built. A shared libshd_io opens it at the first load with SHD_LOAD_IN_PROCESS,
- * by the module libshd_io_vdb in the folder shd beside it.
+ * Voxels (shd_raw_desc): the size of the file must be that of the header and all voxels. A shorter or longer file is
+ * SHD_ERROR_CORRUPT, with a message that has both sizes. NaN and infinite numbers stay as they are. SHD_LOAD_FLIP_V
+ * reverses the rows of each slice; other flags except SHD_LOAD_IN_PROCESS are errors.
  *
- * Thread safety: every function may be called from any thread.
+ * Stacks (shd_stack_desc): images of one size and format. Each of several files gives a slice, its part
+ * shd_load_desc.subimage. A single file gives all its parts from `subimage` on: the pages of a TIFF (at most 1024), the
+ * parts of a multi-part EXR, the frames of a GIF. A file with one channel becomes R8, R16, R16F or R32F; all others
+ * become RGBA8, RGBA16, RGBA16F or RGBA32F, as the pixels of shd_bitmap_load(). shd_load_desc.color_space AUTO and
+ * LINEAR keep the numbers, because most stacks hold densities; the file's declaration has no effect. With SRGB, 8-bit
+ * files become R8_SRGB or RGBA8_SRGB, and all others are SHD_ERROR_UNSUPPORTED. A slice whose size or format differs
+ * from slice 0 is SHD_ERROR_CORRUPT, and the message has its number. max_file_bytes, max_ratio and time_limit are
+ * budgets of each file; max_pixels and max_bytes are budgets of the texture. SHD_LOAD_FILE_LEVELS is an error.
+ *
+ * OpenVDB (shd_vdb_desc, optional when libshd_io is built): a grid becomes a texture of format R32F. The voxels of a
+ * box become the texels, a voxel each; tiles and the background are filled in. Texel (i, j, k) is the voxel
+ * index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
+ * SHD_ERROR_UNSUPPORTED: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
+ * stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
+ * grid without active voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a
+ * box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT. Flags except
+ * SHD_LOAD_IN_PROCESS are errors. A shared libshd_io opens OpenVDB at the first load with SHD_LOAD_IN_PROCESS, by the
+ * module libshd_io_vdb in the folder shd beside it.
+ *
+ * Thread safety: any thread.
  *
  * @code
  * shd_raw_desc raw = shd_raw_desc_default();
+ * shd_load_desc load = shd_load_desc_default();
  * raw.width = 256, raw.height = 256, raw.depth = 113;
  * raw.sample = SHD_RAW_SAMPLE_U16, raw.byte_order = SHD_BYTE_ORDER_BIG;
- * result = shd_texture_load_raw(context, "head.raw", &raw, NULL, &texture);
+ * load.raw = &raw;
+ * result = shd_texture_load(context, "head.raw", &load, &texture);
  * @endcode
  */
 #ifndef SHD_VOLUME_FILE_H
 #define SHD_VOLUME_FILE_H
 
-#include <shd/io.h>
+#include <shd/image.h>
 
 SHD_BEGIN_DECLS
 
@@ -76,21 +99,6 @@ static inline shd_raw_desc shd_raw_desc_default(void)
     return desc;
 }
 
-/**
- * Make a 3D texture from a file of voxels.
- *
- * The size of the file must be that of the header and all voxels: a shorter or longer file is SHD_ERROR_CORRUPT, with
- * a message that has both sizes. NaN and infinite numbers stay as they are.
- * @param path         as for shd_bitmap_load()
- * @param raw          borrowed for the call
- * @param load         borrowed for the call; NULL = all defaults. Budgets, tables and SHD_LOAD_FLIP_V, which reverses
- *                     the rows of each slice, have an effect; other flags except SHD_LOAD_IN_PROCESS are errors
- * @param out_texture  owned; NULL on failure
- * @since 0.1
- */
-SHD_NODISCARD SHD_API shd_result shd_texture_load_raw(shd_context *context, const char *path, const shd_raw_desc *raw,
-                                                      const shd_load_desc *load, shd_texture **out_texture);
-
 /** Files of a stack. Required: either paths and path_count, or pattern. */
 typedef struct shd_stack_desc {
     uint32_t struct_size;     /**< set by shd_stack_desc_default() */
@@ -113,27 +121,6 @@ static inline shd_stack_desc shd_stack_desc_default(void)
     desc.struct_size = (uint32_t)sizeof desc;
     return desc;
 }
-
-/**
- * Make a 3D texture from images of one size and format.
- *
- * Each of several files gives a slice, its part shd_load_desc.subimage. A single file gives all its parts from
- * `subimage` on: the pages of a TIFF (at most 1024), the parts of a multi-part EXR, the frames of a GIF.
- *
- * A file with one channel becomes R8, R16, R16F or R32F; all others become RGBA8, RGBA16, RGBA16F or RGBA32F, as the
- * pixels of shd_bitmap_load(). shd_load_desc.color_space AUTO and LINEAR keep the numbers, because most stacks hold
- * densities; the file's declaration has no effect. With SRGB, 8-bit files become R8_SRGB or RGBA8_SRGB, and all
- * others are SHD_ERROR_UNSUPPORTED.
- *
- * A slice whose size or format differs from slice 0 is SHD_ERROR_CORRUPT, and names the slice. max_file_bytes,
- * max_ratio and time_limit are budgets of each file; max_pixels and max_bytes are budgets of the texture.
- * @param stack        borrowed for the call
- * @param load         borrowed for the call; NULL = all defaults. SHD_LOAD_FILE_LEVELS is an error
- * @param out_texture  owned; NULL on failure
- * @since 0.1
- */
-SHD_NODISCARD SHD_API shd_result shd_texture_load_stack(shd_context *context, const shd_stack_desc *stack,
-                                                        const shd_load_desc *load, shd_texture **out_texture);
 
 /** Options of an OpenVDB load; combine with |. */
 typedef enum shd_vdb_flag {
@@ -189,28 +176,6 @@ static inline shd_vdb_info shd_vdb_info_default(void)
     info.struct_size = (uint32_t)sizeof info;
     return info;
 }
-
-/**
- * Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb).
- *
- * The voxels of a box become the texels, a voxel each; tiles and the background are filled in. Texel (i, j, k) is the
- * voxel index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
- *
- * SHD_ERROR_UNSUPPORTED: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
- * stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
- * grid without active voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a
- * box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT.
- * @param path         as for shd_bitmap_load()
- * @param vdb          borrowed for the call; NULL = all defaults
- * @param load         borrowed for the call; NULL = all defaults. Budgets, tables, worker_path and SHD_LOAD_IN_PROCESS
- *                     have an effect; other flags are errors
- * @param out_info     NULL, or its struct_size is read; the rest is written, all zero on failure
- * @param out_texture  owned; NULL on failure
- * @since 0.1
- */
-SHD_NODISCARD SHD_API shd_result shd_texture_load_vdb(shd_context *context, const char *path, const shd_vdb_desc *vdb,
-                                                      const shd_load_desc *load, shd_vdb_info *out_info,
-                                                      shd_texture **out_texture);
 
 SHD_END_DECLS
 

@@ -22,7 +22,7 @@ constexpr uint64_t kMaxPixels = uint64_t{1} << 28;
 shd_result check_mip_desc(const shd_mip_desc& desc, size_t channels) {
   SHD_TRY(check_enum("mip.kernel", desc.kernel, SHD_MIP_KERNEL_BOX, SHD_MIP_KERNEL_LANCZOS));
   SHD_TRY(check_enum("mip.source", desc.source, SHD_MIP_SOURCE_BASE, SHD_MIP_SOURCE_PREVIOUS));
-  SHD_TRY(check_enum("mip.content", desc.content, SHD_TEXEL_CONTENT_COLOR, SHD_TEXEL_CONTENT_ALPHA_COVERAGE));
+  SHD_TRY(check_enum("mip.content", desc.content, SHD_TEXEL_CONTENT_COLOR, SHD_TEXEL_CONTENT_ALPHA_WEIGHTED));
   SHD_TRY(check_enum("mip.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("mip.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_range("mip.alpha_cutoff", static_cast<double>(desc.alpha_cutoff), 0, 1));
@@ -31,6 +31,9 @@ shd_result check_mip_desc(const shd_mip_desc& desc, size_t channels) {
   }
   if (desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE && channels != 4) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.content: alpha coverage needs 4 channels, not %zu", channels);
+  }
+  if (desc.content == SHD_TEXEL_CONTENT_ALPHA_WEIGHTED && channels != 4) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.content: weights by alpha need 4 channels, not %zu", channels);
   }
   return SHD_OK;
 }

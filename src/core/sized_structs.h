@@ -40,7 +40,7 @@
   ROW(RENDER_DESC, shd_render_desc, framebuffer, volume_count, 384, ())             \
   ROW(RENDER_STATS, shd_render_stats, rasterised, tile_seconds, 144, ())            \
   ROW(COLOR_DESC, shd_color_desc, config_path, working_space, 32, ())               \
-  ROW(LOAD_DESC, shd_load_desc, formats, worker_path, 72, ())                       \
+  ROW(LOAD_DESC, shd_load_desc, formats, vdb_info, 112, ())                         \
   ROW(SAVE_DESC, shd_save_desc, bit_depth, display, 32, ())                         \
   ROW(BITMAP_INFO, shd_bitmap_info, file_format, flags, 16, ())                     \
   ROW(SHAPE_DESC, shd_shape_desc, shape, segments, 40, ())                          \

@@ -79,4 +79,9 @@ void check_bmp_header(const unsigned char* bytes, size_t size) {
   if (layout.bits <= 8) check_indices(in, layout);
 }
 
+bool bmp_has_unused_byte(const unsigned char* bytes, size_t size) {
+  ByteReader in{bytes, size, false};
+  return in.u32(14) != kCoreHeader && in.u16(28) == 32 && in.u32(30) == 0;
+}
+
 }  // namespace shd::io

@@ -10,4 +10,7 @@ namespace shd::io {
 /// decoder does not check these.
 void check_bmp_header(const unsigned char* bytes, size_t size);
 
+/// Whether the fourth byte of a pixel of 32 bits has no meaning, as with the compression BI_RGB.
+bool bmp_has_unused_byte(const unsigned char* bytes, size_t size);
+
 }  // namespace shd::io

@@ -83,7 +83,8 @@ ChannelMap map_channels(const std::vector<std::string>& names, int alpha) {
   for (int i = 0; i < count && found < 3; ++i) {
     if (i != alpha) plain[found++] = i;
   }
-  const int y = find_channel(names, 'Y');
+  const int y = find_channel(names, 'Y'), x = find_channel(names, 'X'), z = find_channel(names, 'Z');
+  if (x >= 0 && y >= 0 && z >= 0) return {{x, y, z, alpha}};
   if (y >= 0) return {{y, y, y, alpha}};
   if (r >= 0) return {{r, r, r, alpha}};
   if (found == 0) return {{alpha, alpha, alpha, alpha}};

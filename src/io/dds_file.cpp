@@ -25,11 +25,12 @@ struct CodeRow {
   shd_format format;
   bool premultiplied;
 };
+// RXGB is DXT5 with red in alpha, of normal maps.
 constexpr CodeRow kCodes[] = {
     {"DXT1", SHD_FORMAT_BC1_RGBA, false}, {"DXT2", SHD_FORMAT_BC2, true},        {"DXT3", SHD_FORMAT_BC2, false},
     {"DXT4", SHD_FORMAT_BC3, true},       {"DXT5", SHD_FORMAT_BC3, false},       {"ATI1", SHD_FORMAT_BC4, false},
     {"BC4U", SHD_FORMAT_BC4, false},      {"BC4S", SHD_FORMAT_BC4_SNORM, false}, {"ATI2", SHD_FORMAT_BC5, false},
-    {"BC5U", SHD_FORMAT_BC5, false},      {"BC5S", SHD_FORMAT_BC5_SNORM, false},
+    {"BC5U", SHD_FORMAT_BC5, false},      {"BC5S", SHD_FORMAT_BC5_SNORM, false}, {"RXGB", SHD_FORMAT_BC3, false},
 };
 
 struct NumberRow {
@@ -51,9 +52,11 @@ void set_swizzle(TextureFile* parsed, shd_channel r, shd_channel g, shd_channel 
 Declared read_dx10(ByteReader& in, TextureFile* parsed) {
   shd_texture_file_info& info = parsed->info;
   if (!in.has(0, kHeaderDx10)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the DX10 header", in.size);
-  const uint32_t format = in.u32(128), dimension = in.u32(132), alpha = in.u32(144) & 7;
+  constexpr uint32_t k2d = 3;
+  const uint32_t format = in.u32(128), alpha = in.u32(144) & 7;
+  const uint32_t dimension = in.u32(132) == 0 ? k2d : in.u32(132);  // some writers leave it out
   info.file_code = format;
-  info.layers = in.u32(140);
+  info.layers = std::max(in.u32(140), 1u);
   if (info.layers > 1) info.flags |= SHD_TEXTURE_FILE_ARRAY;
   info.faces = in.u32(136) & 4 ? 6 : 1;
   if (dimension < 2 || dimension > 4) {
@@ -83,7 +86,9 @@ Declared read_code(ByteReader& in, TextureFile* parsed) {
     if (!in.is(84, row.code, 4)) continue;
     parsed->storage = plain_storage(row.format);
     if (row.premultiplied) parsed->info.flags |= SHD_TEXTURE_FILE_PREMULTIPLIED;
-    return Declared::kNothing;
+    if (row.code[0] != 'R') return Declared::kNothing;
+    set_swizzle(parsed, SHD_CHANNEL_A, SHD_CHANNEL_G, SHD_CHANNEL_B, SHD_CHANNEL_FILL);
+    return Declared::kLinear;
   }
   for (const NumberRow& row : kNumbers) {
     if (in.u32(84) != row.code) continue;
@@ -157,21 +162,43 @@ void read_caps(ByteReader& in, TextureFile* parsed) {
   if (volume) info.depth = std::max(in.u32(24), 1u);
 }
 
-/// The images follow one another, each with its levels.
-void place_levels(ByteReader& in, uint64_t first, TextureFile* parsed) {
-  uint64_t image = 0;  // bytes of all levels of an image
-  for (uint32_t l = 0; l < parsed->info.level_count; ++l) {
-    parsed->levels[l].offset = first + image;
-    image += image_size(*parsed, l);
+/// Bytes of the first `count` levels of an image.
+uint64_t level_bytes(const TextureFile& parsed, uint32_t count) {
+  uint64_t size = 0;
+  for (uint32_t l = 0; l < count; ++l) size += image_size(parsed, l);
+  return size;
+}
+
+/// Some writers count the faces of a cube map as layers.
+void count_cubes(const ByteReader& in, uint64_t first, uint64_t image, TextureFile* parsed) {
+  const shd_texture_file_info& info = parsed->info;
+  if (info.faces != 6 || info.layers % 6 != 0 || in.has(first, image * parsed->images)) return;
+  if (in.has(first, image * (parsed->images / 6))) {
+    parsed->images /= 6;
+    parsed->info.layers /= 6;
+    if (info.layers == 1) parsed->info.flags &= ~uint32_t{SHD_TEXTURE_FILE_ARRAY};
   }
-  const uint64_t all = image * parsed->images;
+}
+
+/// The images follow one another, each with its `stored` levels.
+void place_levels(ByteReader& in, uint64_t first, uint32_t stored, bool partial, TextureFile* parsed) {
+  const uint64_t image = level_bytes(*parsed, stored);
+  count_cubes(in, first, image, parsed);
+  const uint64_t all = image * (parsed->images - 1) + level_bytes(*parsed, parsed->info.level_count);
   if (!in.has(first, all)) {
-    core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes are below %llu of the header and %llu of %u levels and %u images",
-                 in.size, static_cast<unsigned long long>(first), static_cast<unsigned long long>(all),
-                 parsed->info.level_count, parsed->images);
+    if (!partial || parsed->images > 1) {
+      core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes are below %llu of the header and %llu of %u levels and %u images",
+                   in.size, static_cast<unsigned long long>(first), static_cast<unsigned long long>(all),
+                   parsed->info.level_count, parsed->images);
+    }
+    uint32_t& count = parsed->info.level_count;
+    while (count > 1 && !in.has(first, level_bytes(*parsed, count))) --count;
+    const uint64_t end = first + level_bytes(*parsed, count);
+    parsed->absent = end - std::min<uint64_t>(end, in.size);
   }
   for (uint32_t l = 0; l < parsed->info.level_count; ++l) {
     parsed->image_stride[l] = image;
+    parsed->levels[l].offset = first + level_bytes(*parsed, l);
     parsed->levels[l].size = image * (parsed->images - 1) + image_size(*parsed, l);
   }
 }
@@ -182,11 +209,14 @@ bool is_dds(const unsigned char* bytes, size_t size) {
   return size >= 4 && std::memcmp(bytes, "DDS ", 4) == 0;
 }
 
-TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, const Limits& limits) {
+TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
+                      const Limits& limits) {
   ByteReader in{bytes, size, false};
   if (!in.has(0, kHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the header", size);
-  if (in.u32(4) != 124 || in.u32(76) != 32) {
-    core::refuse(SHD_ERROR_CORRUPT, "DDS: headers of %u and %u bytes, not 124 and 32", in.u32(4), in.u32(76));
+  const uint32_t header = in.u32(4), pixel_format = in.u32(76);
+  // Writers that store 0 or 24 as the second size mean the same structure.
+  if (header != 124 || (pixel_format != 32 && pixel_format != 24 && pixel_format != 0)) {
+    core::refuse(SHD_ERROR_CORRUPT, "DDS: headers of %u and %u bytes, not 124 and 32", header, pixel_format);
   }
   TextureFile parsed;
   shd_texture_file_info& info = parsed.info;
@@ -199,8 +229,11 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   const bool dx10 = code && in.is(84, "DX10", 4);
   if (!dx10) read_caps(in, &parsed);
   const Declared declared = dx10 ? read_dx10(in, &parsed) : code ? read_code(in, &parsed) : read_masks(in, &parsed);
+  const uint32_t stored = info.level_count;
+  const bool sized = info.width <= kMaxSide && info.height <= kMaxSide && info.depth <= kMaxSide;
+  if (sized && stored == whole_level_count(info) + 1) --info.level_count;  // one below 1 x 1
   check_sizes(kName, limits, &parsed);
-  place_levels(in, dx10 ? kHeaderDx10 : kHeader, &parsed);
+  place_levels(in, dx10 ? kHeaderDx10 : kHeader, stored, partial, &parsed);
   parsed.storage.format = choose_curve(kName, parsed.storage.format, declared, encoding);
   info.format = parsed.storage.format;
   return parsed;

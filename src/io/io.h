@@ -19,8 +19,8 @@
 /// | write_file.h     | atomic writing of a file                                             |
 /// | sniff.h          | format and declared size from the first bytes                        |
 /// | exr_header.h     | checks of an OpenEXR header                                          |
-/// | dds_header.h     | checks of a DDS header                                               |
 /// | bmp_header.h     | checks of a BMP header and its palette                               |
+/// | hdr_header.h     | order of the pixels of a Radiance HDR file                           |
 /// | jpeg_header.h    | checks of a JPEG frame header and the number of scans                |
 /// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
@@ -28,6 +28,7 @@
 /// | raw_voxels.h     | numbers of a file of voxels in this machine's byte order             |
 /// | numbered_path.h  | paths of a numbered series of files                                  |
 /// | texture_file.h   | KTX2 and DDS files as textures: formats, parsing, unpacking           |
+/// | texture_load.h   | such a file as a bitmap, and the checks of one that a worker sends    |
 /// | ktx2.h           | parts of a KTX2 file (ktx2*.cpp); dds_file.cpp parses DDS            |
 /// | ktx2_write.h     | a KTX2 file from texels                                              |
 /// | inflate.h        | Zstandard and zlib                                                   |
@@ -59,7 +60,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <shd/volume_file.h>
+#include <shd/io.h>
 
 #include "io/channels.h"
 #include "io/limits.h"
@@ -69,10 +70,12 @@ namespace shd::io {
 
 /// Parts of a file that a load reads.
 enum class Parts : uint32_t {
-  kImage,   // part `subimage`, as RGBA
-  kSlice,   // part `subimage`; one channel stays one
-  kSlices,  // all parts from `subimage` on, as the slices of a volume; one channel stays one
-  kGrid,    // a grid of an OpenVDB file, as a volume of one channel
+  kImage,         // part `subimage`, as RGBA
+  kSlice,         // part `subimage`; one channel stays one
+  kSlices,        // all parts from `subimage` on, as the slices of a volume; one channel stays one
+  kGrid,          // a grid of an OpenVDB file, as a volume of one channel
+  kTexture,       // a KTX2 or DDS file as it is stored; SHD_LOAD_FILE_LEVELS: with its levels
+  kTextureImage,  // image `subimage` of the base level of such a file
 };
 
 /// Grid and box of a load of Parts::kGrid.
@@ -104,6 +107,17 @@ struct LoadOptions {
   Limits limits;
 };
 
+/// Contents of a bitmap of Parts::kTexture and kTextureImage: the images of each level one after the other, level 0
+/// first, packed as a texture of info.format stores them.
+struct TextureLayout {
+  shd_texture_file_info info = {};  // the whole file
+  uint32_t image_count = 0;         // layers or faces; 0 = the bitmap is no texture
+  uint32_t level_count = 0;
+  shd_channel swizzle[4] = {};
+  float fill[4] = {0, 0, 0, 1};
+  uint64_t size = 0;  // bytes
+};
+
 /// A decoded file. pixels: [depth][height][width] of `format`, packed, row 0 on top; the same of every further level
 /// behind it. With SHD_LOAD_PARTIAL the buffer may be longer.
 struct Bitmap {
@@ -115,6 +129,7 @@ struct Bitmap {
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
   GridInfo grid;              // with Parts::kGrid
+  TextureLayout layout;       // with Parts::kTexture and kTextureImage
   Buffer pixels;
 };
 

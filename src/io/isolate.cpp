@@ -20,6 +20,7 @@
 #include "io/levels.h"
 #include "io/packet.h"
 #include "io/printable.h"
+#include "io/texture_load.h"
 #include "io/worker_link.h"
 #include "io/worker_path.h"
 #include "io/worker_protocol.h"
@@ -173,6 +174,25 @@ void check_depth(const WorkerReply& reply, const LoadOptions& options) {
   if (volume) check_volume(options.limits, reply.width, reply.height, reply.depth);
 }
 
+/// Whether the load gives the texels of a texture file as they are.
+bool is_texture(const LoadOptions& options) {
+  return options.parts == Parts::kTexture || options.parts == Parts::kTextureImage;
+}
+
+/// Size of the texels of a texture. Throws Failure unless its description is one of a file of this size.
+size_t check_texture(const WorkerReply& reply, const LoadOptions& options, size_t file_size) {
+  check_layout(reply.layout, options);
+  Limits limits = options.limits;
+  limits.pixels = UINT64_MAX;  // check_layout() has counted the texels; these are bytes
+  const size_t size = check_bytes(limits, reply.layout.size, 1, file_size);
+  const shd_texture_file_info& info = reply.layout.info;
+  if (reply.size != size || reply.width != info.width || reply.height != info.height ||
+      reply.format != static_cast<uint32_t>(info.format) || reply.depth != 1 || reply.level_count != 1) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong texture");
+  }
+  return size;
+}
+
 /// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
 /// pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
@@ -183,6 +203,7 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   }
   core::make_printable(reply.message, std::strlen(reply.message));
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
+  if (is_texture(options)) return check_texture(reply, options, file_size);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
   if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
   check_packing(reply, options);
@@ -205,7 +226,7 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
 shd_bitmap_info check_info(const shd_bitmap_info& sent) {
   shd_bitmap_info info = {};
   const auto format = static_cast<uint32_t>(sent.file_format);
-  const bool single = format == SHD_FILE_FORMAT_ANY || (format < 0x2000 && (format & (format - 1)) == 0);
+  const bool single = format == SHD_FILE_FORMAT_ANY || (format < 0x8000 && (format & (format - 1)) == 0);
   if (!single || (sent.flags & ~uint32_t{SHD_BITMAP_PARTIAL | SHD_BITMAP_PREMULTIPLIED}) != 0) {
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent wrong properties");
   }
@@ -218,14 +239,15 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
 /// Receives the pixels that a checked reply describes, and expands them to RGBA.
 class PixelReceiver {
  public:
-  PixelReceiver(const Channel& channel, const WorkerReply& reply, const Buffer& pixels, const Memory& memory,
-                const Deadline& deadline)
+  /// The pixels of a texture are its bytes, of no format.
+  PixelReceiver(const Channel& channel, const WorkerReply& reply, shd_format format, const Buffer& pixels,
+                const Memory& memory, const Deadline& deadline)
       : channel_(channel),
         deadline_(deadline),
-        format_(static_cast<shd_format>(reply.format)),
+        format_(format),
         packing_(packing_of(reply)),
-        expanded_(bitmap_pixel_size(format_)),
-        packed_(has_one_channel(format_) ? expanded_ : expanded_ / 4 * reply.channels),
+        expanded_(std::max<size_t>(bitmap_pixel_size(format_), 1)),
+        packed_(format == SHD_FORMAT_NONE || has_one_channel(format_) ? expanded_ : expanded_ / 4 * reply.channels),
         next_(pixels.data()),
         left_(pixels.size() / expanded_),
         chunk_(memory, packed_ == expanded_ && (packing_ == kExpanded || packing_ == kSingle)
@@ -281,8 +303,9 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   Bitmap out;
   out.pixels = Buffer(memory, check_reply(first, options, file_size));
   (void)check_info(first.info);
-  const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(first.format));
-  const size_t absent = PixelReceiver(channel, first, out.pixels, memory, deadline).receive() * pixel;
+  const shd_format format = is_texture(options) ? SHD_FORMAT_NONE : static_cast<shd_format>(first.format);
+  const size_t pixel = std::max<size_t>(bitmap_pixel_size(format), 1);
+  const size_t absent = PixelReceiver(channel, first, format, out.pixels, memory, deadline).receive() * pixel;
   WorkerReply last;
   require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);
   const size_t size = check_reply(last, options, file_size);
@@ -297,6 +320,7 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   out.level_count = last.level_count;
   out.info = check_info(last.info);
   out.grid = check_grid(last, options);
+  if (is_texture(options)) out.layout = last.layout;
   std::memcpy(out.color_space, last.color_space, sizeof out.color_space);
   return out;
 }

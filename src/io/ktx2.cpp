@@ -29,9 +29,11 @@ Span read_part(const ByteReader& in, const char* name, uint64_t offset, uint64_t
 
 [[noreturn]] void refuse_basis(uint32_t model) {
   core::refuse(SHD_ERROR_UNSUPPORTED,
-               "KTX2: Basis Universal (%s). No package of Debian has its transcoder: transcode the file to BC7 before "
-               "it is loaded, as `ktx transcode` of KTX-Software does",
-               model == kModelUastc ? "UASTC" : "ETC1S, BasisLZ");
+               "KTX2: Basis Universal (%s). No package of Debian has its transcoder: transcode the file to BC7 or "
+               "BC6H before it is loaded, as `ktx transcode` of KTX-Software does",
+               model == kModelUastc                                  ? "UASTC"
+               : model == kModelUastcHdr || model == kModelUastcHdr6 ? "UASTC HDR"
+                                                                     : "ETC1S, BasisLZ");
 }
 
 /// Sizes and counts of the header.
@@ -69,7 +71,8 @@ void choose_storage(const Descriptor& descriptor, uint32_t stated_type_size, shd
                     TextureFile* parsed) {
   const uint32_t code = parsed->info.file_code;
   const bool supercompressed = parsed->info.supercompression != SHD_SUPERCOMPRESSION_NONE;
-  const bool basis = descriptor.model == kModelEtc1s || descriptor.model == kModelUastc;
+  const uint32_t model = descriptor.model;
+  const bool basis = model == kModelEtc1s || (model >= kModelUastc && model <= kModelUastcHdr6);
   if (basis || parsed->info.supercompression == SHD_SUPERCOMPRESSION_BASIS_LZ) refuse_basis(descriptor.model);
   Storage& storage = parsed->storage = storage_of_vulkan(code);
   if (storage.format == SHD_FORMAT_NONE) {

@@ -6,6 +6,7 @@
 #include "io/oiio.h"
 #include "io/scrub.h"
 #include "io/sniff.h"
+#include "io/texture_load.h"
 #include "io/vdb.h"
 
 namespace shd::io {
@@ -28,6 +29,9 @@ shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOption
 Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
             const Deadline& deadline, const Sink* sink) {
   if (options.parts == Parts::kGrid) return decode_grid(bytes, size, options, memory, deadline, sink);
+  if (options.parts == Parts::kTexture || options.parts == Parts::kTextureImage) {
+    return load_texture_file(bytes, size, options, memory, sink);
+  }
   const shd_file_format format = accept(bytes, size, options);
   const bool complete = format != SHD_FILE_FORMAT_JPEG || jpeg_is_complete(bytes, size);
   const bool strict = (options.flags & SHD_LOAD_PARTIAL) == 0;

@@ -9,8 +9,9 @@
 #include <cstring>
 
 #include "core/failure.h"
+#include "io/bmp_header.h"
 #include "io/channels.h"
-#include "io/dds_header.h"
+#include "io/hdr_header.h"
 #include "io/levels.h"
 #include "io/memory_file.h"
 #include "io/oiio_handle.h"
@@ -38,9 +39,8 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {SHD_FILE_FORMAT_PNG, "png"},   {SHD_FILE_FORMAT_JPEG, "jpeg"}, {SHD_FILE_FORMAT_EXR, "openexr"},
     {SHD_FILE_FORMAT_TIFF, "tiff"}, {SHD_FILE_FORMAT_HDR, "hdr"},   {SHD_FILE_FORMAT_TGA, "targa"},
-    {SHD_FILE_FORMAT_BMP, "bmp"},   {SHD_FILE_FORMAT_DDS, "dds"},   {SHD_FILE_FORMAT_WEBP, "webp"},
-    {SHD_FILE_FORMAT_PNM, "pnm"},   {SHD_FILE_FORMAT_PSD, "psd"},   {SHD_FILE_FORMAT_DPX, "dpx"},
-    {SHD_FILE_FORMAT_GIF, "gif"},
+    {SHD_FILE_FORMAT_BMP, "bmp"},   {SHD_FILE_FORMAT_WEBP, "webp"}, {SHD_FILE_FORMAT_PNM, "pnm"},
+    {SHD_FILE_FORMAT_PSD, "psd"},   {SHD_FILE_FORMAT_DPX, "dpx"},   {SHD_FILE_FORMAT_GIF, "gif"},
 };
 
 /// State of one decode.
@@ -63,6 +63,7 @@ struct Decoder {
   OIIO::TypeDesc request;  // `type`, or unknown if the file has no other: then OpenImageIO does not convert
   bool streams = false;    // rows go to the sink as they are read; otherwise they are placed in the bitmap first
   size_t sent = 0;         // bytes of the bitmap that the sink has got, unless `streams`
+  Turn turn;               // order of the pixels of the file; the bitmap is upright
 };
 
 /// Why OpenImageIO refused the last call.
@@ -132,6 +133,7 @@ void choose_channels(Decoder& d) {
     alpha = 1;
   }
   d.map = map_channels(names, alpha);
+  if (d.file.format == SHD_FILE_FORMAT_BMP && bmp_has_unused_byte(d.file.bytes, d.file.size)) d.map.index[3] = -1;
   d.first = spec.nchannels;
   d.type = OIIO::TypeUInt8;
   for (const int index : d.map.index) {
@@ -172,7 +174,7 @@ void choose_path(Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   d.request = spec.channelformats.empty() && spec.format == d.type ? OIIO::TypeDesc(OIIO::TypeUnknown) : d.type;
   const bool plain = (d.options.flags & (SHD_LOAD_FLIP_V | SHD_LOAD_PARTIAL)) == 0;
-  d.streams = d.sink && plain && fills_window(spec) && d.end - d.first <= 4;
+  d.streams = d.sink && plain && fills_window(spec) && d.end - d.first <= 4 && !d.turn.any();
 }
 
 Packing packing_of(const Decoder& d) {
@@ -224,7 +226,7 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, u
   for (int row = y; row < y_end; ++row) {
     int64_t target = row + shift_y;
     if (target < 0 || target >= spec.full_height) continue;
-    if (d.options.flags & SHD_LOAD_FLIP_V) target = spec.full_height - 1 - target;
+    if ((d.options.flags & SHD_LOAD_FLIP_V) && !d.turn.any()) target = spec.full_height - 1 - target;
     const unsigned char* in =
         band + (static_cast<size_t>(row - y) * static_cast<size_t>(spec.width) + static_cast<size_t>(begin)) *
                    channels * d.type.size();
@@ -255,7 +257,7 @@ uint64_t pixels_above(const Decoder& d, const Bitmap& out) {
 /// Sends the pixels of the current level that are final: those above row y_end of the file, or all of them. Rows that
 /// SHD_LOAD_FLIP_V stores from the bottom are sent at the end of their level.
 void advance(Decoder& d, const Bitmap& out, int y_end, bool all) {
-  if (!d.sink || d.streams || (!all && (d.options.flags & SHD_LOAD_FLIP_V))) return;
+  if (!d.sink || d.streams || (!all && ((d.options.flags & SHD_LOAD_FLIP_V) || d.turn.any()))) return;
   const OIIO::ImageSpec& spec = d.spec;
   const int64_t rows =
       all ? spec.full_height : std::clamp<int64_t>(y_end + int64_t{spec.y} - spec.full_y, 0, spec.full_height);
@@ -326,7 +328,7 @@ void check_level(const Decoder& d, const OIIO::ImageSpec& base) {
 /// Number of levels that the load takes from the file, the base included. The base is current, before and after.
 uint32_t count_levels(Decoder& d) {
   const bool may = d.file.format == SHD_FILE_FORMAT_EXR || d.file.format == SHD_FILE_FORMAT_TIFF ||
-                   d.file.format == SHD_FILE_FORMAT_DDS || d.file.format == SHD_FILE_FORMAT_ANY;
+                   d.file.format == SHD_FILE_FORMAT_ANY;
   if (!may || !(d.options.flags & SHD_LOAD_FILE_LEVELS)) return 1;
   const OIIO::ImageSpec base = d.spec;
   const uint32_t full = full_level_count(static_cast<uint32_t>(base.width), static_cast<uint32_t>(base.height));
@@ -334,11 +336,7 @@ uint32_t count_levels(Decoder& d) {
   for (; count < full && seek_level(d, static_cast<int>(count)); ++count) check_level(d, base);
   (void)d.input.error();  // the reason why there is no further level
   if (!seek_level(d, 0)) refuse_decode(d, "cannot read");
-  const uint32_t whole = d.file.format == SHD_FILE_FORMAT_DDS ? dds_whole_levels(d.file.bytes, d.file.size) : count;
-  if (whole < count && !(d.options.flags & SHD_LOAD_PARTIAL)) {
-    core::refuse(SHD_ERROR_CORRUPT, "DDS: mip level %u is cut off", whole);
-  }
-  return std::min(whole, count);
+  return count;
 }
 
 bool same_window(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
@@ -389,9 +387,26 @@ void read_slices(Decoder& d, const Memory& memory, Bitmap* out) {
   }
 }
 
+/// Brings pixels in the order of the file into that of the bitmap.
+void turn_pixels(const Decoder& d, const Memory& memory, Bitmap* out) {
+  const size_t pixel = bitmap_pixel_size(out->format);
+  const bool flip = (d.options.flags & SHD_LOAD_FLIP_V) != 0;
+  Buffer upright(memory, out->pixels.size());
+  for (size_t y = 0; y < out->height; ++y) {
+    for (size_t x = 0; x < out->width; ++x) {
+      const size_t u = d.turn.mirror_x ? out->width - 1 - x : x;
+      const size_t v = d.turn.mirror_y != flip ? out->height - 1 - y : y;
+      const size_t from = d.turn.columns ? u * out->height + v : v * out->width + u;
+      std::memcpy(upright.data() + (y * out->width + x) * pixel, out->pixels.data() + from * pixel, pixel);
+    }
+  }
+  out->pixels = std::move(upright);
+}
+
 /// Reads all levels of `out`. With SHD_LOAD_PARTIAL, levels from the first damaged one on are left out.
 void read_levels(Decoder& d, const Memory& memory, Bitmap* out) {
   if (!read_pixels(d, memory, *out)) out->info.flags |= SHD_BITMAP_PARTIAL;
+  if (d.turn.any()) turn_pixels(d, memory, out);
   advance(d, *out, 0, true);
   for (uint32_t l = 1; l < out->level_count; ++l) {
     const bool found = seek_level(d, static_cast<int>(l));
@@ -424,6 +439,7 @@ void describe(const Decoder& d, Bitmap* out) {
 }
 
 Bitmap decode_with(Decoder& d, const Memory& memory) {
+  if (d.file.format == SHD_FILE_FORMAT_HDR) d.turn = read_hdr_header(d.file.bytes, d.file.size);
   open_input(d);
   d.input.handle->threads(1);
   begin_pixels(d.input.handle->format_name());
@@ -440,6 +456,7 @@ Bitmap decode_with(Decoder& d, const Memory& memory) {
   out.format = bitmap_format(d);
   out.width = static_cast<uint32_t>(d.spec.full_width);
   out.height = static_cast<uint32_t>(d.spec.full_height);
+  if (d.turn.columns) std::swap(out.width, out.height);
   out.level_count = count_levels(d);
   out.depth = count_slices(d);
   if (out.depth > 1) check_volume(d.options.limits, out.width, out.height, out.depth);
@@ -455,7 +472,7 @@ Bitmap decode_with(Decoder& d, const Memory& memory) {
   describe(d, &out);
   if (!d.file.complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   if (d.sink) d.sink->begin(d.sink->owner, out, packing_of(d));
-  if (d.options.parts == Parts::kSlices) {
+  if (d.options.parts == Parts::kSlices && !d.turn.any()) {  // files with turns have one part
     read_slices(d, memory, &out);
   } else {
     read_levels(d, memory, &out);
@@ -471,7 +488,7 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
-    Decoder decoder{input, options, deadline, sink, &proxy, file, {}, {}, 0, 0, false, {}, 0, 0, {}, {}, false, 0};
+    Decoder decoder{input, options, deadline, sink, &proxy, file, {}, {}, 0, 0, false, {}, 0, 0, {}, {}, false, 0, {}};
     return decode_with(decoder, memory);
   } catch (const core::Failure&) {
     throw;

@@ -4,7 +4,6 @@
 #include "core/failure.h"
 #include "io/bmp_header.h"
 #include "io/byte_reader.h"
-#include "io/dds_header.h"
 #include "io/exr_header.h"
 #include "io/jpeg_header.h"
 #include "io/tga_header.h"
@@ -33,7 +32,6 @@ constexpr Signature kSignatures[] = {
     {SHD_FILE_FORMAT_HDR, "Radiance HDR", 0, 10, "#?RADIANCE"},
     {SHD_FILE_FORMAT_HDR, "Radiance HDR", 0, 6, "#?RGBE"},
     {SHD_FILE_FORMAT_BMP, "BMP", 0, 2, "BM"},
-    {SHD_FILE_FORMAT_DDS, "DDS", 0, 4, "DDS "},
     {SHD_FILE_FORMAT_WEBP, "WebP", 8, 4, "WEBP"},
     {SHD_FILE_FORMAT_PSD, "PSD", 0, 4, "8BPS"},
     {SHD_FILE_FORMAT_DPX, "DPX", 0, 4, "SDPX"},
@@ -101,7 +99,6 @@ Extent declared_extent(shd_file_format format, const unsigned char* bytes, size_
       little.u8(25);
       break;
     case SHD_FILE_FORMAT_TGA: extent = {little.u16(12), little.u16(14)}; break;
-    case SHD_FILE_FORMAT_DDS: extent = {little.u32(16), little.u32(12)}; break;
     case SHD_FILE_FORMAT_GIF: extent = {little.u16(6), little.u16(8)}; break;
     case SHD_FILE_FORMAT_WEBP:
       extent = webp_extent(little);
@@ -175,7 +172,6 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
     check_extent(limits, "image", extent.width, extent.height);
     check_bytes(limits, extent.width * extent.height, 4, size);
   }
-  if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
   if (format == SHD_FILE_FORMAT_BMP) check_bmp_header(bytes, size);
   if (format == SHD_FILE_FORMAT_TGA) check_tga_header(bytes, size);
 }

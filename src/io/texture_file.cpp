@@ -44,11 +44,8 @@ void check_kind(const char* file, const TextureFile& parsed) {
 /// Bytes of all levels and images of the texture. Cannot overflow: at most 2^28 texels of 16 bytes in the base, and
 /// less than three times as many in all levels.
 uint64_t texture_bytes(const TextureFile& parsed) {
-  TextureFile unpacked;
-  unpacked.info = parsed.info;
-  unpacked.storage = plain_storage(parsed.storage.format);
   uint64_t bytes = 0;
-  for (uint32_t l = 0; l < parsed.info.level_count; ++l) bytes += image_size(unpacked, l) * parsed.images;
+  for (uint32_t l = 0; l < parsed.info.level_count; ++l) bytes += uint64_t{unpacked_size(parsed, l)} * parsed.images;
   return bytes;
 }
 
@@ -60,6 +57,13 @@ uint64_t image_size(const TextureFile& parsed, uint32_t level) {
   const uint64_t columns = (level_side(info.width, level) + storage.block_width - 1) / storage.block_width;
   const uint64_t rows = (level_side(info.height, level) + storage.block_height - 1) / storage.block_height;
   return columns * rows * level_side(info.depth, level) * storage.unit_size;
+}
+
+size_t unpacked_size(const TextureFile& parsed, uint32_t level) {
+  TextureFile unpacked;
+  unpacked.info = parsed.info;
+  unpacked.storage = plain_storage(parsed.storage.format);
+  return static_cast<size_t>(image_size(unpacked, level));
 }
 
 uint32_t whole_level_count(const shd_texture_file_info& info) {
@@ -99,13 +103,13 @@ void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
   }
 }
 
-TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding,
+TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
                                const Limits& limits) {
   TextureFile parsed;
   if (is_ktx2(bytes, size)) {
     parsed = parse_ktx2(bytes, size, encoding, limits);
   } else if (is_dds(bytes, size)) {
-    parsed = parse_dds(bytes, size, encoding, limits);
+    parsed = parse_dds(bytes, size, encoding, partial, limits);
   } else {
     core::refuse(SHD_ERROR_UNSUPPORTED, "the file is neither KTX 2.0 nor DDS");
   }

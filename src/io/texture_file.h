@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <shd/texture_file.h>
+#include <shd/io.h>
 
 #include "io/limits.h"
 #include "io/memory.h"
@@ -50,10 +50,14 @@ struct TextureFile {
   float fill[4] = {0, 0, 0, 1};
   Span levels[kMaxFileLevels];                 // all images of a level that the file stores together
   uint64_t image_stride[kMaxFileLevels] = {};  // between the images of a level, before supercompression
+  uint64_t absent = 0;                         // bytes that lie behind the end of the file, with SHD_LOAD_PARTIAL
 };
 
 /// Size of one image of a level in bytes. Cannot overflow after check_sizes().
 uint64_t image_size(const TextureFile& parsed, uint32_t level);
+
+/// Bytes of an image of a level in the texture.
+size_t unpacked_size(const TextureFile& parsed, uint32_t level);
 
 /// Number of levels down to 1 x 1 x 1.
 uint32_t whole_level_count(const shd_texture_file_info& info);
@@ -83,11 +87,12 @@ bool is_dds(const unsigned char* bytes, size_t size);
 /// Parses the whole file (Khronos, "KTX File Format Specification 2.0", 2021). Throws Failure.
 TextureFile parse_ktx2(const unsigned char* bytes, size_t size, shd_color_encoding encoding, const Limits& limits);
 
-/// Parses the whole file (Microsoft, "Programming Guide for DDS"). Throws Failure.
-TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, const Limits& limits);
+/// Parses the whole file (Microsoft, "Programming Guide for DDS"). `partial`: levels may be cut off. Throws Failure.
+TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
+                      const Limits& limits);
 
 /// Either of both, by content.
-TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding,
+TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
                                const Limits& limits);
 
 /// Where the texels of the texture are.

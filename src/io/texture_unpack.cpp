@@ -15,14 +15,6 @@ namespace shd::io {
 
 namespace {
 
-/// Size of an image of a level in the texture.
-size_t unpacked_size(const TextureFile& parsed, uint32_t level) {
-  TextureFile unpacked;
-  unpacked.info = parsed.info;
-  unpacked.storage = plain_storage(parsed.storage.format);
-  return static_cast<size_t>(image_size(unpacked, level));
-}
-
 /// Whether the stored bytes are the texels.
 bool is_stored_as_is(const TextureFile& parsed, const Selection& selection) {
   const bool wide_numbers = image::format_info(parsed.storage.format).channel_size > 1;

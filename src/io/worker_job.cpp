@@ -93,9 +93,11 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
   reply->height = bitmap.height;
   reply->level_count = bitmap.level_count;
   reply->depth = bitmap.depth;
-  reply->size = bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
+  reply->size =
+      bitmap.layout.image_count ? bitmap.layout.size : bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
   reply->info = bitmap.info;
   reply->grid = bitmap.grid;
+  reply->layout = bitmap.layout;
   std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
 }
 
@@ -136,9 +138,15 @@ size_t pipe_capacity(int pipe) {
   return static_cast<size_t>(size > 0 ? size : kMaxPipe);
 }
 
-/// Decodes the file of a request and sends it; a failure is stored in the reply. Returns what must stay in memory.
-Bitmap answer_request(const WorkerRequest& request, int file, Answer* answer) {
+/// What the pipe may refer to until the process ends.
+struct Lent {
+  Buffer bytes;
   Bitmap bitmap;
+};
+
+/// Decodes the file of a request and sends it; a failure is stored in the reply.
+Lent answer_request(const WorkerRequest& request, int file, Answer* answer) {
+  Lent lent;
   const auto report = [&](shd_result code, const char* text) {
     answer->reply.code = static_cast<uint32_t>(code);
     if (code == SHD_ERROR_OUT_OF_MEMORY) text = "out of memory in the worker";
@@ -147,13 +155,13 @@ Bitmap answer_request(const WorkerRequest& request, int file, Answer* answer) {
   };
   core::guard(report, [&] {
     const Deadline deadline(request.limits.seconds);
-    const Buffer bytes = read_bytes(file, request.size, kWorkerMemory);
+    lent.bytes = read_bytes(file, request.size, kWorkerMemory);
     const Sink sink = {answer, send_description, make_room, send_piece};
-    bitmap = load(bytes.data(), bytes.size(), options_of(request), kWorkerMemory, deadline, &sink);
-    describe(bitmap, &answer->reply);
+    lent.bitmap = load(lent.bytes.data(), lent.bytes.size(), options_of(request), kWorkerMemory, deadline, &sink);
+    describe(lent.bitmap, &answer->reply);
     return SHD_OK;
   });
-  return bitmap;
+  return lent;
 }
 
 /// Overwrites what the server left on the stack, which differs between two children.
@@ -174,7 +182,7 @@ void run_job(int socket) {
   confine(request);
   static Answer answer = {handed[0].fd, {}, false, LentRing(pipe_capacity(handed[0].fd))};
   answer.reply.magic = kWorkerMagic;
-  const Bitmap bitmap = answer_request(request, handed[1].fd, &answer);
+  const Lent lent = answer_request(request, handed[1].fd, &answer);
   constexpr uint64_t kEnd = 0;
   if (answer.begun) require_sent(send_all(answer.pipe, &kEnd, sizeof kEnd));
   require_sent(send_all(answer.pipe, &answer.reply, sizeof answer.reply));

@@ -14,7 +14,7 @@ namespace shd::io {
 //   1  data, a pipe: the child alone writes to it. It sends a WorkerReply as soon as the file is described; if its code
 //      is SHD_OK, pieces of the pixels in order while it decodes, each behind its size as a uint64_t, the size 0, and
 //      the final WorkerReply. A piece is whole pixels of the `channels` of the reply. The host expands them to RGBA in
-//      its own memory, and uses nothing before the final reply.
+//      its own memory, and uses nothing before the final reply. The pieces of a texture are bytes of its layout.
 //   2  file, which the child reads from its start.
 // Both ends must be of one build.
 
@@ -60,10 +60,11 @@ struct WorkerReply {
   uint64_t size;
   shd_bitmap_info info;
   GridInfo grid;
+  TextureLayout layout;
   char color_space[64];
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686436;  // "shd6"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686437;  // "shd7"; must change with these structs
 
 }  // namespace shd::io

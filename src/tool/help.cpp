@@ -52,9 +52,9 @@ Light
                         replaces the model's occlusion textures (default none)
   --occlusion-radius R  length of these rays, in radii (default unlimited)
   --lamps N             N small coloured lights around the model
-  --environment FILE    light and background from all around, .hdr or .exr; replaces the preset
-  --environment-projection P  of that image: lat-long, mirror-ball, angular, octahedral, or cube, six faces on top of
-                        each other (default lat-long)
+  --environment FILE    light and background from all around, an image or a cube map; replaces the preset
+  --environment-projection P  of that image: lat-long, mirror-ball, angular, octahedral, or cube, a strip or a cross of
+                        six faces (default by its shape)
   --environment-turn A  that image turned about the vertical, degrees (default 0)
   --environment-blur R  roughness of its reflection that is the background, 0..1 (default 0 = sharp)
   --exposure EV         all lights but the ambient one times 2^EV (default 0)

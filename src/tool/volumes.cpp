@@ -20,7 +20,7 @@ bool ends_with(const std::string& text, const char* end) {
   return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
 }
 
-shd_result load_raw(shd_context* context, const VolumeOptions& options, const shd_load_desc& load, Loaded& out) {
+shd_result load_raw(shd_context* context, const VolumeOptions& options, shd_load_desc load, Loaded& out) {
   shd_raw_desc desc = shd_raw_desc_default();
   desc.width = options.size[0];
   desc.height = options.size[1];
@@ -28,10 +28,11 @@ shd_result load_raw(shd_context* context, const VolumeOptions& options, const sh
   desc.sample = options.sample;
   desc.byte_order = options.order;
   desc.header_bytes = options.header;
-  return shd_texture_load_raw(context, options.file.c_str(), &desc, &load, out.texture.out());
+  load.raw = &desc;
+  return shd_texture_load(context, options.file.c_str(), &load, out.texture.out());
 }
 
-shd_result load_stack(shd_context* context, const VolumeOptions& options, const shd_load_desc& load, Loaded& out) {
+shd_result load_stack(shd_context* context, const VolumeOptions& options, shd_load_desc load, Loaded& out) {
   const char* const path = options.file.c_str();
   shd_stack_desc desc = shd_stack_desc_default();
   if (options.file.find('%') != std::string::npos) {
@@ -42,14 +43,17 @@ shd_result load_stack(shd_context* context, const VolumeOptions& options, const 
     desc.paths = &path;
     desc.path_count = 1;
   }
-  return shd_texture_load_stack(context, &desc, &load, out.texture.out());
+  load.stack = &desc;
+  return shd_texture_load(context, nullptr, &load, out.texture.out());
 }
 
-shd_result load_grid(shd_context* context, const VolumeOptions& options, const shd_load_desc& load, Loaded& out) {
+shd_result load_grid(shd_context* context, const VolumeOptions& options, shd_load_desc load, Loaded& out) {
   shd_vdb_desc desc = shd_vdb_desc_default();
   if (!options.grid.empty()) desc.grid = options.grid.c_str();
   out.has_grid = true;
-  return shd_texture_load_vdb(context, options.file.c_str(), &desc, &load, &out.grid, out.texture.out());
+  load.vdb = &desc;
+  load.vdb_info = &out.grid;
+  return shd_texture_load(context, options.file.c_str(), &load, out.texture.out());
 }
 
 Loaded load_file(shd_context* context, const VolumeOptions& options) {

@@ -268,7 +268,6 @@ static const struct bomb_case k_bombs[] = {
      SHD_ERROR_LIMIT, "a side is above 65536"},
     {"bomb/bmp_min_height", BOMB("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\0\0\0\x80\1\0\x20\0"),
      SHD_ERROR_CORRUPT, "1 x 2147483648 pixels"},
-    {"bomb/dds", BOMB("DDS \x7c\0\0\0\7\x10\0\0\0\0\1\0\0\0\1\0"), SHD_ERROR_LIMIT, "65536 x 65536 pixels is above"},
     {"bomb/webp", BOMB("RIFF\x40\0\0\0WEBPVP8X\x0a\0\0\0\0\0\0\0\xff\xff\0\xff\xff\0"), SHD_ERROR_LIMIT,
      "65536 x 65536 pixels is above"},
     {"bomb/webp_first_chunk", BOMB("RIFF\x40\0\0\0WEBPALPH\x0a\0\0\0\0\0\0\0\1\0\1\0\1\0\1\0\1\0"), SHD_ERROR_CORRUPT,

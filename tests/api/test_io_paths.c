@@ -2,6 +2,7 @@
 /* Paths that name no readable regular file: every function of libshd_io that takes a path refuses each of them at once,
  * with a message that names the path. */
 #define _GNU_SOURCE
+#include "support/loads.h"
 #include "support/odd_paths.h"
 #include "support/rows.h"
 
@@ -37,14 +38,14 @@ static shd_result image_file(const char *path, shd_texture **texture)
 
 static shd_result texture_file(const char *path, shd_texture **texture)
 {
-    return shd_texture_load_file(g_context, path, NULL, NULL, texture);
+    return load_file(g_context, path, NULL, NULL, texture);
 }
 
 static shd_result raw_file(const char *path, shd_texture **texture)
 {
     shd_raw_desc raw = shd_raw_desc_default();
     raw.width = raw.height = raw.depth = 1;
-    return shd_texture_load_raw(g_context, path, &raw, NULL, texture);
+    return load_raw(g_context, path, &raw, NULL, texture);
 }
 
 static shd_result stack_page(const char *path, shd_texture **texture)
@@ -52,7 +53,7 @@ static shd_result stack_page(const char *path, shd_texture **texture)
     shd_stack_desc stack = shd_stack_desc_default();
     stack.paths = &path;
     stack.path_count = 1;
-    return shd_texture_load_stack(g_context, &stack, NULL, texture);
+    return load_stack(g_context, &stack, NULL, texture);
 }
 
 static shd_result stack_slices(const char *path, shd_texture **texture)
@@ -63,7 +64,7 @@ static shd_result stack_slices(const char *path, shd_texture **texture)
     paths[1] = path;
     stack.paths = paths;
     stack.path_count = 2;
-    return shd_texture_load_stack(g_context, &stack, NULL, texture);
+    return load_stack(g_context, &stack, NULL, texture);
 }
 
 static shd_result stack_pattern(const char *path, shd_texture **texture)
@@ -72,12 +73,12 @@ static shd_result stack_pattern(const char *path, shd_texture **texture)
     char pattern[700];
     snprintf(pattern, sizeof pattern, "%.*s%%d", (int)strlen(path) - 1, path);
     stack.pattern = pattern;
-    return shd_texture_load_stack(g_context, &stack, NULL, texture);
+    return load_stack(g_context, &stack, NULL, texture);
 }
 
 static shd_result vdb_file(const char *path, shd_texture **texture)
 {
-    return shd_texture_load_vdb(g_context, path, NULL, NULL, NULL, texture);
+    return load_vdb(g_context, path, NULL, NULL, NULL, texture);
 }
 
 static shd_result tiled_file(const char *path, shd_texture **texture)

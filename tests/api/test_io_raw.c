@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Files of voxels: every kind of number in both byte orders, texel for texel; wrong sizes, limits and descs. */
 #define _GNU_SOURCE
+#include "support/loads.h"
 #include "support/volume_files.h"
 
 #include <shd/shd.h>
@@ -116,7 +117,7 @@ static void test_numbers(void **state)
                 desc.byte_order = (shd_byte_order)order;
                 desc.header_bytes = flip ? SHD_RAW_HEADER_REST : header;
                 load.flags = flip ? SHD_LOAD_FLIP_V : 0;
-                shd_assert_ok(shd_texture_load_raw(g_context, path, &desc, &load, &texture));
+                shd_assert_ok(load_raw(g_context, path, &desc, &load, &texture));
                 check_texels(kind, channels, flip, texture);
                 shd_texture_release(texture);
             }
@@ -138,7 +139,7 @@ static void test_sizes(void **state)
         const shd_result expected = size == WHOLE ? SHD_OK : SHD_ERROR_CORRUPT;
         shd_texture *texture = (shd_texture *)g_context;
         io_write(io_path("cut.raw"), bytes, size);
-        shd_assert_result("size", shd_texture_load_raw(g_context, io_path("cut.raw"), &desc, NULL, &texture), expected,
+        shd_assert_result("size", load_raw(g_context, io_path("cut.raw"), &desc, NULL, &texture), expected,
                           size == 0 ? "is empty" : "not 11 of a header and 120 of 5 x 3 x 4 voxels");
         assert_true((texture != NULL) == (size == WHOLE));
         shd_texture_release(texture);
@@ -147,7 +148,7 @@ static void test_sizes(void **state)
     for (size = 2 * COUNT - 3; size < sizeof bytes; ++size) {
         shd_texture *texture = NULL;
         io_write(io_path("cut.raw"), bytes, size);
-        shd_assert_result("rest", shd_texture_load_raw(g_context, io_path("cut.raw"), &desc, NULL, &texture),
+        shd_assert_result("rest", load_raw(g_context, io_path("cut.raw"), &desc, NULL, &texture),
                           size < 2 * COUNT ? SHD_ERROR_CORRUPT : SHD_OK, "of 5 x 3 x 4 voxels");
         shd_texture_release(texture);
     }
@@ -215,7 +216,7 @@ static void test_bad(void **state)
     load.max_pixels = c->max_pixels;
     load.max_bytes = c->max_bytes;
     load.max_file_bytes = c->max_file_bytes;
-    shd_assert_result(c->name, shd_texture_load_raw(g_context, path, &desc, &load, &texture), c->expected, c->message);
+    shd_assert_result(c->name, load_raw(g_context, path, &desc, &load, &texture), c->expected, c->message);
     assert_true((texture != NULL) == (c->expected == SHD_OK));
     shd_texture_release(texture);
 }
@@ -227,15 +228,13 @@ static void test_arguments(void **state)
     shd_texture *texture = NULL;
     shd_texture_info info = shd_texture_info_default();
     (void)state;
-    shd_assert_result("context", shd_texture_load_raw(NULL, path, &desc, NULL, &texture), ARGUMENT, "context: NULL");
-    shd_assert_result("path", shd_texture_load_raw(g_context, NULL, &desc, NULL, &texture), ARGUMENT, "path: NULL");
-    shd_assert_result("raw", shd_texture_load_raw(g_context, path, NULL, NULL, &texture), ARGUMENT, "raw: NULL");
-    shd_assert_result("out", shd_texture_load_raw(g_context, path, &desc, NULL, NULL), ARGUMENT, "out_texture: NULL");
-    shd_assert_result("absent", shd_texture_load_raw(g_context, io_path("absent.raw"), &desc, NULL, &texture),
-                      SHD_ERROR_NOT_FOUND, "absent.raw");
-    shd_assert_result("folder", shd_texture_load_raw(g_context, "/", &desc, NULL, &texture), SHD_ERROR_IO,
-                      "is not a regular file");
-    shd_assert_ok(shd_texture_load_raw(g_context, path, &desc, NULL, &texture));
+    shd_assert_result("context", load_raw(NULL, path, &desc, NULL, &texture), ARGUMENT, "context: NULL");
+    shd_assert_result("path", load_raw(g_context, NULL, &desc, NULL, &texture), ARGUMENT, "path: NULL");
+    shd_assert_result("out", load_raw(g_context, path, &desc, NULL, NULL), ARGUMENT, "out_texture: NULL");
+    shd_assert_result("absent", load_raw(g_context, io_path("absent.raw"), &desc, NULL, &texture), SHD_ERROR_NOT_FOUND,
+                      "absent.raw");
+    shd_assert_result("folder", load_raw(g_context, "/", &desc, NULL, &texture), SHD_ERROR_IO, "is not a regular file");
+    shd_assert_ok(load_raw(g_context, path, &desc, NULL, &texture));
     shd_assert_ok(shd_texture_get_info(texture, &info));
     assert_int_equal(info.level_count, 3); /* the default tables: 5 x 3 x 4, 2 x 1 x 2, 1 x 1 x 1 */
     shd_texture_release(texture);

@@ -6,6 +6,7 @@
 #include "support/io_files.h"
 #include "support/io_samples.h"
 #include "support/io_worker.h"
+#include "support/loads.h"
 #include "support/volume_files.h"
 
 #include <sys/wait.h>
@@ -109,7 +110,7 @@ static shd_result load_grid(const shd_load_desc *desc)
     shd_texture *texture = NULL;
     shd_result result;
     io_write(path, "any", 3);
-    result = shd_texture_load_vdb(g_context, path, NULL, desc, &info, &texture);
+    result = load_vdb(g_context, path, NULL, desc, &info, &texture);
     assert_true((texture != NULL) == (result == SHD_OK));
     if (result != SHD_OK) return result;
     shd_assert_ok(shd_texture_get_info(texture, &size));

@@ -10,6 +10,7 @@
 
 #include <shd/shd.h>
 
+#include "support/loads.h"
 #include "support/volume_files.h"
 
 namespace
@@ -166,7 +167,7 @@ shd_result load_pages(const std::string &path, const shd_load_desc *load, shd_te
     shd_stack_desc desc = shd_stack_desc_default();
     desc.paths = list;
     desc.path_count = 1;
-    return shd_texture_load_stack(g_context, &desc, load, texture);
+    return load_stack(g_context, &desc, load, texture);
 }
 
 const uint32_t k_flags[] = {0, SHD_LOAD_IN_PROCESS, SHD_LOAD_FLIP_V, SHD_LOAD_IN_PROCESS | SHD_LOAD_FLIP_V,
@@ -192,12 +193,12 @@ void test_files(void **state)
         desc.pattern = pattern.c_str();
         desc.first = 9;
         desc.last = 8 + static_cast<uint32_t>(stack.depth);
-        shd_assert_ok(shd_texture_load_stack(g_context, &desc, &load, &texture));
+        shd_assert_ok(load_stack(g_context, &desc, &load, &texture));
         check_texture(stack, 0, (flags & SHD_LOAD_FLIP_V) != 0, texture);
         desc = shd_stack_desc_default();
         desc.paths = list.data();
         desc.path_count = static_cast<uint32_t>(list.size());
-        shd_assert_ok(shd_texture_load_stack(g_context, &desc, &load, &texture));
+        shd_assert_ok(load_stack(g_context, &desc, &load, &texture));
         check_texture(stack, 0, (flags & SHD_LOAD_FLIP_V) != 0, texture);
     }
 }
@@ -266,8 +267,7 @@ void test_mismatch(void **state)
         shd_load_desc load = shd_load_desc_default();
         shd_texture *texture = reinterpret_cast<shd_texture *>(g_context);
         load.flags = flags;
-        shd_assert_result(c.name, shd_texture_load_stack(g_context, &desc, &load, &texture), SHD_ERROR_CORRUPT,
-                          c.file_message);
+        shd_assert_result(c.name, load_stack(g_context, &desc, &load, &texture), SHD_ERROR_CORRUPT, c.file_message);
         assert_null(texture);
         if (!c.page_message) continue;
         shd_assert_result(c.name, load_pages(write_pages(c.stack, 2, &c.other), &load, &texture), SHD_ERROR_CORRUPT,
@@ -472,7 +472,7 @@ void test_bad(void **state)
     desc.pattern = pattern.c_str();
     desc.last = 3;
     c.change(desc, load);
-    shd_assert_result(c.name, shd_texture_load_stack(g_context, &desc, &load, &texture), c.expected, c.message);
+    shd_assert_result(c.name, load_stack(g_context, &desc, &load, &texture), c.expected, c.message);
     assert_true((texture != nullptr) == (c.expected == SHD_OK));
     if (texture && load.color_space == SHD_COLOR_ENCODING_SRGB) {
         Stack encoded = stack;
@@ -508,13 +508,12 @@ void test_others(void **)
     desc.pattern = pattern.c_str();
     desc.first = 9;
     desc.last = 10;
-    shd_assert_ok(shd_texture_load_stack(g_context, &desc, nullptr, &texture));
+    shd_assert_ok(load_stack(g_context, &desc, nullptr, &texture));
     Stack two = stack;
     two.depth = 2;
     check_texture(two, 0, false, texture);
-    shd_assert_result("context", shd_texture_load_stack(nullptr, &desc, nullptr, &texture), ARGUMENT, "context: NULL");
-    shd_assert_result("stack", shd_texture_load_stack(g_context, nullptr, nullptr, &texture), ARGUMENT, "stack: NULL");
-    shd_assert_result("out", shd_texture_load_stack(g_context, &desc, nullptr, nullptr), ARGUMENT, "out_texture: NULL");
+    shd_assert_result("context", load_stack(nullptr, &desc, nullptr, &texture), ARGUMENT, "context: NULL");
+    shd_assert_result("out", load_stack(g_context, &desc, nullptr, nullptr), ARGUMENT, "out_texture: NULL");
 }
 
 }  // namespace

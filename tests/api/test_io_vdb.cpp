@@ -13,6 +13,7 @@
 
 #include <shd/shd.h>
 
+#include "support/loads.h"
 #include "support/volume_files.h"
 
 #ifndef SHD_TEST_OPENVDB
@@ -26,7 +27,7 @@ int main()
     const std::string path = io_path("any.vdb");
     std::FILE *file = std::fopen(path.c_str(), "wb");
     if (!file || std::fputs("any", file) < 0 || std::fclose(file) != 0) return 1;
-    const shd_result result = shd_texture_load_vdb(context, path.c_str(), nullptr, nullptr, nullptr, &texture);
+    const shd_result result = load_vdb(context, path.c_str(), nullptr, nullptr, nullptr, &texture);
     const bool refused = result == SHD_ERROR_UNSUPPORTED && std::strstr(shd_last_error(), "built without OpenVDB");
     std::printf("built without OpenVDB (Debian: libopenvdb-dev libboost-dev): a load %s\n",
                 refused ? "is refused" : "FAILS");
@@ -142,7 +143,7 @@ void check_load(const std::string &path, const shd_vdb_desc &desc, const Grid &g
         shd_vdb_info info = shd_vdb_info_default();
         shd_texture *texture = nullptr;
         load.flags = flags;
-        shd_assert_ok(shd_texture_load_vdb(g_context, path.c_str(), &desc, &load, &info, &texture));
+        shd_assert_ok(load_vdb(g_context, path.c_str(), &desc, &load, &info, &texture));
         check_texels(grid, box, texture);
         check_place(grid, box, info);
         assert_string_equal(info.grid, name);
@@ -231,10 +232,10 @@ void test_cut(void **)
         shd_vdb_info info = shd_vdb_info_default();
         io_write(path.c_str(), whole.data, size);
         load.flags = count % 32 == 0 ? 0 : SHD_LOAD_IN_PROCESS;
-        shd_assert_result("cut", shd_texture_load_vdb(g_context, path.c_str(), nullptr, &load, &info, &texture),
+        shd_assert_result("cut", load_vdb(g_context, path.c_str(), nullptr, &load, &info, &texture),
                           size > 0 && size < 8 ? SHD_ERROR_UNSUPPORTED : SHD_ERROR_CORRUPT,
                           size == 0  ? "is empty"
-                          : size < 8 ? "not OpenVDB"
+                          : size < 8 ? "of no known image format"
                                      : "is cut off");
         assert_null(texture);
         assert_true(info.active_voxels == 0 && info.object_to_world[0] == 0.0f);
@@ -262,7 +263,7 @@ void test_changed(void **)
         io_write(path.c_str(), bytes.data(), bytes.size());
         load.time_limit = 0.25;
         load.max_pixels = 1 << 22;
-        const shd_result result = shd_texture_load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture);
+        const shd_result result = load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture);
         assert_true((result == SHD_OK) == (texture != nullptr));
         if (result != SHD_OK) {
             assert_true(result == SHD_ERROR_CORRUPT || result == SHD_ERROR_UNSUPPORTED || result == SHD_ERROR_LIMIT ||
@@ -407,8 +408,8 @@ void test_bad(void **state)
             c.change(*grid, desc, load);
             load.flags |= flags;
             write_grids(path, {grid}, openvdb::io::COMPRESS_ACTIVE_MASK, statistics);
-            shd_assert_result(c.name, shd_texture_load_vdb(g_context, path.c_str(), &desc, &load, nullptr, &texture),
-                              c.expected, c.message);
+            shd_assert_result(c.name, load_vdb(g_context, path.c_str(), &desc, &load, nullptr, &texture), c.expected,
+                              c.message);
             assert_true((texture != nullptr) == (c.expected == SHD_OK));
             shd_texture_release(texture);
         }
@@ -425,18 +426,19 @@ void test_others(void **)
     bools->setName("mask");
     bools->tree().setValue(Coord(0, 0, 0), true);
     write_grids(path, {bools}, 0, true);
-    shd_assert_result("first", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
+    shd_assert_result("first", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "no grid of float or double");
-    shd_assert_result("named", shd_texture_load_vdb(g_context, path.c_str(), &desc, nullptr, nullptr, &texture),
+    shd_assert_result("named", load_vdb(g_context, path.c_str(), &desc, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "\"mask\" is a Tree_bool_5_4_3, not a grid of float or double");
     {
         std::ofstream out(path, std::ios::binary);
         openvdb::io::Stream(out).write(openvdb::GridCPtrVec{make_grid<FloatGrid>("density", 9)});
     }
-    shd_assert_result("stream", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
+    shd_assert_result("stream", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "a stream, without offsets of grids");
     io_write(path.c_str(), "P6\n2 2\n255\nabcdefghijkl", 23);
-    shd_assert_result("ppm", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, &texture),
+    desc = shd_vdb_desc_default();
+    shd_assert_result("ppm", load_vdb(g_context, path.c_str(), &desc, nullptr, nullptr, &texture),
                       SHD_ERROR_UNSUPPORTED, "not OpenVDB");
     // A name that OpenVDB does not find again. Its message contains the path that it was given, which differs between
     // loads.
@@ -453,13 +455,13 @@ void test_others(void **)
     for (const uint32_t flags : {0u, uint32_t{SHD_LOAD_IN_PROCESS}}) {
         shd_load_desc load = shd_load_desc_default();
         load.flags = flags;
-        shd_assert_result("name", shd_texture_load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture),
+        shd_assert_result("name", load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture),
                           SHD_ERROR_CORRUPT, "OpenVDB: KeyError: the file has no grid named \"a[b[cde]\"");
     }
-    shd_assert_result("absent", shd_texture_load_vdb(g_context, io_path("no.vdb"), nullptr, nullptr, nullptr, &texture),
+    shd_assert_result("absent", load_vdb(g_context, io_path("no.vdb"), nullptr, nullptr, nullptr, &texture),
                       SHD_ERROR_NOT_FOUND, "no.vdb");
-    shd_assert_result("out", shd_texture_load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, nullptr),
-                      ARGUMENT, "out_texture: NULL");
+    shd_assert_result("out", load_vdb(g_context, path.c_str(), nullptr, nullptr, nullptr, nullptr), ARGUMENT,
+                      "out_texture: NULL");
 }
 
 }  // namespace

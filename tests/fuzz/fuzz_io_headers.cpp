@@ -50,10 +50,10 @@ shd_result refusal(const Check& check) {
 
 /// Every check, also those of other formats: the decoder is chosen by other code.
 void check_headers(const Bytes& bytes, const Limits& limits, std::vector<shd_result>& results) {
-  constexpr shd_file_format kFormats[] = {
-      SHD_FILE_FORMAT_PNG,  SHD_FILE_FORMAT_JPEG, SHD_FILE_FORMAT_TIFF, SHD_FILE_FORMAT_EXR, SHD_FILE_FORMAT_HDR,
-      SHD_FILE_FORMAT_WEBP, SHD_FILE_FORMAT_BMP,  SHD_FILE_FORMAT_TGA,  SHD_FILE_FORMAT_DDS, SHD_FILE_FORMAT_PSD,
-      SHD_FILE_FORMAT_DPX,  SHD_FILE_FORMAT_GIF,  SHD_FILE_FORMAT_PNM};
+  constexpr shd_file_format kFormats[] = {SHD_FILE_FORMAT_PNG, SHD_FILE_FORMAT_JPEG, SHD_FILE_FORMAT_TIFF,
+                                          SHD_FILE_FORMAT_EXR, SHD_FILE_FORMAT_HDR,  SHD_FILE_FORMAT_WEBP,
+                                          SHD_FILE_FORMAT_BMP, SHD_FILE_FORMAT_TGA,  SHD_FILE_FORMAT_PSD,
+                                          SHD_FILE_FORMAT_DPX, SHD_FILE_FORMAT_GIF,  SHD_FILE_FORMAT_PNM};
   const unsigned char* const data = bytes.data();
   const size_t size = bytes.size();
   for (const shd_file_format format : kFormats) {

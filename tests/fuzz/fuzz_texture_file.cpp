@@ -61,7 +61,7 @@ uint64_t run(const std::vector<unsigned char>& bytes, uint8_t choice) {
   limits.bytes = 1 << 20;
   const auto encoding = static_cast<shd_color_encoding>(choice % 4);
   try {
-    const TextureFile parsed = parse_texture_file(bytes.data(), bytes.size(), encoding, limits);
+    const TextureFile parsed = parse_texture_file(bytes.data(), bytes.size(), encoding, (choice & 128) != 0, limits);
     SHD_FUZZ_CHECK(parsed.info.format != SHD_FORMAT_NONE && parsed.info.format == parsed.storage.format);
     SHD_FUZZ_CHECK(parsed.info.level_count >= 1 && parsed.info.level_count <= whole_level_count(parsed.info));
     Selection selection;
@@ -70,7 +70,9 @@ uint64_t run(const std::vector<unsigned char>& bytes, uint8_t choice) {
     selection.level_count = choice & 4 ? 1 : parsed.info.level_count;
     const bool blocks = plain_storage(parsed.info.format).block_width > 1;
     selection.flip_rows = (choice & 8) != 0 && !blocks;
-    const TextureTexels texels = unpack_levels(parsed, bytes.data(), selection, limits, kMemory);
+    std::vector<unsigned char> whole = bytes;
+    whole.resize(bytes.size() + parsed.absent);
+    const TextureTexels texels = unpack_levels(parsed, whole.data(), selection, limits, kMemory);
     return read_texels(parsed, selection, texels);
   } catch (const core::Failure& failure) {
     SHD_FUZZ_CHECK(failure.what()[0] != '\0');

@@ -3,6 +3,7 @@
 #ifndef SHD_TESTS_SUPPORT_TEXTURE_FORMATS_H
 #define SHD_TESTS_SUPPORT_TEXTURE_FORMATS_H
 
+#include "support/loads.h"
 #include "support/texture_files.h"
 
 static shd_context *g_context;
@@ -147,9 +148,9 @@ static inline shd_texture *load(io_bytes file, const shd_load_desc *desc, int by
     memcpy(moved + 1, file.data, file.size);
     if (by_path) {
         io_write(io_path("texture"), file.data, file.size);
-        result = shd_texture_load_file(g_context, io_path("texture"), desc, info, &texture);
+        result = load_file(g_context, io_path("texture"), desc, info, &texture);
     } else {
-        result = shd_texture_load_file_memory(g_context, moved + 1, file.size, desc, info, &texture);
+        result = load_file_memory(g_context, moved + 1, file.size, desc, info, &texture);
     }
     free(moved);
     free(file.data);

@@ -740,6 +740,10 @@ export type MipSource =
  * share of texels that
  * reach `alpha_cutoff` is the share of the base (Castano, "Computing Alpha Mipmaps", 2010). The share is exact to
  * the nearest texel, except where texels of equal alpha lie at the cutoff.
+ * - `alpha_weighted`: Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by
+ * alpha, as averages of
+ * premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+ * 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
  */
 export type TexelContent =
   | "color"
@@ -747,6 +751,7 @@ export type TexelContent =
   | "normal"
   | "height"
   | "alpha_coverage"
+  | "alpha_weighted"
   ;
 
 /**

@@ -114,7 +114,7 @@ export const enums = {
   "mesh_flag": {"none":0,"keep_nonfinite":1,"tangents":2,"adjacency":4},
   "mip_kernel": {"box":0,"triangle":1,"kaiser":2,"lanczos":3},
   "mip_source": {"base":0,"previous":1},
-  "texel_content": {"color":0,"data":1,"normal":2,"height":3,"alpha_coverage":4},
+  "texel_content": {"color":0,"data":1,"normal":2,"height":3,"alpha_coverage":4,"alpha_weighted":5},
   "barycentric": {"wachspress":0,"mean_value":1,"discrete_harmonic":2,"harmonic":3},
   "projection": {"none":0,"lat_long":1,"mirror_ball":2,"angular":3,"cube":4,"octahedral":5},
   "cube_layout": {"faces":0,"row":1,"column":2,"horizontal_cross":3,"vertical_cross":4},

@@ -280,7 +280,9 @@ typedef enum shd_file_format {
   SHD_FILE_FORMAT_PSD = 1024,
   SHD_FILE_FORMAT_DPX = 2048,
   SHD_FILE_FORMAT_GIF = 4096,
-  SHD_FILE_FORMAT_DEFAULT = 1023,
+  SHD_FILE_FORMAT_KTX2 = 8192,
+  SHD_FILE_FORMAT_VDB = 16384,
+  SHD_FILE_FORMAT_DEFAULT = 25599,
   SHD_FILE_FORMAT_ANY = 1073741824,
   SHD_FILE_FORMAT_MAX_ENUM = 2147483647
 } shd_file_format;
@@ -297,6 +299,8 @@ typedef enum shd_load_flag {
   SHD_LOAD_PARTIAL = 2,
   SHD_LOAD_FLIP_V = 4,
   SHD_LOAD_FILE_LEVELS = 8,
+  SHD_LOAD_LINEAR = 16,
+  SHD_LOAD_ALPHA_WEIGHTED = 32,
   SHD_LOAD_FLAG_MAX_ENUM = 2147483647
 } shd_load_flag;
 typedef enum shd_bitmap_flag {
@@ -410,6 +414,7 @@ typedef enum shd_texel_content {
   SHD_TEXEL_CONTENT_NORMAL = 2,
   SHD_TEXEL_CONTENT_HEIGHT = 3,
   SHD_TEXEL_CONTENT_ALPHA_COVERAGE = 4,
+  SHD_TEXEL_CONTENT_ALPHA_WEIGHTED = 5,
   SHD_TEXEL_CONTENT_MAX_ENUM = 2147483647
 } shd_texel_content;
 typedef enum shd_barycentric {
@@ -1173,6 +1178,11 @@ struct shd_load_desc {
   double max_ratio;
   double time_limit;
   const char *worker_path;
+  const shd_raw_desc *raw;
+  const shd_stack_desc *stack;
+  const shd_vdb_desc *vdb;
+  shd_texture_file_info *info;
+  shd_vdb_info *vdb_info;
 };
 struct shd_bitmap_info {
   uint32_t struct_size;
@@ -2053,8 +2063,6 @@ void shd_texture_release(shd_texture *texture);
 shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level, const shd_image *out);
 shd_result shd_texture_update(shd_texture *texture, uint32_t layer, uint32_t x, uint32_t y, const shd_image *texels);
-shd_result shd_texture_load_file(shd_context *context, const char *path, const shd_load_desc *load, shd_texture_file_info *out_info, shd_texture **out_texture);
-shd_result shd_texture_load_file_memory(shd_context *context, const void *bytes, size_t size, const shd_load_desc *load, shd_texture_file_info *out_info, shd_texture **out_texture);
 shd_result shd_texture_save_ktx2(const shd_texture *texture, const char *path, const shd_ktx2_desc *desc);
 shd_result shd_tile_cache_create(shd_context *context, const shd_tile_cache_desc *desc, shd_tile_cache **out_cache);
 void shd_tile_cache_retain(shd_tile_cache *cache);
@@ -2079,7 +2087,4 @@ shd_result shd_view_from_camera(const shd_camera *camera, shd_view *out_view);
 shd_result shd_volume_create(shd_context *context, const shd_volume_desc *desc, shd_volume **out_volume);
 void shd_volume_retain(shd_volume *volume);
 void shd_volume_release(shd_volume *volume);
-shd_result shd_texture_load_raw(shd_context *context, const char *path, const shd_raw_desc *raw, const shd_load_desc *load, shd_texture **out_texture);
-shd_result shd_texture_load_stack(shd_context *context, const shd_stack_desc *stack, const shd_load_desc *load, shd_texture **out_texture);
-shd_result shd_texture_load_vdb(shd_context *context, const char *path, const shd_vdb_desc *vdb, const shd_load_desc *load, shd_vdb_info *out_info, shd_texture **out_texture);
 ]]

@@ -278,7 +278,9 @@ class FileFormat(enum.IntFlag):
     PSD = 1024
     DPX = 2048
     GIF = 4096
-    DEFAULT = 1023
+    KTX2 = 8192
+    VDB = 16384
+    DEFAULT = 25599
     ANY = 1073741824
 
 class ColorEncoding(enum.IntEnum):
@@ -293,6 +295,8 @@ class LoadFlag(enum.IntFlag):
     PARTIAL = 2
     FLIP_V = 4
     FILE_LEVELS = 8
+    LINEAR = 16
+    ALPHA_WEIGHTED = 32
 
 class BitmapFlag(enum.IntFlag):
     NONE = 0
@@ -391,6 +395,7 @@ class TexelContent(enum.IntEnum):
     NORMAL = 2
     HEIGHT = 3
     ALPHA_COVERAGE = 4
+    ALPHA_WEIGHTED = 5
 
 class Barycentric(enum.IntEnum):
     WACHSPRESS = 0
@@ -1201,6 +1206,11 @@ class LoadDesc(Desc):
     max_ratio: float
     time_limit: float
     worker_path: str
+    raw: Union[RawDesc, Mapping[str, Any]]
+    stack: Union[StackDesc, Mapping[str, Any]]
+    vdb: Union[VdbDesc, Mapping[str, Any]]
+    info: Union[TextureFileInfo, Mapping[str, Any]]
+    vdb_info: Union[VdbInfo, Mapping[str, Any]]
     def __init__(self, *,
                  formats: Union[int, str] = ...,
                  flags: Union[int, str] = ...,
@@ -1213,6 +1223,11 @@ class LoadDesc(Desc):
                  max_ratio: float = ...,
                  time_limit: float = ...,
                  worker_path: str = ...,
+                 raw: Union[RawDesc, Mapping[str, Any]] = ...,
+                 stack: Union[StackDesc, Mapping[str, Any]] = ...,
+                 vdb: Union[VdbDesc, Mapping[str, Any]] = ...,
+                 info: Union[TextureFileInfo, Mapping[str, Any]] = ...,
+                 vdb_info: Union[VdbInfo, Mapping[str, Any]] = ...,
                  ) -> None: ...
 
 class BitmapInfo(Desc):

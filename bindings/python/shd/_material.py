@@ -37,8 +37,10 @@ def linear_color(color, name="color"):
 def pixels_of(image, name="texture"):
     """An array of an image: a NumPy array, or an image of Pillow."""
     if hasattr(image, "convert"):
-        image = image if image.mode in ("L", "RGB", "RGBA") else image.convert("RGBA")
-        image = np.asarray(image)
+        if image.mode.startswith("I"):  # 16 bits a pixel, which convert() would clamp to 8
+            image = np.asarray(image).astype(np.int64).clip(0, 65535).astype(np.uint16)
+        else:
+            image = np.asarray(image if image.mode in ("L", "RGB", "RGBA") else image.convert("RGBA"))
     if not isinstance(image, np.ndarray):
         raise TypeError(f"{name}: a NumPy array, an image of Pillow or a Texture, not {type(image).__name__}")
     return np.ascontiguousarray(image)
@@ -58,9 +60,13 @@ def make_texture(context, image, srgb, name="texture"):
     if isinstance(image, Texture):
         return image, False
     pixels = colored(pixels_of(image, name)) if srgb else pixels_of(image, name)
-    has_alpha = pixels.ndim == 3 and pixels.shape[2] == 4 and pixels.dtype == np.uint8
-    return (Texture(context, pixels, srgb=srgb and pixels.dtype == np.uint8, tables="mipmap"),
-            has_alpha and pixels[..., 3].min() < OPAQUE)
+    integer = pixels.ndim == 3 and pixels.dtype in (np.uint8, np.uint16)
+    translucent = integer and pixels.shape[2] == 4 and pixels[..., 3].min() < np.iinfo(pixels.dtype).max
+    if srgb and pixels.dtype == np.uint16:  # no format has sRGB codes of 16 bits
+        light = pixels / np.float64(65535)
+        light[..., :3] = decode(light[..., :3])
+        pixels = light.astype(np.float32)
+    return Texture(context, pixels, srgb=srgb and pixels.dtype == np.uint8, tables="mipmap"), translucent
 
 
 class Look:

@@ -13,20 +13,6 @@ from ._objects import Object, make_desc
 from ._texture import Texture
 
 
-def _load(kind, context, source, desc, values, load):
-    """An object from a path, or from the bytes of a file."""
-    keep, made = [], kind.__new__(kind)
-    built = make_desc("shd_load_desc", desc, values).build(keep)
-    from_path, from_memory = load
-    handle = context.handle("shd_context", keep)
-    if isinstance(source, (bytes, bytearray, memoryview, np.ndarray)):
-        raw = np.frombuffer(source, np.uint8)
-        made._adopt(keep, from_memory, handle, raw.ctypes.data, raw.size, ctypes.addressof(built))
-    else:
-        made._adopt(keep, from_path, handle, text_bytes(source, "path"), ctypes.addressof(built))
-    return made
-
-
 class Bitmap(Object):
     """The pixels of an image file, without conversion: load(context, "picture.png")."""
 
@@ -62,61 +48,54 @@ class Bitmap(Object):
 
 def load(context, source, desc=None, **values) -> Bitmap:
     """The image in a file, or in the bytes of a file, as a Bitmap. Options are the fields of LoadDesc."""
-    return _load(Bitmap, context, source, desc, values,
-                 (_api.lib.shd_bitmap_load, _api.lib.shd_bitmap_load_memory))
-
-
-def load_texture(context, source, desc=None, **values) -> Texture:
-    """A texture from an image file, or from the bytes of one. Options are the fields of LoadDesc."""
-    return _load(Texture, context, source, desc, values,
-                 (_api.lib.shd_texture_load, _api.lib.shd_texture_load_memory))
-
-
-def _volume(context, function, arguments, keep, more=()):
-    made = Texture.__new__(Texture)
-    made._adopt(keep, function, context.handle("shd_context", keep), *arguments, *more)
+    keep, made = [], Bitmap.__new__(Bitmap)
+    built = make_desc("shd_load_desc", desc, values).build(keep)
+    handle, address = context.handle("shd_context", keep), ctypes.addressof(built)
+    if isinstance(source, (bytes, bytearray, memoryview, np.ndarray)):
+        raw = np.frombuffer(source, np.uint8)
+        made._adopt(keep, _api.lib.shd_bitmap_load_memory, handle, raw.ctypes.data, raw.size, address)
+    else:
+        made._adopt(keep, _api.lib.shd_bitmap_load, handle, text_bytes(source, "path"), address)
     return made
+
+
+def load_texture(context, source=None, desc=None, **values) -> Texture:
+    """A texture from a file, or from the bytes of one: images, KTX2, DDS and OpenVDB by their content.
+
+    Options are the fields of LoadDesc. Voxels have a layout: load_texture(context, "head.raw",
+    raw={"width": 256, "height": 256, "depth": 113}); slices have files and no source: load_texture(context,
+    stack={"paths": ["a.png", "b.png"]}), or {"pattern": "slice%03d.png", "first": 0, "last": 80}. `vdb` chooses a grid.
+    `texture.file` is a dict of the contents of a KTX2 or DDS file, or of a grid with object_to_world as [4][4]; else
+    None.
+    """
+    made, keep = Texture.__new__(Texture), []
+    infos = {name: _api.new(struct) for name, struct in _INFOS.items()}
+    built = make_desc("shd_load_desc", desc, values).build(keep)
+    for name, info in infos.items():
+        setattr(built, name, ctypes.addressof(info))
+    handle, address = context.handle("shd_context", keep), ctypes.addressof(built)
+    if isinstance(source, (bytes, bytearray, memoryview, np.ndarray)):
+        raw = np.frombuffer(source, np.uint8)
+        made._adopt(keep, _api.lib.shd_texture_load_memory, handle, raw.ctypes.data, raw.size, address)
+    else:
+        path = None if source is None else text_bytes(source, "path")
+        made._adopt(keep, _api.lib.shd_texture_load, handle, path, address)
+    made.file = None
+    if infos["info"].kind:
+        made.file = read_struct("shd_texture_file_info", infos["info"])
+    elif infos["vdb_info"].object_to_world[15]:
+        read = read_struct("shd_vdb_info", infos["vdb_info"])
+        matrix = np.array(read["object_to_world"], np.float32).reshape(4, 4).T.copy()
+        made.file = {**read, "grid": bytes(infos["vdb_info"].grid).split(b"\0")[0].decode("utf-8", "replace"),
+                     "object_to_world": matrix}
+    return made
+
+
+_INFOS = {"info": "shd_texture_file_info", "vdb_info": "shd_vdb_info"}
 
 
 def _built(struct, desc, values, keep):
     return ctypes.addressof(make_desc(struct, desc, values).build(keep))
-
-
-def load_raw(context, path, desc=None, load=None, **values) -> Texture:
-    """A 3D texture from a file of voxels: load_raw(context, "head.raw", width=256, height=256, depth=113).
-
-    Options are the fields of RawDesc; `load` is a LoadDesc with budgets.
-    """
-    keep = []
-    return _volume(context, _api.lib.shd_texture_load_raw,
-                   (text_bytes(path, "path"), _built("shd_raw_desc", desc, values, keep),
-                    _built("shd_load_desc", load, {}, keep)), keep)
-
-
-def load_stack(context, paths=None, desc=None, load=None, **values) -> Texture:
-    """A 3D texture from images: a list of paths, or pattern="slice%03d.png", first=0, last=80.
-
-    Options are the fields of StackDesc; `load` is a LoadDesc.
-    """
-    keep = []
-    if paths is not None:
-        values["paths"] = list(paths)
-    return _volume(context, _api.lib.shd_texture_load_stack,
-                   (_built("shd_stack_desc", desc, values, keep), _built("shd_load_desc", load, {}, keep)), keep)
-
-
-def load_vdb(context, path, desc=None, load=None, **values) -> "tuple[Texture, dict]":
-    """A 3D texture from a grid of an OpenVDB file, and a dict of its properties with object_to_world as [4][4].
-
-    Options are the fields of VdbDesc; `load` is a LoadDesc.
-    """
-    keep, info = [], _api.new("shd_vdb_info")
-    texture = _volume(context, _api.lib.shd_texture_load_vdb,
-                      (text_bytes(path, "path"), _built("shd_vdb_desc", desc, values, keep),
-                       _built("shd_load_desc", load, {}, keep), ctypes.addressof(info)), keep)
-    read = read_struct("shd_vdb_info", info)
-    return texture, {**read, "grid": bytes(info.grid).split(b"\0")[0].decode("utf-8", "replace"),
-                     "object_to_world": np.array(read["object_to_world"], np.float32).reshape(4, 4).T.copy()}
 
 
 def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, dict]":

@@ -163,17 +163,29 @@ class Files(Case):
         voxels = np.arange(24, dtype=">u2").reshape(2, 3, 4)
         path = self.folder / "voxels.raw"
         path.write_bytes(b"head" + voxels.tobytes())
-        raw = io.load_raw(self.context, path, width=4, height=3, depth=2, sample="u16", byte_order="big",
-                          header_bytes=4)
+        raw = io.load_texture(self.context, path, raw={"width": 4, "height": 3, "depth": 2, "sample": "u16",
+                                                       "byte_order": "big", "header_bytes": 4})
         self.check_slices(raw, voxels)
         paths = [self.folder / f"slice{i}.png" for i in range(3)]
         for i, name in enumerate(paths):
             io.save(self.pixels[..., i].copy(), name)
-        for stack in (io.load_stack(self.context, paths),
-                      io.load_stack(self.context, pattern=str(self.folder / "slice%d.png"), first=0, last=2)):
+        for stack in ({"paths": paths}, {"pattern": str(self.folder / "slice%d.png"), "first": 0, "last": 2}):
+            stack = io.load_texture(self.context, stack=stack)
             self.check_slices(stack, np.moveaxis(self.pixels[..., :3], 2, 0))
         with self.assertRaises(shd.Error):  # neither a grid, nor a library without OpenVDB
-            io.load_vdb(self.context, path)
+            io.load_texture(self.context, path, vdb={})
+
+    def test_texture_files(self):
+        path = self.folder / "texture.dds"
+        header = np.zeros(32, "<u4")
+        header[[1, 3, 4, 7, 19, 20, 22]] = 124, 4, 4, 1, 32, 0x41, 32
+        header[23:27] = 0xff, 0xff00, 0xff0000, 0xff000000
+        header[0] = int.from_bytes(b"DDS ", "little")
+        path.write_bytes(header.tobytes() + self.pixels[:4, :4].tobytes())
+        texture = io.load_texture(self.context, path)
+        np.testing.assert_array_equal(texture.read_level(), self.pixels[:4, :4])
+        self.assertEqual((texture.file["kind"], texture.file["level_count"]), (shd.TextureFileKind.DDS, 1))
+        np.testing.assert_array_equal(io.load(self.context, path.read_bytes()).pixels, self.pixels[:4, :4])
 
     def test_refused(self):
         path = self.folder / "image.bmp"
@@ -186,9 +198,10 @@ class Files(Case):
                 (TypeError, "picture: a NumPy array, not list", io.save, ([[0]], path), {}),
                 (TypeError, "picture: the array is of float64", io.save, (np.zeros((2, 2)), path), {}),
                 (shd.Error, "jpeg|jpg|extension|format", io.save, (self.pixels, self.folder / "image.jpg"), {}),
-                (shd.Error, "bytes", io.load_raw, (self.context, __file__), {"width": 2, "height": 2, "depth": 2}),
-                (ValueError, "2 elements, not path_count = 5|path_count", io.load_stack,
-                 (self.context, ["a.png", "b.png"]), {"path_count": 5})):
+                (shd.Error, "bytes", io.load_texture, (self.context, __file__),
+                 {"raw": {"width": 2, "height": 2, "depth": 2}}),
+                (ValueError, "2 elements, not path_count = 5|path_count", io.load_texture, (self.context,),
+                 {"stack": {"paths": ["a.png", "b.png"], "path_count": 5}})):
             with self.subTest(message):
                 self.check_refused(kind, message, call, *arguments, **values)
 

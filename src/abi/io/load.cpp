@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <shd/io.h>
 
-#include <cstring>
 #include <new>
 
 #include "abi/io/common.h"
-#include "abi/io/request.h"
-#include "io/io.h"
-#include "io/isolate.h"
-#include "io/levels.h"
-#include "io/load.h"
-#include "io/transfer.h"
+#include "abi/io/loads.h"
 
 namespace {
 
@@ -18,7 +12,6 @@ using namespace shd;
 using namespace shd::extension;
 
 constexpr uint32_t kBitmapType = 0x424d4150;  // 'BMAP'
-constexpr uint32_t kMaxLevels = 16;           // below a base of io::kMaxSide
 
 /// Body of a shd_bitmap, in memory of its context.
 struct BitmapBody {
@@ -55,76 +48,68 @@ shd_bitmap* make_bitmap(shd_context* context, io::Bitmap&& bitmap) {
 /// A load desc of a bitmap, which has the base level alone.
 LoadRequest read_bitmap_load(const shd_load_desc* in) {
   LoadRequest request = read_load_desc(in);
+  const shd_load_desc& desc = request.desc;
+  if (desc.raw || desc.stack || desc.vdb || desc.info || desc.vdb_info) {
+    refuse(SHD_ERROR_UNSUPPORTED, "load.%s: set, but a bitmap has no such desc",
+           desc.raw     ? "raw"
+           : desc.stack ? "stack"
+           : desc.vdb   ? "vdb"
+           : desc.info  ? "info"
+                        : "vdb_info");
+  }
   request.options.flags &= ~uint32_t{SHD_LOAD_FILE_LEVELS};
   return request;
 }
 
-LoadRequest read_texture_load(const shd_load_desc* in) {
-  const LoadRequest request = read_load_desc(in);
-  if ((request.desc.flags & SHD_LOAD_FILE_LEVELS) && !(request.desc.tables & SHD_TABLE_MIPMAP)) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.flags: SHD_LOAD_FILE_LEVELS, but load.tables 0x%x has no SHD_TABLE_MIPMAP",
-           request.desc.tables);
-  }
-  return request;
+/// The pixels of a file: of an image, or of the first level of a texture.
+io::Bitmap load_pixels(shd_context* context, const Input& input, const LoadRequest& request) {
+  io::Bitmap bitmap = load_bitmap(context, input, request);
+  if (request.desc.flags & SHD_LOAD_LINEAR) make_linear(memory_of(context), &bitmap);
+  return bitmap;
 }
 
-/// A file in the caller's memory. Its header is checked before a copy or a worker costs anything.
-io::Bitmap load_copy(shd_context* context, const void* bytes, size_t size, const LoadRequest& request) {
-  if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
-  if (size > request.options.limits.file_bytes) {
-    refuse(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
-           static_cast<unsigned long long>(request.options.limits.file_bytes));
+/// The descs of a load, which exclude each other, and its outputs.
+void check_texture_desc(const shd_load_desc& desc) {
+  if (desc.info) require(begin_output("load.info", desc.info));
+  if (desc.vdb_info) require(begin_output("load.vdb_info", desc.vdb_info));
+  const char* const other = desc.stack ? "stack" : "vdb";
+  if (desc.raw && (desc.stack || desc.vdb)) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.raw: given together with load.%s", other);
   }
-  const auto* data = static_cast<const unsigned char*>(bytes);
-  const io::Deadline deadline(request.options.limits.seconds);
-  const io::Memory memory = memory_of(context);
-  io::accept(data, size, request.options);
-  if (!in_process(request)) {
-    const io::Source source = {-1, data, size};
-    return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
+  if (desc.stack && desc.vdb) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.stack: given together with load.vdb");
+  if (desc.flags & SHD_LOAD_LINEAR) {
+    refuse(SHD_ERROR_UNSUPPORTED, "load.flags: SHD_LOAD_LINEAR, but textures are always linear");
   }
-  const io::Buffer copy(memory, size);
-  std::memcpy(copy.data(), data, size);
-  return io::load(copy.data(), size, request.options, memory, deadline, nullptr);
 }
 
-/// Texels of all levels of a bitmap whose numbers no texture format means, linear.
-io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
-  const io::Transfer transfer = io::transfer_of(bitmap.color_space);
-  if (transfer.curve == io::Curve::kUnknown) {
-    refuse(SHD_ERROR_UNSUPPORTED, "colour space \"%s\" of the file is not known: set load.color_space",
-           bitmap.color_space);
+/// A texture of a file that is neither voxels nor a stack.
+shd_result load_by_content(shd_context* context, const Input& input, LoadRequest request, shd_texture** out_texture) {
+  if (request.desc.vdb) return load_grid_texture(context, input, request, out_texture);
+  switch (container_of(input)) {
+    case io::Container::kGrid: return load_grid_texture(context, input, request, out_texture);
+    case io::Container::kTexture: return load_stored_texture(context, input, request, out_texture);
+    default: return load_image_texture(context, input, request, out_texture);
   }
-  const auto pixels = static_cast<size_t>(io::level_pixels(bitmap.width, bitmap.height, bitmap.level_count));
-  const bool as_stored = transfer.curve == io::Curve::kLinear && bitmap.format != SHD_FORMAT_RGBA16;
-  if (as_stored || bitmap.format == SHD_FORMAT_RGBA8_SRGB) return io::Buffer();
-  io::Buffer texels(memory, pixels * 16);
-  io::linearise(transfer, bitmap.format, bitmap.pixels.data(), pixels, reinterpret_cast<float*>(texels.data()));
-  return texels;
 }
 
-shd_result make_texture(shd_context* context, const io::Bitmap& bitmap, uint32_t tables, shd_texture** out_texture) {
-  const io::Buffer linear = linear_texels(bitmap, memory_of(context));
-  shd_texture_desc texture = shd_texture_desc_default();
-  texture.format = linear.size() ? SHD_FORMAT_RGBA32F : bitmap.format;
-  texture.width = bitmap.width;
-  texture.height = bitmap.height;
-  texture.texels = linear.size() ? linear.data() : bitmap.pixels.data();
-  texture.tables = tables;
-  shd_image levels[kMaxLevels];
-  texture.level_count = bitmap.level_count - 1;
-  texture.levels = bitmap.level_count > 1 ? levels : nullptr;
-  const size_t pixel = shd_format_size(texture.format);
-  const auto* next = static_cast<const unsigned char*>(texture.texels);
-  for (uint32_t l = 1; l < bitmap.level_count; ++l) {
-    next += pixel * io::level_side(bitmap.width, l - 1) * io::level_side(bitmap.height, l - 1);
-    shd_image& level = levels[l - 1] = shd_image_default();
-    level.format = texture.format;
-    level.width = io::level_side(bitmap.width, l);
-    level.height = io::level_side(bitmap.height, l);
-    level.pixels = const_cast<unsigned char*>(next);
+/// Both loads of textures; `open(request)` gives the input.
+template <class Open>
+shd_result load_texture(shd_context* context, bool has_source, const shd_load_desc* desc, shd_texture** out_texture,
+                        Open&& open) {
+  if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
+  *out_texture = nullptr;
+  require_context(context);
+  const LoadRequest request = read_load_desc(desc);
+  check_texture_desc(request.desc);
+  if (request.desc.stack) {
+    if (has_source) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.stack: given together with a path or bytes");
+    return load_stack_texture(context, request, out_texture);
   }
-  return shd_texture_create(context, &texture, out_texture);
+  const Input input = open(request);
+  return with_path(input, [&] {
+    return request.desc.raw ? load_raw_texture(context, input, request, out_texture)
+                            : load_by_content(context, input, request, out_texture);
+  });
 }
 
 }  // namespace
@@ -136,7 +121,9 @@ shd_result shd_bitmap_load(shd_context* context, const char* path, const shd_loa
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
-    *out_bitmap = make_bitmap(context, load_path(context, path, read_bitmap_load(desc)));
+    const LoadRequest request = read_bitmap_load(desc);
+    const Input input = open_input(path, request);
+    *out_bitmap = make_bitmap(context, with_path(input, [&] { return load_pixels(context, input, request); }));
     return SHD_OK;
   });
 }
@@ -147,7 +134,8 @@ shd_result shd_bitmap_load_memory(shd_context* context, const void* bytes, size_
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
-    *out_bitmap = make_bitmap(context, load_copy(context, bytes, size, read_bitmap_load(desc)));
+    const LoadRequest request = read_bitmap_load(desc);
+    *out_bitmap = make_bitmap(context, load_pixels(context, memory_input(bytes, size, request), request));
     return SHD_OK;
   });
 }
@@ -190,22 +178,16 @@ shd_result shd_bitmap_get_info(const shd_bitmap* bitmap, shd_bitmap_info* out_in
 shd_result shd_texture_load(shd_context* context, const char* path, const shd_load_desc* desc,
                             shd_texture** out_texture) {
   return guard([&]() -> shd_result {
-    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
-    *out_texture = nullptr;
-    require_context(context);
-    const LoadRequest request = read_texture_load(desc);
-    return make_texture(context, load_path(context, path, request), request.desc.tables, out_texture);
+    return load_texture(context, path != nullptr, desc, out_texture,
+                        [&](const LoadRequest& request) { return open_input(path, request); });
   });
 }
 
 shd_result shd_texture_load_memory(shd_context* context, const void* bytes, size_t size, const shd_load_desc* desc,
                                    shd_texture** out_texture) {
   return guard([&]() -> shd_result {
-    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
-    *out_texture = nullptr;
-    require_context(context);
-    const LoadRequest request = read_texture_load(desc);
-    return make_texture(context, load_copy(context, bytes, size, request), request.desc.tables, out_texture);
+    return load_texture(context, true, desc, out_texture,
+                        [&](const LoadRequest& request) { return memory_input(bytes, size, request); });
   });
 }
 

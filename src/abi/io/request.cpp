@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "abi/io/request.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "abi/io/common.h"
 #include "io/isolate.h"
@@ -30,10 +32,11 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   LoadRequest request;
   shd_load_desc& desc = request.desc;
   read_desc("load", in, &desc);
-  constexpr uint32_t kFormats = 0x1fff | SHD_FILE_FORMAT_ANY;
+  constexpr uint32_t kFormats = 0x7fff | SHD_FILE_FORMAT_ANY;
   require_flags("load.formats", desc.formats, kFormats);
   require_flags("load.flags", desc.flags,
-                SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V | SHD_LOAD_FILE_LEVELS);
+                SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V | SHD_LOAD_FILE_LEVELS | SHD_LOAD_LINEAR |
+                    SHD_LOAD_ALPHA_WEIGHTED);
   if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
@@ -58,21 +61,60 @@ bool in_process(const LoadRequest& request) {
   return (request.desc.flags & SHD_LOAD_IN_PROCESS) != 0;
 }
 
-io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& request) {
+Input open_input(const char* path, const LoadRequest& request) {
   require_path(path);
-  const io::OpenFile file = io::open_file(path, request.options.limits);
+  Input input;
+  input.file = io::open_file(path, request.options.limits);
+  input.path = path;
+  input.size = input.file.size;
+  return input;
+}
+
+Input memory_input(const void* bytes, size_t size, const LoadRequest& request) {
+  if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
+  if (size > request.options.limits.file_bytes) {
+    refuse(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
+           static_cast<unsigned long long>(request.options.limits.file_bytes));
+  }
+  Input input;
+  input.bytes = static_cast<const unsigned char*>(bytes);
+  input.size = size;
+  return input;
+}
+
+void refuse_path(const Input& input, const Failure& failure) {
+  refuse(failure.code, "\"%s\": %s", io::printable(input.path).c_str(), failure.what());
+}
+
+io::Container container_of(const Input& input) {
+  if (!input.path) return io::container_of(input.bytes, input.size);
+  unsigned char first[io::kContainerBytes] = {};
+  const size_t size = std::min(input.size, sizeof first);
+  io::read_bytes_at(input.file.file.fd, 0, size, first);
+  return io::container_of(first, size);
+}
+
+io::Bitmap load_input(shd_context* context, const Input& input, const LoadRequest& request) {
   const io::Deadline deadline(request.options.limits.seconds);
   const io::Memory memory = memory_of(context);
-  try {
-    if (!in_process(request)) {
-      const io::Source source = {file.file.fd, nullptr, file.size};
-      return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
-    }
-    const io::Buffer bytes = io::read_bytes(file.file.fd, file.size, memory);
-    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline, nullptr);
-  } catch (const Failure& failure) {
-    refuse(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
+  const bool image = request.options.parts <= io::Parts::kSlices;
+  // The header of bytes in memory is checked before a copy or a worker costs anything.
+  if (input.bytes && image) io::accept(input.bytes, input.size, request.options);
+  if (!in_process(request)) {
+    const io::Source source = {input.bytes ? -1 : input.file.file.fd, input.bytes, input.size};
+    return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
   }
+  if (input.bytes && !image) {  // only decoders of images write into the bytes
+    return io::load(const_cast<unsigned char*>(input.bytes), input.size, request.options, memory, deadline, nullptr);
+  }
+  io::Buffer bytes;
+  if (input.bytes) {
+    bytes = io::Buffer(memory, input.size);
+    std::memcpy(bytes.data(), input.bytes, input.size);
+  } else {
+    bytes = io::read_bytes(input.file.file.fd, input.size, memory);
+  }
+  return io::load(bytes.data(), bytes.size(), request.options, memory, deadline, nullptr);
 }
 
 }  // namespace shd::extension

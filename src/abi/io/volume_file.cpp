@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <shd/volume_file.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,7 +6,7 @@
 #include <vector>
 
 #include "abi/io/common.h"
-#include "abi/io/request.h"
+#include "abi/io/loads.h"
 #include "core/read_desc.h"
 #include "io/levels.h"
 #include "io/numbered_path.h"
@@ -16,10 +14,9 @@
 #include "io/raw_voxels.h"
 #include "io/read_file.h"
 
-namespace {
+namespace shd::extension {
 
-using namespace shd;
-using namespace shd::extension;
+namespace {
 
 /// Texels of a 3D texture: [depth][height][width] of `format`.
 struct Voxels {
@@ -40,8 +37,7 @@ shd_result make_texture(shd_context* context, const Voxels& voxels, uint32_t tab
 }
 
 /// Loads of volumes accept these flags; `kind` names the load in the message.
-LoadRequest read_volume_load(const char* kind, const shd_load_desc* in, uint32_t flags) {
-  LoadRequest request = read_load_desc(in);
+void check_volume_load(const char* kind, const LoadRequest& request, uint32_t flags) {
   if (request.desc.flags & ~flags) {
     refuse(SHD_ERROR_UNSUPPORTED, "load.flags: bits 0x%x have no meaning for %s", request.desc.flags & ~flags, kind);
   }
@@ -49,7 +45,6 @@ LoadRequest read_volume_load(const char* kind, const shd_load_desc* in, uint32_t
     refuse(SHD_ERROR_UNSUPPORTED, "load.tables: 0x%x, but a 3D texture has SHD_TABLE_MIPMAP at most",
            request.desc.tables);
   }
-  return request;
 }
 
 void require_side(const char* field, uint32_t value) {
@@ -59,7 +54,6 @@ void require_side(const char* field, uint32_t value) {
 // Files of voxels.
 
 shd_raw_desc read_raw_desc(const shd_raw_desc* in) {
-  if (!in) refuse(SHD_ERROR_INVALID_ARGUMENT, "raw: NULL");
   shd_raw_desc desc = shd_raw_desc_default();
   read_desc("raw", in, &desc);
   require_side("raw.width", desc.width);
@@ -79,13 +73,13 @@ shd_raw_desc read_raw_desc(const shd_raw_desc* in) {
 }
 
 /// Offset of the first voxel. Throws Failure unless the file has the size of the desc.
-uint64_t find_voxels(const shd_raw_desc& raw, uint64_t bytes, uint64_t file_size, const char* path) {
+uint64_t find_voxels(const shd_raw_desc& raw, uint64_t bytes, uint64_t file_size) {
   const bool rest = raw.header_bytes == SHD_RAW_HEADER_REST;
   const uint64_t header = rest ? file_size - std::min(file_size, bytes) : raw.header_bytes;
   if (header <= file_size && file_size - header == bytes) return header;
   const auto wide = [](uint64_t value) { return static_cast<unsigned long long>(value); };
-  refuse(SHD_ERROR_CORRUPT, "\"%s\" has %llu bytes, not %llu of a header and %llu of %u x %u x %u voxels",
-         io::printable(path).c_str(), wide(file_size), wide(header), wide(bytes), raw.width, raw.height, raw.depth);
+  refuse(SHD_ERROR_CORRUPT, "the file has %llu bytes, not %llu of a header and %llu of %u x %u x %u voxels",
+         wide(file_size), wide(header), wide(bytes), raw.width, raw.height, raw.depth);
 }
 
 /// Memory for texels of this size. Throws Failure beyond the budgets.
@@ -96,22 +90,29 @@ io::Buffer allocate_texels(shd_context* context, const io::Limits& limits, const
                     io::check_bytes(limits, count, shd_format_size(voxels.format), static_cast<size_t>(file_size)));
 }
 
-Voxels load_raw(shd_context* context, const char* path, const shd_raw_desc& raw, const LoadRequest& request) {
-  require_path(path);
+/// Copies bytes of a file.
+void read_at(const Input& input, uint64_t at, size_t size, unsigned char* out) {
+  if (input.bytes) {
+    std::memcpy(out, input.bytes + at, size);
+  } else {
+    io::read_bytes_at(input.file.file.fd, at, size, out);
+  }
+}
+
+Voxels load_voxels(shd_context* context, const Input& input, const shd_raw_desc& raw, const LoadRequest& request) {
   const io::Limits& limits = request.options.limits;
   Voxels voxels = {io::raw_format(raw.sample, raw.channels), raw.width, raw.height, raw.depth, {}};
   io::check_volume(limits, raw.width, raw.height, raw.depth);
   const size_t numbers = size_t{raw.width} * raw.height * raw.depth * raw.channels;
   const size_t bytes = numbers * io::raw_sample_size(raw.sample);
-  const io::OpenFile file = io::open_file(path, limits);
-  const uint64_t header = find_voxels(raw, bytes, file.size, path);
-  voxels.texels = allocate_texels(context, limits, voxels, file.size);
+  const uint64_t header = find_voxels(raw, bytes, input.size);
+  voxels.texels = allocate_texels(context, limits, voxels, input.size);
   if (io::raw_is_stored(raw.sample)) {
-    io::read_bytes_at(file.file.fd, header, bytes, voxels.texels.data());
+    read_at(input, header, bytes, voxels.texels.data());
     io::order_bytes(raw.byte_order, raw.sample, numbers, voxels.texels.data());
   } else {
     const io::Buffer stored(memory_of(context), bytes);
-    io::read_bytes_at(file.file.fd, header, bytes, stored.data());
+    read_at(input, header, bytes, stored.data());
     io::order_bytes(raw.byte_order, raw.sample, numbers, stored.data());
     io::raw_to_floats(raw.sample, numbers, stored.data(), reinterpret_cast<float*>(voxels.texels.data()));
   }
@@ -124,7 +125,6 @@ Voxels load_raw(shd_context* context, const char* path, const shd_raw_desc& raw,
 // Stacks.
 
 shd_stack_desc read_stack_desc(const shd_stack_desc* in) {
-  if (!in) refuse(SHD_ERROR_INVALID_ARGUMENT, "stack: NULL");
   shd_stack_desc desc = shd_stack_desc_default();
   read_desc("stack", in, &desc);
   if (desc.path_count > io::kMaxSide) {
@@ -160,13 +160,6 @@ std::vector<std::string> stack_paths(const shd_stack_desc& desc) {
   return paths;
 }
 
-/// The numbers of slices are kept unless the caller says that they are sRGB.
-LoadRequest read_stack_load(const shd_load_desc* in) {
-  LoadRequest request = read_volume_load("a stack", in, SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
-  if (request.options.encoding == SHD_COLOR_ENCODING_AUTO) request.options.encoding = SHD_COLOR_ENCODING_DATA;
-  return request;
-}
-
 void check_encoding(const LoadRequest& request, shd_format format) {
   const bool bytes = format == SHD_FORMAT_R8_SRGB || format == SHD_FORMAT_RGBA8_SRGB;
   if (request.options.encoding == SHD_COLOR_ENCODING_SRGB && !bytes) {
@@ -174,10 +167,16 @@ void check_encoding(const LoadRequest& request, shd_format format) {
   }
 }
 
+/// A file of a stack.
+io::Bitmap load_slice(shd_context* context, const std::string& path, const LoadRequest& request) {
+  const Input input = open_input(path.c_str(), request);
+  return with_path(input, [&] { return load_bitmap(context, input, request); });
+}
+
 /// All parts of one file.
 Voxels load_pages(shd_context* context, const std::string& path, LoadRequest request) {
   request.options.parts = io::Parts::kSlices;
-  io::Bitmap bitmap = load_path(context, path.c_str(), request);
+  io::Bitmap bitmap = load_slice(context, path, request);
   return {bitmap.format, bitmap.width, bitmap.height, bitmap.depth, std::move(bitmap.pixels)};
 }
 
@@ -187,7 +186,7 @@ Voxels load_slices(shd_context* context, const std::vector<std::string>& paths, 
   request.options.parts = io::Parts::kSlice;
   size_t size = 0;  // bytes of a slice
   for (size_t k = 0; k < paths.size(); ++k) {
-    const io::Bitmap slice = load_path(context, paths[k].c_str(), request);
+    const io::Bitmap slice = load_slice(context, paths[k], request);
     if (k == 0) {
       voxels = {slice.format, slice.width, slice.height, static_cast<uint32_t>(paths.size()), {}};
       size = size_t{slice.width} * slice.height * io::bitmap_pixel_size(slice.format);
@@ -261,53 +260,37 @@ shd_vdb_info describe_grid(const io::Bitmap& bitmap) {
 
 }  // namespace
 
-extern "C" {
-
-shd_result shd_texture_load_raw(shd_context* context, const char* path, const shd_raw_desc* raw,
-                                const shd_load_desc* load, shd_texture** out_texture) {
-  return guard([&]() -> shd_result {
-    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
-    *out_texture = nullptr;
-    require_context(context);
-    const shd_raw_desc desc = read_raw_desc(raw);
-    const LoadRequest request = read_volume_load("a file of voxels", load, SHD_LOAD_IN_PROCESS | SHD_LOAD_FLIP_V);
-    return make_texture(context, load_raw(context, path, desc, request), request.desc.tables, out_texture);
-  });
+shd_result load_raw_texture(shd_context* context, const Input& input, const LoadRequest& request,
+                            shd_texture** out_texture) {
+  const shd_raw_desc desc = read_raw_desc(request.desc.raw);
+  check_volume_load("a file of voxels", request, SHD_LOAD_IN_PROCESS | SHD_LOAD_FLIP_V);
+  return make_texture(context, load_voxels(context, input, desc, request), request.desc.tables, out_texture);
 }
 
-shd_result shd_texture_load_stack(shd_context* context, const shd_stack_desc* stack, const shd_load_desc* load,
-                                  shd_texture** out_texture) {
-  return guard([&]() -> shd_result {
-    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
-    *out_texture = nullptr;
-    require_context(context);
-    const std::vector<std::string> paths = stack_paths(read_stack_desc(stack));
-    const LoadRequest request = read_stack_load(load);
-    const Voxels voxels =
-        paths.size() == 1 ? load_pages(context, paths[0], request) : load_slices(context, paths, request);
-    check_encoding(request, voxels.format);
-    return make_texture(context, voxels, request.desc.tables, out_texture);
-  });
+shd_result load_stack_texture(shd_context* context, const LoadRequest& given, shd_texture** out_texture) {
+  const std::vector<std::string> paths = stack_paths(read_stack_desc(given.desc.stack));
+  LoadRequest request = given;
+  check_volume_load("a stack", request, SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
+  // The numbers of slices are kept unless the caller says that they are sRGB.
+  if (request.options.encoding == SHD_COLOR_ENCODING_AUTO) request.options.encoding = SHD_COLOR_ENCODING_DATA;
+  const Voxels voxels =
+      paths.size() == 1 ? load_pages(context, paths[0], request) : load_slices(context, paths, request);
+  check_encoding(request, voxels.format);
+  return make_texture(context, voxels, request.desc.tables, out_texture);
 }
 
-shd_result shd_texture_load_vdb(shd_context* context, const char* path, const shd_vdb_desc* vdb,
-                                const shd_load_desc* load, shd_vdb_info* out_info, shd_texture** out_texture) {
-  return guard([&]() -> shd_result {
-    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
-    *out_texture = nullptr;
-    if (out_info) require(begin_output("out_info", out_info));
-    require_context(context);
-    const shd_vdb_desc desc = read_vdb_desc(vdb);
-    LoadRequest request = read_volume_load("OpenVDB", load, SHD_LOAD_IN_PROCESS);
-    request.options.parts = io::Parts::kGrid;
-    request.options.grid = grid_request(desc);
-    io::Bitmap bitmap = load_path(context, path, request);
-    const shd_vdb_info info = describe_grid(bitmap);
-    const Voxels voxels = {bitmap.format, bitmap.width, bitmap.height, bitmap.depth, std::move(bitmap.pixels)};
-    const shd_result result = make_texture(context, voxels, request.desc.tables, out_texture);
-    if (result == SHD_OK && out_info) write_desc(info, out_info);
-    return result;
-  });
+shd_result load_grid_texture(shd_context* context, const Input& input, LoadRequest request, shd_texture** out_texture) {
+  const shd_vdb_desc desc = read_vdb_desc(request.desc.vdb);
+  check_volume_load("OpenVDB", request, SHD_LOAD_IN_PROCESS);
+  require_format(request, SHD_FILE_FORMAT_VDB, "OpenVDB");
+  request.options.parts = io::Parts::kGrid;
+  request.options.grid = grid_request(desc);
+  io::Bitmap bitmap = load_input(context, input, request);
+  const shd_vdb_info info = describe_grid(bitmap);
+  const Voxels voxels = {bitmap.format, bitmap.width, bitmap.height, bitmap.depth, std::move(bitmap.pixels)};
+  const shd_result result = make_texture(context, voxels, request.desc.tables, out_texture);
+  if (result == SHD_OK && request.desc.vdb_info) write_desc(info, request.desc.vdb_info);
+  return result;
 }
 
-}  // extern "C"
+}  // namespace shd::extension

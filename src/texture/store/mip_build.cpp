@@ -3,6 +3,8 @@
 // then weighted columns of this row are summed.
 #include "texture/store/mip_build.h"
 
+#include <algorithm>
+
 #include "core/executor.h"
 #include "image/format.h"
 #include "texture/format/formats.h"
@@ -12,6 +14,9 @@
 namespace shd::texture {
 namespace {
 
+/// Weight of colours under alpha 0.
+constexpr double kInvisible = 0x1p-20;
+
 template <class Codec>
 struct Filter {
   static constexpr size_t kChannels = Codec::kChannels;
@@ -19,15 +24,22 @@ struct Filter {
   const shd_image& level;
   const AxisWeights& across;
   const AxisWeights& down;
-  bool normal, lengths;
+  bool normal, lengths, weighted;
   float* alpha;
 
-  /// Decodes the texels of a source row to numbers, and normals to vectors.
+  /// The weight of a colour by its alpha, relative to the alpha of an opaque texel.
+  static double weight_of(double alpha) { return std::max(alpha / Codec::one(3), 0.0) + kInvisible; }
+
+  /// Decodes the texels of a source row to numbers, normals to vectors, and colours by their weight.
   void decode(const uint8_t* row, double* to) const {
     for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
       Codec::load(row, to);
       if constexpr (kChannels >= 3) {
         if (normal) decode_normal<Codec>(lengths, to);
+      }
+      if constexpr (kChannels == 4) {
+        if (!weighted) continue;
+        for (size_t c = 0; c < 3; ++c) to[c] *= weight_of(to[3]);
       }
     }
   }
@@ -55,6 +67,11 @@ struct Filter {
     if constexpr (kChannels >= 3) {
       if (normal) encode_normal<Codec>(sum);
     }
+    if constexpr (kChannels == 4) {
+      if (weighted) {
+        for (size_t c = 0; c < 3; ++c) sum[c] /= weight_of(sum[3]);
+      }
+    }
     for (size_t c = 0; c < kChannels; ++c) sum[c] = clamp_stored<Codec>(c, sum[c]);
     Codec::store(sum, texel);
     if constexpr (kChannels == 4) {
@@ -79,7 +96,9 @@ void filter_code(const core::Context& context, const Filter<Codec>& filter) {
 void filter_level(const core::Context& context, const shd_image& source, const shd_mip_desc& desc, bool lengths,
                   const shd_image& level, float* alpha) {
   const image::FormatInfo format = image::format_info(source.format);
-  const bool light = desc.content == SHD_TEXEL_CONTENT_COLOR || desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
+  const bool weighted = desc.content == SHD_TEXEL_CONTENT_ALPHA_WEIGHTED;
+  const bool light =
+      weighted || desc.content == SHD_TEXEL_CONTENT_COLOR || desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
   const bool as_unorm = format.component == image::Component::kSrgb8 && !light;
   const image::Component component = as_unorm ? image::Component::kUnorm8 : format.component;
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
@@ -87,7 +106,7 @@ void filter_level(const core::Context& context, const shd_image& source, const s
   const bool normal = desc.content == SHD_TEXEL_CONTENT_NORMAL;
   visit_codec(component, format.channels, [&](auto codec) {
     using Codec = decltype(codec);
-    filter_code<Codec>(context, {source, level, across, down, normal, lengths, alpha});
+    filter_code<Codec>(context, {source, level, across, down, normal, lengths, weighted, alpha});
   });
 }
 

@@ -505,12 +505,42 @@ namespace Shd
         /// call
         /// </summary>
         public string WorkerPath;
+        /// <summary>
+        /// textures: the file is voxels of this layout; borrowed for the call; default
+        /// NULL
+        /// </summary>
+        public RawDesc? Raw;
+        /// <summary>
+        /// textures: slices of a 3D texture from the files of the desc, without a path;
+        /// borrowed for the call; default NULL
+        /// </summary>
+        public StackDesc Stack;
+        /// <summary>
+        /// textures: grid and box of an OpenVDB file; borrowed for the call; default NULL
+        /// = the first grid of float or double, if the content is OpenVDB
+        /// </summary>
+        public VdbDesc Vdb;
+        /// <summary>
+        /// textures: gets the contents of a KTX2 or DDS file; all zero on failure and for
+        /// other files, and its struct_size is read; default NULL
+        /// </summary>
+        public TextureFileInfo? Info;
+        /// <summary>
+        /// textures: gets the properties of an OpenVDB grid; all zero on failure and for
+        /// other files, and its struct_size is read; default NULL
+        /// </summary>
+        public VdbInfo? VdbInfo;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.LoadDesc Build(Call call, string name, long rows = -1)
         {
             Native.LoadDesc made = Raw;
             made.WorkerPath = call.Text(WorkerPath);
+            if (Raw.HasValue) { made.Raw = (global::Shd.RawDesc*)call.Memory(sizeof(global::Shd.RawDesc)); *made.Raw = Raw.Value; }
+            if (Stack != null) made.Stack = StackDesc.BuildAll(call, Call.Join(name, "Stack"), new StackDesc[] { Stack });
+            if (Vdb != null) made.Vdb = VdbDesc.BuildAll(call, Call.Join(name, "Vdb"), new VdbDesc[] { Vdb });
+            if (Info.HasValue) { made.Info = (global::Shd.TextureFileInfo*)call.Memory(sizeof(global::Shd.TextureFileInfo)); *made.Info = Info.Value; }
+            if (VdbInfo.HasValue) { made.VdbInfo = (global::Shd.VdbInfo*)call.Memory(sizeof(global::Shd.VdbInfo)); *made.VdbInfo = VdbInfo.Value; }
             return made;
         }
         internal static Native.LoadDesc* BuildAll(Call call, string name, IList<LoadDesc> list)

@@ -488,7 +488,7 @@ namespace Shd
         Tga = 32,
         /// <summary>uncompressed</summary>
         Bmp = 64,
-        /// <summary>BC1 to BC7 and plain pixels; no cube maps or volumes</summary>
+        /// <summary>blocks and pixels (shd/texture_file.h)</summary>
         Dds = 128,
         Webp = 256,
         /// <summary>PBM, PGM, PPM and PFM</summary>
@@ -496,8 +496,12 @@ namespace Shd
         Psd = 1024,
         Dpx = 2048,
         Gif = 4096,
-        /// <summary>PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM; default of LoadDesc.formats.</summary>
-        Default = 1023,
+        /// <summary>blocks and pixels (shd/texture_file.h)</summary>
+        Ktx2 = 8192,
+        /// <summary>grids of OpenVDB, textures alone (shd/volume_file.h)</summary>
+        Vdb = 16384,
+        /// <summary>PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP, PNM, KTX2 and VDB; default of LoadDesc.formats.</summary>
+        Default = 25599,
         /// <summary>Also every other format of the OpenImageIO build. For trusted files.</summary>
         Any = 1073741824,
     }
@@ -531,14 +535,29 @@ namespace Shd
         /// <summary>bottom row first</summary>
         FlipV = 4,
         /// <summary>
-        /// Textures: take the mip levels of the file, unchanged, instead of averages of its base. OpenEXR, DDS and TIFF as
-        /// written by maketx (`.tx`) can have levels. If they end before 1 x 1, the mipmap of the texture ends there, too.
+        /// Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
+        /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
         /// If the file has none, shd builds all of them. Level l must be max(1, size &gt;&gt; l) wide and high: OpenEXR files of
         /// rounding mode ROUND_UP whose sizes differ are Result.ErrorUnsupported, and so are levels of a file whose data
         /// window is not its display window. A damaged level is Result.ErrorCorrupt; with LoadFlags.Partial it and all smaller
         /// levels count as absent. Needs TableFlags.Mipmap in `tables`. Bitmaps have no levels.
         /// </summary>
         FileLevels = 8,
+        /// <summary>
+        /// Bitmaps: colour becomes linear light by its colour space, as an image that is a light needs it. RGBA8_SRGB, whose
+        /// format has the curve, linear 8-bit, half and float pixels stay as they are; all others become RGBA32F, and
+        /// shd_bitmap_color_space() is "Linear Rec.709". Primaries are not converted. An unknown colour space is
+        /// Result.ErrorUnsupported. Textures are always linear.
+        /// </summary>
+        Linear = 16,
+        /// <summary>
+        /// Textures of images with alpha: invisible texels give no fringes. r, g and b of the mip levels are averages
+        /// weighted by alpha (TexelContent.AlphaWeighted). Texels of alpha 0, in all levels, take the mean colour of
+        /// their visible neighbours, or of the next coarser level if no neighbour is visible; so lookups between a visible
+        /// and an invisible texel have the colour of the visible one. For straight alpha. No effect on other textures, on
+        /// KTX2 and DDS, and with LoadFlags.FileLevels if the file has levels.
+        /// </summary>
+        AlphaWeighted = 32,
     }
 
     /// <summary>Properties of a loaded file; combine with |.</summary>
@@ -866,6 +885,12 @@ namespace Shd
         /// the nearest texel, except where texels of equal alpha lie at the cutoff.
         /// </summary>
         AlphaCoverage = 4,
+        /// <summary>
+        /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages of
+        /// premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+        /// 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
+        /// </summary>
+        AlphaWeighted = 5,
     }
 
     /// <summary>Kind of generalised barycentric coordinates; the file's comment has the formulas.</summary>

@@ -906,20 +906,23 @@ namespace Shd.Native
         public static extern Result BitmapGetInfo(IntPtr bitmap, BitmapInfo* outInfo);
 
         /// <summary>
-        /// Make a texture from an image file.
+        /// Make a texture from a file. The content decides its kind:
         ///
-        /// sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
-        /// with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
-        /// alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
-        /// does not list is Result.ErrorUnsupported unless desc.color_space overrides it.
+        ///  - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
+        ///    files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
+        ///    RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
+        ///    shd_bitmap_color_space() does not list is Result.ErrorUnsupported unless desc.color_space overrides it. The mip
+        ///    levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
+        ///    ignored unless LoadFlags.FileLevels is set; then they are converted like the base.
+        ///  - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
+        ///  - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
         ///
-        /// The mip levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
-        /// ignored unless LoadFlags.FileLevels is set; then they are converted like the base.
+        /// Textures whose tiles stay in a file are opened by shd_texture_open().
         /// </summary>
         [DllImport("shd_io", EntryPoint = "shd_texture_load", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureLoad(IntPtr context, byte* path, LoadDesc* desc, IntPtr* outTexture);
 
-        /// <summary>Make a texture from an image file that is in memory, as shd_texture_load() does.</summary>
+        /// <summary>Make a texture from a file that is in memory, as shd_texture_load() does. desc.stack is Result.ErrorInvalidArgument.</summary>
         [DllImport("shd_io", EntryPoint = "shd_texture_load_memory", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureLoadMemory(
             IntPtr context, void* bytes, UIntPtr size, LoadDesc* desc, IntPtr* outTexture);
@@ -952,40 +955,6 @@ namespace Shd.Native
         public static extern Result ImageSave(Image* image, byte* path, SaveDesc* desc);
 
         /// <summary>
-        /// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file.
-        ///
-        /// Levels: with TableFlags.Mipmap in LoadDesc.tables, the texture has the levels of the file, and its mipmap ends
-        /// with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
-        /// TableFlags.Mipmap the texture has the base level.
-        ///
-        /// Kinds: 1D, 2D and 3D textures, arrays, and cube maps (Projection.Cube). LoadDesc.subimage chooses one
-        /// cube map of an array of cube maps. 3D textures of blocks are Result.ErrorUnsupported.
-        ///
-        /// Colour: ColorEncoding.Auto takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
-        /// BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;
-        /// LINEAR and DATA take the other one. A format without an _SRGB format is Result.ErrorUnsupported with SRGB, and if the
-        /// file declares the sRGB curve for it.
-        ///
-        /// Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become TextureDesc.swizzle and
-        /// `fill`. BGRA becomes RGBA.
-        ///
-        /// ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
-        /// error colour of ASTC: magenta, or NaN in HDR.
-        ///
-        /// Result.ErrorCorrupt: a file that is cut off, or that contradicts itself. Result.ErrorUnsupported: Basis Universal
-        /// (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message names it.
-        /// Result.ErrorLimit: a budget, or a size above those of TextureDesc.
-        /// </summary>
-        [DllImport("shd_io", EntryPoint = "shd_texture_load_file", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Result TextureLoadFile(
-            IntPtr context, byte* path, LoadDesc* load, TextureFileInfo* outInfo, IntPtr* outTexture);
-
-        /// <summary>Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does.</summary>
-        [DllImport("shd_io", EntryPoint = "shd_texture_load_file_memory", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Result TextureLoadFileMemory(
-            IntPtr context, void* bytes, UIntPtr size, LoadDesc* load, TextureFileInfo* outInfo, IntPtr* outTexture);
-
-        /// <summary>
         /// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
         /// swizzle of the texture is not written.
         ///
@@ -1004,49 +973,6 @@ namespace Shd.Native
         [DllImport("shd_io", EntryPoint = "shd_texture_open", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureOpen(
             IntPtr context, byte* path, TileFileDesc* desc, IntPtr* outTexture, TileFileInfo* outInfo);
-
-        /// <summary>
-        /// Make a 3D texture from a file of voxels.
-        ///
-        /// The size of the file must be that of the header and all voxels: a shorter or longer file is Result.ErrorCorrupt, with
-        /// a message that has both sizes. NaN and infinite numbers stay as they are.
-        /// </summary>
-        [DllImport("shd_io", EntryPoint = "shd_texture_load_raw", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Result TextureLoadRaw(
-            IntPtr context, byte* path, RawDesc* raw, LoadDesc* load, IntPtr* outTexture);
-
-        /// <summary>
-        /// Make a 3D texture from images of one size and format.
-        ///
-        /// Each of several files gives a slice, its part LoadDesc.subimage. A single file gives all its parts from
-        /// `subimage` on: the pages of a TIFF (at most 1024), the parts of a multi-part EXR, the frames of a GIF.
-        ///
-        /// A file with one channel becomes R8, R16, R16F or R32F; all others become RGBA8, RGBA16, RGBA16F or RGBA32F, as the
-        /// pixels of shd_bitmap_load(). LoadDesc.color_space AUTO and LINEAR keep the numbers, because most stacks hold
-        /// densities; the file's declaration has no effect. With SRGB, 8-bit files become R8_SRGB or RGBA8_SRGB, and all
-        /// others are Result.ErrorUnsupported.
-        ///
-        /// A slice whose size or format differs from slice 0 is Result.ErrorCorrupt, and names the slice. max_file_bytes,
-        /// max_ratio and time_limit are budgets of each file; max_pixels and max_bytes are budgets of the texture.
-        /// </summary>
-        [DllImport("shd_io", EntryPoint = "shd_texture_load_stack", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Result TextureLoadStack(
-            IntPtr context, StackDesc* stack, LoadDesc* load, IntPtr* outTexture);
-
-        /// <summary>
-        /// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb).
-        ///
-        /// The voxels of a box become the texels, a voxel each; tiles and the background are filled in. Texel (i, j, k) is the
-        /// voxel index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
-        ///
-        /// Result.ErrorUnsupported: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
-        /// stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
-        /// grid without active voxels, unless VdbFlags.Box is set. Result.ErrorNotFound: no grid of the name. Result.ErrorLimit: a
-        /// box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is Result.ErrorCorrupt.
-        /// </summary>
-        [DllImport("shd_io", EntryPoint = "shd_texture_load_vdb", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Result TextureLoadVdb(
-            IntPtr context, byte* path, VdbDesc* vdb, LoadDesc* load, VdbInfo* outInfo, IntPtr* outTexture);
 
     }
 

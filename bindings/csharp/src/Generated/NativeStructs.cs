@@ -728,6 +728,31 @@ namespace Shd.Native
         /// call
         /// </summary>
         public byte* WorkerPath;
+        /// <summary>
+        /// textures: the file is voxels of this layout; borrowed for the call; default
+        /// NULL
+        /// </summary>
+        public RawDesc* Raw;
+        /// <summary>
+        /// textures: slices of a 3D texture from the files of the desc, without a path;
+        /// borrowed for the call; default NULL
+        /// </summary>
+        public StackDesc* Stack;
+        /// <summary>
+        /// textures: grid and box of an OpenVDB file; borrowed for the call; default NULL
+        /// = the first grid of float or double, if the content is OpenVDB
+        /// </summary>
+        public VdbDesc* Vdb;
+        /// <summary>
+        /// textures: gets the contents of a KTX2 or DDS file; all zero on failure and for
+        /// other files, and its struct_size is read; default NULL
+        /// </summary>
+        public TextureFileInfo* Info;
+        /// <summary>
+        /// textures: gets the properties of an OpenVDB grid; all zero on failure and for
+        /// other files, and its struct_size is read; default NULL
+        /// </summary>
+        public VdbInfo* VdbInfo;
 
         /// <summary>The defaults of the library.</summary>
         public static LoadDesc Default

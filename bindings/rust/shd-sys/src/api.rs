@@ -734,7 +734,7 @@ impl shd_file_format {
     pub const TGA: Self = Self(32);
     /// uncompressed
     pub const BMP: Self = Self(64);
-    /// BC1 to BC7 and plain pixels; no cube maps or volumes
+    /// blocks and pixels (shd/texture_file.h)
     pub const DDS: Self = Self(128);
     pub const WEBP: Self = Self(256);
     /// PBM, PGM, PPM and PFM
@@ -742,8 +742,12 @@ impl shd_file_format {
     pub const PSD: Self = Self(1024);
     pub const DPX: Self = Self(2048);
     pub const GIF: Self = Self(4096);
-    /// PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM; default of shd_load_desc.formats.
-    pub const DEFAULT: Self = Self(1023);
+    /// blocks and pixels (shd/texture_file.h)
+    pub const KTX2: Self = Self(8192);
+    /// grids of OpenVDB, textures alone (shd/volume_file.h)
+    pub const VDB: Self = Self(16384);
+    /// PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP, PNM, KTX2 and VDB; default of shd_load_desc.formats.
+    pub const DEFAULT: Self = Self(25599);
     /// Also every other format of the OpenImageIO build. For trusted files.
     pub const ANY: Self = Self(1073741824);
 }
@@ -761,6 +765,8 @@ pub const SHD_FILE_FORMAT_PNM: shd_file_format = shd_file_format::PNM;
 pub const SHD_FILE_FORMAT_PSD: shd_file_format = shd_file_format::PSD;
 pub const SHD_FILE_FORMAT_DPX: shd_file_format = shd_file_format::DPX;
 pub const SHD_FILE_FORMAT_GIF: shd_file_format = shd_file_format::GIF;
+pub const SHD_FILE_FORMAT_KTX2: shd_file_format = shd_file_format::KTX2;
+pub const SHD_FILE_FORMAT_VDB: shd_file_format = shd_file_format::VDB;
 pub const SHD_FILE_FORMAT_DEFAULT: shd_file_format = shd_file_format::DEFAULT;
 pub const SHD_FILE_FORMAT_ANY: shd_file_format = shd_file_format::ANY;
 flags!(shd_file_format);
@@ -799,19 +805,32 @@ impl shd_load_flag {
     pub const PARTIAL: Self = Self(2);
     /// bottom row first
     pub const FLIP_V: Self = Self(4);
-    /// Textures: take the mip levels of the file, unchanged, instead of averages of its base. OpenEXR, DDS and TIFF as
-    /// written by maketx (`.tx`) can have levels. If they end before 1 x 1, the mipmap of the texture ends there, too.
+    /// Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
+    /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
     /// If the file has none, shd builds all of them. Level l must be max(1, size >> l) wide and high: OpenEXR files of
     /// rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED, and so are levels of a file whose data
     /// window is not its display window. A damaged level is SHD_ERROR_CORRUPT; with SHD_LOAD_PARTIAL it and all smaller
     /// levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have no levels.
     pub const FILE_LEVELS: Self = Self(8);
+    /// Bitmaps: colour becomes linear light by its colour space, as an image that is a light needs it. RGBA8_SRGB, whose
+    /// format has the curve, linear 8-bit, half and float pixels stay as they are; all others become RGBA32F, and
+    /// shd_bitmap_color_space() is "Linear Rec.709". Primaries are not converted. An unknown colour space is
+    /// SHD_ERROR_UNSUPPORTED. Textures are always linear.
+    pub const LINEAR: Self = Self(16);
+    /// Textures of images with alpha: invisible texels give no fringes. r, g and b of the mip levels are averages
+    /// weighted by alpha (SHD_TEXEL_CONTENT_ALPHA_WEIGHTED). Texels of alpha 0, in all levels, take the mean colour of
+    /// their visible neighbours, or of the next coarser level if no neighbour is visible; so lookups between a visible
+    /// and an invisible texel have the colour of the visible one. For straight alpha. No effect on other textures, on
+    /// KTX2 and DDS, and with SHD_LOAD_FILE_LEVELS if the file has levels.
+    pub const ALPHA_WEIGHTED: Self = Self(32);
 }
 pub const SHD_LOAD_DEFAULT: shd_load_flag = shd_load_flag::DEFAULT;
 pub const SHD_LOAD_IN_PROCESS: shd_load_flag = shd_load_flag::IN_PROCESS;
 pub const SHD_LOAD_PARTIAL: shd_load_flag = shd_load_flag::PARTIAL;
 pub const SHD_LOAD_FLIP_V: shd_load_flag = shd_load_flag::FLIP_V;
 pub const SHD_LOAD_FILE_LEVELS: shd_load_flag = shd_load_flag::FILE_LEVELS;
+pub const SHD_LOAD_LINEAR: shd_load_flag = shd_load_flag::LINEAR;
+pub const SHD_LOAD_ALPHA_WEIGHTED: shd_load_flag = shd_load_flag::ALPHA_WEIGHTED;
 flags!(shd_load_flag);
 
 /// Properties of a loaded file; combine with |.
@@ -1193,13 +1212,18 @@ impl shd_texel_content {
     /// reach `alpha_cutoff` is the share of the base (Castano, "Computing Alpha Mipmaps", 2010). The share is exact to
     /// the nearest texel, except where texels of equal alpha lie at the cutoff.
     pub const ALPHA_COVERAGE: Self = Self(4);
+    /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages of
+    /// premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+    /// 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
+    pub const ALPHA_WEIGHTED: Self = Self(5);
 }
 pub const SHD_TEXEL_CONTENT_COLOR: shd_texel_content = shd_texel_content::COLOR;
 pub const SHD_TEXEL_CONTENT_DATA: shd_texel_content = shd_texel_content::DATA;
 pub const SHD_TEXEL_CONTENT_NORMAL: shd_texel_content = shd_texel_content::NORMAL;
 pub const SHD_TEXEL_CONTENT_HEIGHT: shd_texel_content = shd_texel_content::HEIGHT;
 pub const SHD_TEXEL_CONTENT_ALPHA_COVERAGE: shd_texel_content = shd_texel_content::ALPHA_COVERAGE;
-names!(shd_texel_content: COLOR, DATA, NORMAL, HEIGHT, ALPHA_COVERAGE);
+pub const SHD_TEXEL_CONTENT_ALPHA_WEIGHTED: shd_texel_content = shd_texel_content::ALPHA_WEIGHTED;
+names!(shd_texel_content: COLOR, DATA, NORMAL, HEIGHT, ALPHA_COVERAGE, ALPHA_WEIGHTED);
 
 /// Kind of generalised barycentric coordinates; the file's comment has the formulas.
 #[repr(transparent)]
@@ -3371,9 +3395,24 @@ pub struct shd_load_desc {
     /// shd-io-worker beside libshd_io or in its installed place; borrowed for the
     /// call
     pub worker_path: *const c_char,
+    /// textures: the file is voxels of this layout; borrowed for the call; default
+    /// NULL
+    pub raw: *const shd_raw_desc,
+    /// textures: slices of a 3D texture from the files of the desc, without a path;
+    /// borrowed for the call; default NULL
+    pub stack: *const shd_stack_desc,
+    /// textures: grid and box of an OpenVDB file; borrowed for the call; default NULL
+    /// = the first grid of float or double, if the content is OpenVDB
+    pub vdb: *const shd_vdb_desc,
+    /// textures: gets the contents of a KTX2 or DDS file; all zero on failure and for
+    /// other files, and its struct_size is read; default NULL
+    pub info: *mut shd_texture_file_info,
+    /// textures: gets the properties of an OpenVDB grid; all zero on failure and for
+    /// other files, and its struct_size is read; default NULL
+    pub vdb_info: *mut shd_vdb_info,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_load_desc>() == 72);
+const _: () = assert!(core::mem::size_of::<shd_load_desc>() == 112);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_load_desc>() == 8);
 init!(shd_load_desc, SHD_DESC_KIND_LOAD_DESC);
@@ -6390,21 +6429,26 @@ extern "C" {
     ///
     /// - `out_info`: its struct_size is read; the rest is written, all zero on failure
     pub fn shd_bitmap_get_info(bitmap: *const shd_bitmap, out_info: *mut shd_bitmap_info) -> shd_result;
-    /// Make a texture from an image file.
+    /// Make a texture from a file. The content decides its kind:
     ///
-    /// sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
-    /// with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
-    /// alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
-    /// does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
-    ///
-    /// The mip levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
+    /// - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
+    /// files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
+    /// RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
+    /// shd_bitmap_color_space() does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip
+    /// levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
     /// ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
+    /// - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
+    /// - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
     ///
+    /// Textures whose tiles stay in a file are opened by shd_texture_open().
+    ///
+    /// - `path`: as for shd_bitmap_load(); NULL with desc.stack
+    /// - `desc`: borrowed for the call; NULL = all defaults
     /// - `out_texture`: owned; NULL on failure
     pub fn shd_texture_load(context: *mut shd_context, path: *const c_char, desc: *const shd_load_desc, out_texture: *mut *mut shd_texture) -> shd_result;
-    /// Make a texture from an image file that is in memory, as shd_texture_load() does.
+    /// Make a texture from a file that is in memory, as shd_texture_load() does. desc.stack is SHD_ERROR_INVALID_ARGUMENT.
     ///
-    /// - `bytes`: \[size\]; borrowed for the call
+    /// - `bytes`: \[size\], at any address; borrowed for the call
     pub fn shd_texture_load_memory(context: *mut shd_context, bytes: *const c_void, size: usize, desc: *const shd_load_desc, out_texture: *mut *mut shd_texture) -> shd_result;
     /// Write a framebuffer. The extension of `path` decides the format:
     ///
@@ -6430,43 +6474,6 @@ extern "C" {
     ///
     /// - `image`: borrowed for the call
     pub fn shd_image_save(image: *const shd_image, path: *const c_char, desc: *const shd_save_desc) -> shd_result;
-    /// Make a texture from a KTX 2.0 or DDS file. The content decides the format of the file.
-    ///
-    /// Levels: with SHD_TABLE_MIPMAP in shd_load_desc.tables, the texture has the levels of the file, and its mipmap ends
-    /// with the last one. If the file has one level, shd builds the others; a texture of blocks then has no mipmap. Without
-    /// SHD_TABLE_MIPMAP the texture has the base level.
-    ///
-    /// Kinds: 1D, 2D and 3D textures, arrays, and cube maps (SHD_PROJECTION_CUBE). shd_load_desc.subimage chooses one
-    /// cube map of an array of cube maps. 3D textures of blocks are SHD_ERROR_UNSUPPORTED.
-    ///
-    /// Colour: SHD_COLOR_ENCODING_AUTO takes what the file declares. DDS files without a DXGI_FORMAT declare nothing: BC1 to
-    /// BC3 and channels of 8 bits are then sRGB, as in shd_texture_load(). SRGB takes the _SRGB format of the same storage;
-    /// LINEAR and DATA take the other one. A format without an _SRGB format is SHD_ERROR_UNSUPPORTED with SRGB, and if the
-    /// file declares the sRGB curve for it.
-    ///
-    /// Swizzles: KTXswizzle of KTX2, and the channels of luminance and alpha of DDS, become shd_texture_desc.swizzle and
-    /// `fill`. BGRA becomes RGBA.
-    ///
-    /// ASTC blocks (2D, LDR and HDR) become RGBA8, RGBA8_SRGB or RGBA16F by libastcenc. Blocks of reserved modes get the
-    /// error colour of ASTC: magenta, or NaN in HDR.
-    ///
-    /// SHD_ERROR_CORRUPT: a file that is cut off, or that contradicts itself. SHD_ERROR_UNSUPPORTED: Basis Universal
-    /// (BasisLZ and UASTC), other formats, and what this libshd_io was built without; the message names it.
-    /// SHD_ERROR_LIMIT: a budget, or a size above those of shd_texture_desc.
-    ///
-    /// - `path`: as for shd_bitmap_load()
-    /// - `load`: borrowed for the call; NULL = all defaults. Budgets, tables, color_space, subimage and
-    /// SHD_LOAD_FLIP_V, which reverses the rows of pixels, have an effect; SHD_LOAD_IN_PROCESS,
-    /// SHD_LOAD_FILE_LEVELS and worker_path have none; other flags and `formats` are
-    /// SHD_ERROR_UNSUPPORTED. max_pixels counts the texels of the base level in all layers. max_ratio
-    /// compares the bytes of the texture with those of the file
-    /// - `out_info`: NULL, or its struct_size is read; the rest is written, all zero on failure
-    /// - `out_texture`: owned; NULL on failure
-    pub fn shd_texture_load_file(context: *mut shd_context, path: *const c_char, load: *const shd_load_desc, out_info: *mut shd_texture_file_info, out_texture: *mut *mut shd_texture) -> shd_result;
-    /// Make a texture from a KTX 2.0 or DDS file that is in memory, as shd_texture_load_file() does.
-    ///
-    /// - `bytes`: \[size\], at any address; borrowed for the call
-    pub fn shd_texture_load_file_memory(context: *mut shd_context, bytes: *const c_void, size: usize, load: *const shd_load_desc, out_info: *mut shd_texture_file_info, out_texture: *mut *mut shd_texture) -> shd_result;
     /// Write a texture to a KTX 2.0 file: all levels, layers, slices and faces, as stored. Blocks stay compressed. The
     /// swizzle of the texture is not written.
     ///
@@ -6487,51 +6494,6 @@ extern "C" {
     /// - `out_texture`: owned; NULL on failure
     /// - `out_info`: its struct_size is read; the rest is written, all zero on failure; may be NULL
     pub fn shd_texture_open(context: *mut shd_context, path: *const c_char, desc: *const shd_tile_file_desc, out_texture: *mut *mut shd_texture, out_info: *mut shd_tile_file_info) -> shd_result;
-    /// Make a 3D texture from a file of voxels.
-    ///
-    /// The size of the file must be that of the header and all voxels: a shorter or longer file is SHD_ERROR_CORRUPT, with
-    /// a message that has both sizes. NaN and infinite numbers stay as they are.
-    ///
-    /// - `path`: as for shd_bitmap_load()
-    /// - `raw`: borrowed for the call
-    /// - `load`: borrowed for the call; NULL = all defaults. Budgets, tables and SHD_LOAD_FLIP_V, which reverses
-    /// the rows of each slice, have an effect; other flags except SHD_LOAD_IN_PROCESS are errors
-    /// - `out_texture`: owned; NULL on failure
-    pub fn shd_texture_load_raw(context: *mut shd_context, path: *const c_char, raw: *const shd_raw_desc, load: *const shd_load_desc, out_texture: *mut *mut shd_texture) -> shd_result;
-    /// Make a 3D texture from images of one size and format.
-    ///
-    /// Each of several files gives a slice, its part shd_load_desc.subimage. A single file gives all its parts from
-    /// `subimage` on: the pages of a TIFF (at most 1024), the parts of a multi-part EXR, the frames of a GIF.
-    ///
-    /// A file with one channel becomes R8, R16, R16F or R32F; all others become RGBA8, RGBA16, RGBA16F or RGBA32F, as the
-    /// pixels of shd_bitmap_load(). shd_load_desc.color_space AUTO and LINEAR keep the numbers, because most stacks hold
-    /// densities; the file's declaration has no effect. With SRGB, 8-bit files become R8_SRGB or RGBA8_SRGB, and all
-    /// others are SHD_ERROR_UNSUPPORTED.
-    ///
-    /// A slice whose size or format differs from slice 0 is SHD_ERROR_CORRUPT, and names the slice. max_file_bytes,
-    /// max_ratio and time_limit are budgets of each file; max_pixels and max_bytes are budgets of the texture.
-    ///
-    /// - `stack`: borrowed for the call
-    /// - `load`: borrowed for the call; NULL = all defaults. SHD_LOAD_FILE_LEVELS is an error
-    /// - `out_texture`: owned; NULL on failure
-    pub fn shd_texture_load_stack(context: *mut shd_context, stack: *const shd_stack_desc, load: *const shd_load_desc, out_texture: *mut *mut shd_texture) -> shd_result;
-    /// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb).
-    ///
-    /// The voxels of a box become the texels, a voxel each; tiles and the background are filled in. Texel (i, j, k) is the
-    /// voxel index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
-    ///
-    /// SHD_ERROR_UNSUPPORTED: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
-    /// stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
-    /// grid without active voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a
-    /// box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT.
-    ///
-    /// - `path`: as for shd_bitmap_load()
-    /// - `vdb`: borrowed for the call; NULL = all defaults
-    /// - `load`: borrowed for the call; NULL = all defaults. Budgets, tables, worker_path and SHD_LOAD_IN_PROCESS
-    /// have an effect; other flags are errors
-    /// - `out_info`: NULL, or its struct_size is read; the rest is written, all zero on failure
-    /// - `out_texture`: owned; NULL on failure
-    pub fn shd_texture_load_vdb(context: *mut shd_context, path: *const c_char, vdb: *const shd_vdb_desc, load: *const shd_load_desc, out_info: *mut shd_vdb_info, out_texture: *mut *mut shd_texture) -> shd_result;
 }
 
 #[cfg(feature = "scene")]

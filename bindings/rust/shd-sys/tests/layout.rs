@@ -367,6 +367,11 @@ fn shd_load_desc_offsets() {
     offset!(shd_load_desc, max_ratio, 48);
     offset!(shd_load_desc, time_limit, 56);
     offset!(shd_load_desc, worker_path, 64);
+    offset!(shd_load_desc, raw, 72);
+    offset!(shd_load_desc, stack, 80);
+    offset!(shd_load_desc, vdb, 88);
+    offset!(shd_load_desc, info, 96);
+    offset!(shd_load_desc, vdb_info, 104);
 }
 
 #[test]
