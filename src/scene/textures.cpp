@@ -2,6 +2,7 @@
 #include "scene/textures.h"
 
 #include <algorithm>
+#include <set>
 
 #include "extension/error.h"
 #include "scene/disk_files.h"
@@ -39,6 +40,15 @@ std::string message_of(const TextureSource& source) {
   return source.file.empty() && source.rgba.empty() ? text : source.name + ": " + text;
 }
 
+/// Textures whose alpha blends a surface: colours of invisible texels must not bleed into visible ones.
+std::set<int32_t> blended_textures(const Model& model) {
+  std::set<int32_t> out;
+  for (const Surface& surface : model.surfaces) {
+    if (surface.alpha == Alpha::kBlend) out.insert(surface.maps[SHD_SLOT_DIFFUSE].texture);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Texture> load_textures(shd_context* context, const std::string& folder, const Model& model,
@@ -46,9 +56,11 @@ std::vector<Texture> load_textures(shd_context* context, const std::string& fold
                                    const Deadline& deadline, std::vector<std::string>* warnings) {
   std::vector<Texture> textures;
   uint64_t bytes = 0;
+  const std::set<int32_t> blended = blended_textures(model);
   for (const TextureSource& source : model.textures) {
     deadline.check();
     shd_load_desc desc = load;
+    if (blended.count(static_cast<int32_t>(textures.size())) != 0) desc.flags |= SHD_LOAD_ALPHA_WEIGHTED;
     const double left = std::max(deadline.seconds_left(), 1e-3);
     desc.time_limit = desc.time_limit > 0 ? std::min(desc.time_limit, left) : left;
     Texture texture;

@@ -8,7 +8,6 @@ from ._desc import desc_type
 from ._objects import Material, Sampler, slot
 from ._texture import Texture
 
-OPAQUE = 255
 SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
 
