@@ -287,6 +287,22 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+/// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets,
+/// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
+/// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
+/// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning. See
+/// shd_scene_pose().
+[[nodiscard]] inline shd_result scene_pose(
+    const shd_scene* scene_,
+    uint32_t animation,
+    double seconds,
+    shd::scene& out_scene) noexcept {
+  shd_scene* handle = nullptr;
+  const shd_result result = shd_scene_pose(scene_, animation, seconds, &handle);
+  out_scene.reset(handle);
+  return result;
+}
+
 #endif
 /// Make a shadow without a map. Call shd_shadow_render() before any lookup. See shd_shadow_create().
 [[nodiscard]] inline shd_result shadow_create(
@@ -898,6 +914,27 @@ inline shd_scene_instance scene_get_instance(const shd_scene* scene_, uint32_t i
 /// the file has none. See shd_scene_fill_render().
 inline void scene_fill_render(const shd_scene* scene_, shd_render_desc* in_out_render) {
   check(shd_scene_fill_render(scene_, in_out_render));
+}
+
+/// The times of an animation [s]: its first key and its last one. Poses before and after are those of the keys. Its
+/// name is that of SHD_SCENE_PART_ANIMATION. See shd_scene_get_animation_times().
+inline void scene_get_animation_times(
+    const shd_scene* scene_,
+    uint32_t index,
+    double* out_first,
+    double* out_last) {
+  check(shd_scene_get_animation_times(scene_, index, out_first, out_last));
+}
+
+/// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets,
+/// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
+/// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
+/// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning. See
+/// shd_scene_pose().
+inline shd::scene scene_pose(const shd_scene* scene_, uint32_t animation, double seconds) {
+  shd::scene made;
+  check(scene_pose(scene_, animation, seconds, made));
+  return made;
 }
 
 #endif

@@ -68,8 +68,8 @@ class Twin:
 
     def value(self, field):
         name, kind = field_name(field), "long" if is_size(field) else self.types.field_type(field)
-        self.member(field, f"public {kind} {name} {{ get {{ return Raw.{name}; }} set {{ Raw.{name} = value; }} }}")
-        self.take.append(f"Raw.{name} = made.{name};")
+        self.member(field, f"public {kind} {name} {{ get {{ return Fields.{name}; }} set {{ Fields.{name} = value; }} }}")
+        self.take.append(f"Fields.{name} = made.{name};")
 
     def set_count(self, name, value):
         """A statement that sets a field with a number of elements."""
@@ -173,14 +173,14 @@ class Twin:
         initial = f"{native}.Default" if self.entry.get("desc_kind") else f"new {native}()"
         yield from self.types.comment(self.entry.get("doc"), "    ")
         yield f"    public sealed unsafe partial class {self.name}"
-        yield from ["    {", f"        internal {native} Raw = {initial};", "",
+        yield from ["    {", f"        internal {native} Fields = {initial};", "",
                     "        /// <summary>The defaults of the library.</summary>",
                     f"        public static {self.name} Default {{ get {{ return new {self.name}(); }} }}", ""]
         yield from [*self.members, ""]
         yield "        /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>"
         yield f"        internal {native} Build(Call call, string name, long rows = -1)"
         yield "        {"
-        yield f"            {native} made = Raw;"
+        yield f"            {native} made = Fields;"
         yield from (f"            {line}" for line in self.build)
         if self.rows:
             yield f"            {self.set_count(self.rows, 'Math.Max(rows, 0)')}"

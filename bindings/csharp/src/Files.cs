@@ -83,9 +83,13 @@ namespace Shd
             return texture;
         }
 
+        /// <summary>
+        /// A texture of any file: an image, KTX2, DDS, OpenVDB, and with `desc` voxels or a stack of slices, which has no
+        /// path.
+        /// </summary>
         public static Texture LoadTexture(Context context, string path, LoadDesc desc = null)
         {
-            if (path == null) throw new ArgumentNullException("path");
+            if (path == null && (desc == null || desc.Stack == null)) throw new ArgumentNullException("path");
             using (Call call = new Call())
             {
                 Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
@@ -123,51 +127,6 @@ namespace Shd
                 IntPtr made;
                 call.Check(Native.LibShdIo.TextureOpen(call.Use(context, "context"), call.Text(path), &built, &made,
                                                        &found));
-                info = found;
-                return Adopt(call, made);
-            }
-        }
-
-        /// <summary>A 3D texture from numbers without a header.</summary>
-        public static Texture LoadRaw(Context context, string path, RawDesc raw, LoadDesc desc = null)
-        {
-            if (path == null) throw new ArgumentNullException("path");
-            using (Call call = new Call())
-            {
-                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
-                IntPtr made;
-                call.Check(Native.LibShdIo.TextureLoadRaw(call.Use(context, "context"), call.Text(path), &raw, &built,
-                                                          &made));
-                return Adopt(call, made);
-            }
-        }
-
-        /// <summary>A 3D texture from images of its slices.</summary>
-        public static Texture LoadStack(Context context, StackDesc stack, LoadDesc desc = null)
-        {
-            if (stack == null) throw new ArgumentNullException("stack");
-            using (Call call = new Call())
-            {
-                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
-                Native.StackDesc slices = stack.Build(call, "stack");
-                IntPtr made;
-                call.Check(Native.LibShdIo.TextureLoadStack(call.Use(context, "context"), &slices, &built, &made));
-                return Adopt(call, made);
-            }
-        }
-
-        /// <summary>A 3D texture from a grid of OpenVDB.</summary>
-        public static Texture LoadVdb(Context context, string path, VdbDesc vdb, out VdbInfo info, LoadDesc desc = null)
-        {
-            if (path == null) throw new ArgumentNullException("path");
-            using (Call call = new Call())
-            {
-                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
-                Native.VdbDesc grid = (vdb ?? new VdbDesc()).Build(call, "vdb");
-                VdbInfo found = VdbInfo.Default;
-                IntPtr made;
-                call.Check(Native.LibShdIo.TextureLoadVdb(call.Use(context, "context"), call.Text(path), &grid, &built,
-                                                          &found, &made));
                 info = found;
                 return Adopt(call, made);
             }

@@ -1262,6 +1262,7 @@ export type SlotTarget =
   | "clearcoat"
   | "clearcoat_roughness"
   | "clearcoat_normal"
+  | "tint"
   ;
 
 /**
@@ -2921,8 +2922,8 @@ export interface ShapeColumns {
 /**
  * A source for a coefficient. Required: target, and the fields that the source uses.
  *
- * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
- * up for
+ * Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are
+ * looked up for
  * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
  * and
  * those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid

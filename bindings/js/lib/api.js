@@ -138,7 +138,7 @@ export const enums = {
   "missing_tiles": {"wait":0,"coarser":1},
   "shadow_filter": {"hard":0,"pcf":1,"variance":2,"summed_area_variance":3,"pcss":4},
   "shape": {"sphere":0,"box":1,"plane":2,"torus":3,"teapot":4},
-  "slot_target": {"diffuse":0,"ambient":1,"specular":2,"exponent":3,"opacity":4,"emission":5,"metallic":6,"roughness":7,"occlusion":8,"normal":9,"height":10,"matcap":11,"normal_mixed":12,"clearcoat":13,"clearcoat_roughness":14,"clearcoat_normal":15},
+  "slot_target": {"diffuse":0,"ambient":1,"specular":2,"exponent":3,"opacity":4,"emission":5,"metallic":6,"roughness":7,"occlusion":8,"normal":9,"height":10,"matcap":11,"normal_mixed":12,"clearcoat":13,"clearcoat_roughness":14,"clearcoat_normal":15,"tint":16},
   "slot_source": {"constant":0,"texture":1,"vertex":2,"procedure":3,"solid":4},
   "place_space": {"object":0,"world":1},
   "solid": {"stripes":0,"checker":1,"perlin":2,"value":3,"simplex":4,"worley":5,"marble":6,"wood":7},

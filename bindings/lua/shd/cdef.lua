@@ -572,6 +572,7 @@ typedef enum shd_missing_tiles {
 typedef enum shd_scene_flag {
   SHD_SCENE_NONE = 0,
   SHD_SCENE_REQUIRE_TEXTURES = 1,
+  SHD_SCENE_HOST_FILTERS = 2,
   SHD_SCENE_FLAG_MAX_ENUM = 2147483647
 } shd_scene_flag;
 typedef enum shd_scene_part {
@@ -580,6 +581,7 @@ typedef enum shd_scene_part {
   SHD_SCENE_PART_TEXTURE = 2,
   SHD_SCENE_PART_LIGHT = 3,
   SHD_SCENE_PART_CAMERA = 4,
+  SHD_SCENE_PART_ANIMATION = 5,
   SHD_SCENE_PART_MAX_ENUM = 2147483647
 } shd_scene_part;
 typedef enum shd_shadow_filter {
@@ -615,6 +617,7 @@ typedef enum shd_slot_target {
   SHD_SLOT_CLEARCOAT = 13,
   SHD_SLOT_CLEARCOAT_ROUGHNESS = 14,
   SHD_SLOT_CLEARCOAT_NORMAL = 15,
+  SHD_SLOT_TINT = 16,
   SHD_SLOT_TARGET_MAX_ENUM = 2147483647
 } shd_slot_target;
 typedef enum shd_slot_source {
@@ -1580,12 +1583,16 @@ struct shd_scene_info {
   uint64_t triangle_count;
   float bounds_min[3];
   float bounds_max[3];
+  double origin[3];
+  uint32_t animation_count;
+  uint32_t deformed_mesh_count;
 };
 struct shd_scene_instance {
   uint32_t struct_size;
   uint32_t mesh;
   uint32_t material;
   float object_to_world[16];
+  shd_cull cull;
 };
 struct shd_shadow_desc {
   uint32_t struct_size;
@@ -2048,6 +2055,8 @@ shd_result shd_scene_get_light_desc(const shd_scene *scene, uint32_t index, shd_
 shd_result shd_scene_get_camera(const shd_scene *scene, uint32_t index, shd_camera *out_camera);
 shd_result shd_scene_get_instance(const shd_scene *scene, uint32_t index, shd_scene_instance *out_instance);
 shd_result shd_scene_fill_render(const shd_scene *scene, shd_render_desc *in_out_render);
+shd_result shd_scene_get_animation_times(const shd_scene *scene, uint32_t index, double *out_first, double *out_last);
+shd_result shd_scene_pose(const shd_scene *scene, uint32_t animation, double seconds, shd_scene **out_scene);
 shd_result shd_shadow_create(shd_context *context, const shd_shadow_desc *desc, shd_shadow **out_shadow);
 void shd_shadow_retain(shd_shadow *shadow);
 void shd_shadow_release(shd_shadow *shadow);

@@ -531,6 +531,7 @@ class MissingTiles(enum.IntEnum):
 class SceneFlag(enum.IntFlag):
     NONE = 0
     REQUIRE_TEXTURES = 1
+    HOST_FILTERS = 2
 
 class ScenePart(enum.IntEnum):
     MESH = 0
@@ -538,6 +539,7 @@ class ScenePart(enum.IntEnum):
     TEXTURE = 2
     LIGHT = 3
     CAMERA = 4
+    ANIMATION = 5
 
 class ShadowFilter(enum.IntEnum):
     HARD = 0
@@ -570,6 +572,7 @@ class SlotTarget(enum.IntEnum):
     CLEARCOAT = 13
     CLEARCOAT_ROUGHNESS = 14
     CLEARCOAT_NORMAL = 15
+    TINT = 16
 
 class SlotSource(enum.IntEnum):
     CONSTANT = 0
@@ -1942,6 +1945,9 @@ class SceneInfo(Desc):
     triangle_count: int
     bounds_min: _Array
     bounds_max: _Array
+    origin: _Array
+    animation_count: int
+    deformed_mesh_count: int
     def __init__(self, *,
                  mesh_count: int = ...,
                  material_count: int = ...,
@@ -1954,16 +1960,21 @@ class SceneInfo(Desc):
                  triangle_count: int = ...,
                  bounds_min: _Array = ...,
                  bounds_max: _Array = ...,
+                 origin: _Array = ...,
+                 animation_count: int = ...,
+                 deformed_mesh_count: int = ...,
                  ) -> None: ...
 
 class SceneInstance(Desc):
     mesh: int
     material: int
     object_to_world: _Array
+    cull: Union[int, str]
     def __init__(self, *,
                  mesh: int = ...,
                  material: int = ...,
                  object_to_world: _Array = ...,
+                 cull: Union[int, str] = ...,
                  ) -> None: ...
 
 class ShadowDesc(Desc):

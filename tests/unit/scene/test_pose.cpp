@@ -156,7 +156,7 @@ Model skinned_model(const Matrix& second) {
 }
 
 void test_skin(void**) {
-  for (const Matrix& second : {test::moved(0.5, 1, -2), test::scaled(-1, -2, -0.5)}) {
+  for (const Matrix& second : {test::moved(0.5, 1, -2), test::scaled(-1.3, -2.1, -0.4)}) {
     const Model model = skinned_model(second);
     const Geometry& g = model.geometries[0];
     const Pose pose = pose_of(model);

@@ -9,28 +9,28 @@ namespace Shd
     /// <summary>Options of a bake; nothing is required.</summary>
     public sealed unsafe partial class BakeDesc
     {
-        internal Native.BakeDesc Raw = Native.BakeDesc.Default;
+        internal Native.BakeDesc Fields = Native.BakeDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static BakeDesc Default { get { return new BakeDesc(); } }
 
         /// <summary>texture coordinates at which triangles lie: 0 = uv of the mesh, 1 = uv1; default 0</summary>
-        public uint UvSet { get { return Raw.UvSet; } set { Raw.UvSet = value; } }
+        public uint UvSet { get { return Fields.UvSet; } set { Fields.UvSet = value; } }
         /// <summary>
         /// Largest distance [texels], 0..1024, over which empty texels get a copy of the nearest shaded texel, in all planes
         /// except depth: seams then do not mix with the background when the texture is filtered. Distances are between
         /// centres; of equally near texels the one in the upper row is copied, then the left one. Default 0 = none.
         /// </summary>
-        public uint Dilation { get { return Raw.Dilation; } set { Raw.Dilation = value; } }
+        public uint Dilation { get { return Fields.Dilation; } set { Fields.Dilation = value; } }
         /// <summary>reserved; 0</summary>
-        public uint Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public uint Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>TexelState of width * height texels; default not wanted</summary>
         public Column<uint> States;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.BakeDesc Build(Call call, string name, long rows = -1)
         {
-            Native.BakeDesc made = Raw;
+            Native.BakeDesc made = Fields;
             made.States = call.U32Out(States, name, "States", ref rows);
             More(call, name, ref made);
             return made;
@@ -47,19 +47,19 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.BakeDesc made) { Raw.UvSet = made.UvSet; Raw.Dilation = made.Dilation; Raw.Flags = made.Flags; }
+        internal void Take(ref Native.BakeDesc made) { Fields.UvSet = made.UvSet; Fields.Dilation = made.Dilation; Fields.Flags = made.Flags; }
     }
 
     /// <summary>Source of the config. Zero is the default of each field. Strings are borrowed for the call.</summary>
     public sealed unsafe partial class ColorDesc
     {
-        internal Native.ColorDesc Raw = Native.ColorDesc.Default;
+        internal Native.ColorDesc Fields = Native.ColorDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ColorDesc Default { get { return new ColorDesc(); } }
 
         /// <summary>precision of 8-bit images; default DisplayPrecision.Baked</summary>
-        public DisplayPrecision DisplayPrecision { get { return Raw.DisplayPrecision; } set { Raw.DisplayPrecision = value; } }
+        public DisplayPrecision DisplayPrecision { get { return Fields.DisplayPrecision; } set { Fields.DisplayPrecision = value; } }
         /// <summary>
         /// path of a config file, at most 64 MiB; NULL = the file named by the environment
         /// variable OCIO if it is set and not empty, else the built-in config. The config
@@ -74,7 +74,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ColorDesc Build(Call call, string name, long rows = -1)
         {
-            Native.ColorDesc made = Raw;
+            Native.ColorDesc made = Fields;
             made.ConfigPath = call.Text(ConfigPath);
             made.ConfigText = call.Text(ConfigText);
             made.WorkingSpace = call.Text(WorkingSpace);
@@ -96,25 +96,25 @@ namespace Shd
     /// <summary>Options of a context. Zero is the default of each.</summary>
     public sealed unsafe partial class ContextDesc
     {
-        internal Native.ContextDesc Raw = Native.ContextDesc.Default;
+        internal Native.ContextDesc Fields = Native.ContextDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ContextDesc Default { get { return new ContextDesc(); } }
 
         /// <summary>default 0</summary>
-        public ContextFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public ContextFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>
         /// threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread;
         /// default 0 = one per core
         /// </summary>
-        public uint WorkerCount { get { return Raw.WorkerCount; } set { Raw.WorkerCount = value; } }
+        public uint WorkerCount { get { return Fields.WorkerCount; } set { Fields.WorkerCount = value; } }
         /// <summary>default Simd.Best; Result.ErrorUnsupported if it cannot run here</summary>
-        public Simd Simd { get { return Raw.Simd; } set { Raw.Simd = value; } }
+        public Simd Simd { get { return Fields.Simd; } set { Fields.Simd = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ContextDesc Build(Call call, string name, long rows = -1)
         {
-            Native.ContextDesc made = Raw;
+            Native.ContextDesc made = Fields;
             More(call, name, ref made);
             return made;
         }
@@ -135,7 +135,7 @@ namespace Shd
     /// <summary>Columns for edges; NULL = not wanted.</summary>
     public sealed unsafe partial class Edges
     {
-        internal Native.Edges Raw = Native.Edges.Default;
+        internal Native.Edges Fields = Native.Edges.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Edges Default { get { return new Edges(); } }
@@ -150,7 +150,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Edges Build(Call call, string name, long rows = -1)
         {
-            Native.Edges made = Raw;
+            Native.Edges made = Fields;
             for (int i = 0; i < 2; ++i) made.Vertex[i] = call.U32Out(Vertex[i], name, "Vertex", ref rows);
             for (int i = 0; i < 2; ++i) made.Triangle[i] = call.U32Out(Triangle[i], name, "Triangle", ref rows);
             made.Kinds = call.U32Out(Kinds, name, "Kinds", ref rows);
@@ -173,13 +173,13 @@ namespace Shd
     /// <summary>Image and tables of an environment. Required: image.</summary>
     public sealed unsafe partial class EnvironmentDesc
     {
-        internal Native.EnvironmentDesc Raw = Native.EnvironmentDesc.Default;
+        internal Native.EnvironmentDesc Fields = Native.EnvironmentDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static EnvironmentDesc Default { get { return new EnvironmentDesc(); } }
 
         /// <summary>any but Projection.None; default Projection.LatLong</summary>
-        public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        public Projection Projection { get { return Fields.Projection; } set { Fields.Projection = value; } }
         /// <summary>
         /// Linear radiance, of any format and of 1 x 1 up to 2^26 pixels; borrowed for the call. One channel means grey; the
         /// fourth is ignored. CUBE takes the six faces on top of each other: height = 6 width. MIRROR_BALL, ANGULAR and
@@ -188,14 +188,14 @@ namespace Shd
         /// </summary>
         public Image Image;
         /// <summary>default Irradiance.Harmonics</summary>
-        public Irradiance Irradiance { get { return Raw.Irradiance; } set { Raw.Irradiance = value; } }
+        public Irradiance Irradiance { get { return Fields.Irradiance; } set { Fields.Irradiance = value; } }
         /// <summary>default EnvironmentTables.All</summary>
-        public EnvironmentTables Tables { get { return Raw.Tables; } set { Raw.Tables = value; } }
+        public EnvironmentTables Tables { get { return Fields.Tables; } set { Fields.Tables = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentDesc Build(Call call, string name, long rows = -1)
         {
-            Native.EnvironmentDesc made = Raw;
+            Native.EnvironmentDesc made = Fields;
             if (Image != null) made.Image = Image.BuildAll(call, Call.Join(name, "Image"), new Image[] { Image });
             return made;
         }
@@ -215,7 +215,7 @@ namespace Shd
     /// <summary>Lookups of an environment, as columns of `count` elements.</summary>
     public sealed unsafe partial class EnvironmentLookups
     {
-        internal Native.EnvironmentLookups Raw = Native.EnvironmentLookups.Default;
+        internal Native.EnvironmentLookups Fields = Native.EnvironmentLookups.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static EnvironmentLookups Default { get { return new EnvironmentLookups(); } }
@@ -238,7 +238,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentLookups Build(Call call, string name, long rows = -1)
         {
-            Native.EnvironmentLookups made = Raw;
+            Native.EnvironmentLookups made = Fields;
             for (int i = 0; i < 3; ++i) made.Direction[i] = call.F32In(Direction[i], name, "Direction", ref rows);
             made.Roughness = call.F32In(Roughness, name, "Roughness", ref rows);
             made.Exponent = call.F32In(Exponent, name, "Exponent", ref rows);
@@ -261,7 +261,7 @@ namespace Shd
     /// <summary>Columns for irradiance or radiance; NULL = not wanted.</summary>
     public sealed unsafe partial class EnvironmentLight
     {
-        internal Native.EnvironmentLight Raw = Native.EnvironmentLight.Default;
+        internal Native.EnvironmentLight Fields = Native.EnvironmentLight.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static EnvironmentLight Default { get { return new EnvironmentLight(); } }
@@ -272,7 +272,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.EnvironmentLight Build(Call call, string name, long rows = -1)
         {
-            Native.EnvironmentLight made = Raw;
+            Native.EnvironmentLight made = Fields;
             for (int i = 0; i < 3; ++i) made.Rgb[i] = call.F32Out(Rgb[i], name, "Rgb", ref rows);
             return made;
         }
@@ -293,7 +293,7 @@ namespace Shd
     /// <summary>Columns for derivatives per pixel step; NULL = not wanted.</summary>
     public sealed unsafe partial class Derivatives
     {
-        internal Native.Derivatives Raw = Native.Derivatives.Default;
+        internal Native.Derivatives Fields = Native.Derivatives.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Derivatives Default { get { return new Derivatives(); } }
@@ -310,7 +310,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Derivatives Build(Call call, string name, long rows = -1)
         {
-            Native.Derivatives made = Raw;
+            Native.Derivatives made = Fields;
             made.Dudx = call.F32Out(Dudx, name, "Dudx", ref rows);
             made.Dvdx = call.F32Out(Dvdx, name, "Dvdx", ref rows);
             made.Dudy = call.F32Out(Dudy, name, "Dudy", ref rows);
@@ -334,7 +334,7 @@ namespace Shd
     /// <summary>Hits of rays with their differentials, as columns of `count` elements; x, y, z in one space.</summary>
     public sealed unsafe partial class RayDifferentials
     {
-        internal Native.RayDifferentials Raw = Native.RayDifferentials.Default;
+        internal Native.RayDifferentials Fields = Native.RayDifferentials.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static RayDifferentials Default { get { return new RayDifferentials(); } }
@@ -359,7 +359,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RayDifferentials Build(Call call, string name, long rows = -1)
         {
-            Native.RayDifferentials made = Raw;
+            Native.RayDifferentials made = Fields;
             for (int i = 0; i < 3; ++i) made.Dpdu[i] = call.F32In(Dpdu[i], name, "Dpdu", ref rows);
             for (int i = 0; i < 3; ++i) made.Dpdv[i] = call.F32In(Dpdv[i], name, "Dpdv", ref rows);
             for (int i = 0; i < 3; ++i) made.Direction[i] = call.F32In(Direction[i], name, "Direction", ref rows);
@@ -387,7 +387,7 @@ namespace Shd
     /// <summary>Hits of rays with their cones, as columns of `count` elements; x, y, z in one space.</summary>
     public sealed unsafe partial class RayCones
     {
-        internal Native.RayCones Raw = Native.RayCones.Default;
+        internal Native.RayCones Fields = Native.RayCones.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static RayCones Default { get { return new RayCones(); } }
@@ -404,7 +404,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RayCones Build(Call call, string name, long rows = -1)
         {
-            Native.RayCones made = Raw;
+            Native.RayCones made = Fields;
             for (int i = 0; i < 3; ++i) made.Dpdu[i] = call.F32In(Dpdu[i], name, "Dpdu", ref rows);
             for (int i = 0; i < 3; ++i) made.Dpdv[i] = call.F32In(Dpdv[i], name, "Dpdv", ref rows);
             for (int i = 0; i < 3; ++i) made.Direction[i] = call.F32In(Direction[i], name, "Direction", ref rows);
@@ -428,24 +428,24 @@ namespace Shd
     /// <summary>An image in the caller's memory. Required: format, width, height, pixels.</summary>
     public sealed unsafe partial class Image
     {
-        internal Native.Image Raw = Native.Image.Default;
+        internal Native.Image Fields = Native.Image.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Image Default { get { return new Image(); } }
 
         /// <summary>storage of `pixels`</summary>
-        public Format Format { get { return Raw.Format; } set { Raw.Format = value; } }
+        public Format Format { get { return Fields.Format; } set { Fields.Format = value; } }
         /// <summary>pixels, 1..65536</summary>
-        public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
+        public uint Width { get { return Fields.Width; } set { Fields.Width = value; } }
         /// <summary>pixels, 1..65536</summary>
-        public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
+        public uint Height { get { return Fields.Height; } set { Fields.Height = value; } }
         /// <summary>bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed</summary>
-        public long RowStride { get { return Raw.RowStride; } set { Raw.RowStride = value; } }
+        public long RowStride { get { return Fields.RowStride; } set { Fields.RowStride = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Image Build(Call call, string name, long rows = -1)
         {
-            Native.Image made = Raw;
+            Native.Image made = Fields;
             More(call, name, ref made);
             return made;
         }
@@ -466,39 +466,39 @@ namespace Shd
     /// <summary>Options and budgets of a load. A budget that would be exceeded is Result.ErrorLimit.</summary>
     public sealed unsafe partial class LoadDesc
     {
-        internal Native.LoadDesc Raw = Native.LoadDesc.Default;
+        internal Native.LoadDesc Fields = Native.LoadDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static LoadDesc Default { get { return new LoadDesc(); } }
 
         /// <summary>formats to accept; default 0 = FileFormatFlags.Default</summary>
-        public FileFormatFlags Formats { get { return Raw.Formats; } set { Raw.Formats = value; } }
+        public FileFormatFlags Formats { get { return Fields.Formats; } set { Fields.Formats = value; } }
         /// <summary>default none</summary>
-        public LoadFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public LoadFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>default AUTO; other values override the file's declaration</summary>
-        public ColorEncoding ColorSpace { get { return Raw.ColorSpace; } set { Raw.ColorSpace = value; } }
+        public ColorEncoding ColorSpace { get { return Fields.ColorSpace; } set { Fields.ColorSpace = value; } }
         /// <summary>tables of textures; default TableFlags.Mipmap</summary>
-        public TableFlags Tables { get { return Raw.Tables; } set { Raw.Tables = value; } }
+        public TableFlags Tables { get { return Fields.Tables; } set { Fields.Tables = value; } }
         /// <summary>part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0</summary>
-        public uint Subimage { get { return Raw.Subimage; } set { Raw.Subimage = value; } }
+        public uint Subimage { get { return Fields.Subimage; } set { Fields.Subimage = value; } }
         /// <summary>size of the file; 0 = 2^30</summary>
-        public ulong MaxFileBytes { get { return Raw.MaxFileBytes; } set { Raw.MaxFileBytes = value; } }
+        public ulong MaxFileBytes { get { return Fields.MaxFileBytes; } set { Fields.MaxFileBytes = value; } }
         /// <summary>
         /// width * height, of the data and of the display window, and the pixels of all
         /// levels with LoadFlags.FileLevels; 0 = 2^28
         /// </summary>
-        public ulong MaxPixels { get { return Raw.MaxPixels; } set { Raw.MaxPixels = value; } }
+        public ulong MaxPixels { get { return Fields.MaxPixels; } set { Fields.MaxPixels = value; } }
         /// <summary>decoded, as RGBA, all levels; 0 = 2^32</summary>
-        public ulong MaxBytes { get { return Raw.MaxBytes; } set { Raw.MaxBytes = value; } }
+        public ulong MaxBytes { get { return Fields.MaxBytes; } set { Fields.MaxBytes = value; } }
         /// <summary>decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000</summary>
-        public double MaxRatio { get { return Raw.MaxRatio; } set { Raw.MaxRatio = value; } }
+        public double MaxRatio { get { return Fields.MaxRatio; } set { Fields.MaxRatio = value; } }
         /// <summary>
         /// [s], 0 = 60; kills the child that decodes. With LoadFlags.InProcess it is
         /// checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
         /// costs a load all of its time; when it has been silent for two seconds, the
         /// next load starts another one
         /// </summary>
-        public double TimeLimit { get { return Raw.TimeLimit; } set { Raw.TimeLimit = value; } }
+        public double TimeLimit { get { return Fields.TimeLimit; } set { Fields.TimeLimit = value; } }
         /// <summary>
         /// program that decodes, relative to the working directory at the call; NULL =
         /// shd-io-worker beside libshd_io or in its installed place; borrowed for the
@@ -534,7 +534,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.LoadDesc Build(Call call, string name, long rows = -1)
         {
-            Native.LoadDesc made = Raw;
+            Native.LoadDesc made = Fields;
             made.WorkerPath = call.Text(WorkerPath);
             if (Raw.HasValue) { made.Raw = (global::Shd.RawDesc*)call.Memory(sizeof(global::Shd.RawDesc)); *made.Raw = Raw.Value; }
             if (Stack != null) made.Stack = StackDesc.BuildAll(call, Call.Join(name, "Stack"), new StackDesc[] { Stack });
@@ -559,7 +559,7 @@ namespace Shd
     /// <summary>Options of a save.</summary>
     public sealed unsafe partial class SaveDesc
     {
-        internal Native.SaveDesc Raw = Native.SaveDesc.Default;
+        internal Native.SaveDesc Fields = Native.SaveDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static SaveDesc Default { get { return new SaveDesc(); } }
@@ -568,19 +568,19 @@ namespace Shd
         /// a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
         /// default 0 = 8 for PNG, 16 for EXR, 32 for TIFF. For images always 0
         /// </summary>
-        public uint BitDepth { get { return Raw.BitDepth; } set { Raw.BitDepth = value; } }
+        public uint BitDepth { get { return Fields.BitDepth; } set { Fields.BitDepth = value; } }
         /// <summary>
         /// framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and
         /// DATA do not. Images: the tag of PNG and EXR; AUTO = by pixel format
         /// </summary>
-        public ColorEncoding ColorSpace { get { return Raw.ColorSpace; } set { Raw.ColorSpace = value; } }
+        public ColorEncoding ColorSpace { get { return Fields.ColorSpace; } set { Fields.ColorSpace = value; } }
         /// <summary>a framebuffer's colour in 8 and 16 bits; default none</summary>
-        public Dither Dither { get { return Raw.Dither; } set { Raw.Dither = value; } }
+        public Dither Dither { get { return Fields.Dither; } set { Fields.Dither = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SaveDesc Build(Call call, string name, long rows = -1)
         {
-            Native.SaveDesc made = Raw;
+            Native.SaveDesc made = Fields;
             More(call, name, ref made);
             return made;
         }
@@ -601,51 +601,51 @@ namespace Shd
     /// <summary>Kind, intensity and placement of a light.</summary>
     public sealed unsafe partial class LightDesc
     {
-        internal Native.LightDesc Raw = Native.LightDesc.Default;
+        internal Native.LightDesc Fields = Native.LightDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static LightDesc Default { get { return new LightDesc(); } }
 
         /// <summary>default LightKind.Point</summary>
-        public LightKind Kind { get { return Raw.Kind; } set { Raw.Kind = value; } }
+        public LightKind Kind { get { return Fields.Kind; } set { Fields.Kind = value; } }
         /// <summary>
         /// I, scene-linear RGB, 0..1e12; default 1. Points and spots: E = 1 at distance r takes
         /// I = r^2
         /// </summary>
-        public Float3 Intensity { get { return Raw.Intensity; } set { Raw.Intensity = value; } }
+        public Float3 Intensity { get { return Fields.Intensity; } set { Fields.Intensity = value; } }
         /// <summary>
         /// position of points, spots and the cookie of directional lights; world space, finite;
         /// default 0
         /// </summary>
-        public Float3 Position { get { return Raw.Position; } set { Raw.Position = value; } }
+        public Float3 Position { get { return Fields.Position; } set { Fields.Position = value; } }
         /// <summary>
         /// directional lights and spots: direction of the light rays, world space, any length
         /// except 0; default (0, -1, 0)
         /// </summary>
-        public Float3 Direction { get { return Raw.Direction; } set { Raw.Direction = value; } }
+        public Float3 Direction { get { return Fields.Direction; } set { Fields.Direction = value; } }
         /// <summary>
         /// points and spots: distance from which E is 0 [world units]; default 0 = no limit. Lights
         /// with a finite range are culled beyond it
         /// </summary>
-        public float Range { get { return Raw.Range; } set { Raw.Range = value; } }
+        public float Range { get { return Fields.Range; } set { Fields.Range = value; } }
         /// <summary>spots: half angle of the full cone [rad], 0..outer_angle; default 0</summary>
-        public float InnerAngle { get { return Raw.InnerAngle; } set { Raw.InnerAngle = value; } }
+        public float InnerAngle { get { return Fields.InnerAngle; } set { Fields.InnerAngle = value; } }
         /// <summary>
         /// spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default
         /// pi/4
         /// </summary>
-        public float OuterAngle { get { return Raw.OuterAngle; } set { Raw.OuterAngle = value; } }
+        public float OuterAngle { get { return Fields.OuterAngle; } set { Fields.OuterAngle = value; } }
         /// <summary>
         /// up direction of the cookie and of shadow maps, world space. Orthogonalised against
         /// `direction`; replaced by another direction if parallel to it. Default (0, 1, 0)
         /// </summary>
-        public Float3 Up { get { return Raw.Up; } set { Raw.Up = value; } }
+        public Float3 Up { get { return Fields.Up; } set { Fields.Up = value; } }
         /// <summary>
         /// directional lights: width and height of the cookie [world units], above 0; default 1.
         /// The centre of the cookie lies on the ray from `position`; with wraps that repeat, the
         /// cookie tiles the plane
         /// </summary>
-        public Float2 Extent { get { return Raw.Extent; } set { Raw.Extent = value; } }
+        public Float2 Extent { get { return Fields.Extent; } set { Fields.Extent = value; } }
         /// <summary>
         /// Light cookie: a texture of colours that multiply E, as seen from the light. It covers the square around the outer
         /// cone of a spot, or a rectangle of size `extent` for a directional light. The fourth channel is ignored. Points
@@ -658,7 +658,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.LightDesc Build(Call call, string name, long rows = -1)
         {
-            Native.LightDesc made = Raw;
+            Native.LightDesc made = Fields;
             made.Texture = call.UseOrNull(Texture, name, "Texture");
             made.Sampler = call.UseOrNull(Sampler, name, "Sampler");
             return made;
@@ -679,7 +679,7 @@ namespace Shd
     /// <summary>Points to look up, as columns of `count` elements. Required: u, v. Absent columns are NULL.</summary>
     public sealed unsafe partial class Lookups
     {
-        internal Native.Lookups Raw = Native.Lookups.Default;
+        internal Native.Lookups Fields = Native.Lookups.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Lookups Default { get { return new Lookups(); } }
@@ -715,7 +715,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Lookups Build(Call call, string name, long rows = -1)
         {
-            Native.Lookups made = Raw;
+            Native.Lookups made = Fields;
             made.U = call.F32In(U, name, "U", ref rows);
             made.V = call.F32In(V, name, "V", ref rows);
             made.Dudx = call.F32In(Dudx, name, "Dudx", ref rows);
@@ -747,7 +747,7 @@ namespace Shd
     /// <summary>Columns for the filtered values: linear, and premultiplied only if the texels are.</summary>
     public sealed unsafe partial class Texels
     {
-        internal Native.Texels Raw = Native.Texels.Default;
+        internal Native.Texels Fields = Native.Texels.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Texels Default { get { return new Texels(); } }
@@ -764,7 +764,7 @@ namespace Shd
         public readonly Column<float>[] Du = new Column<float>[4];
         public readonly Column<float>[] Dv = new Column<float>[4];
         /// <summary>written: lookups whose coordinates, derivatives or lod were not finite</summary>
-        public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
+        public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
         /// <summary>
         /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
         /// Result.ErrorUnsupported
@@ -779,7 +779,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Texels Build(Call call, string name, long rows = -1)
         {
-            Native.Texels made = Raw;
+            Native.Texels made = Fields;
             for (int i = 0; i < 4; ++i) made.Channel[i] = call.F32Out(Channel[i], name, "Channel", ref rows);
             for (int i = 0; i < 4; ++i) made.Du[i] = call.F32Out(Du[i], name, "Du", ref rows);
             for (int i = 0; i < 4; ++i) made.Dv[i] = call.F32Out(Dv[i], name, "Dv", ref rows);
@@ -798,13 +798,13 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.Texels made) { Raw.NonfiniteCount = made.NonfiniteCount; }
+        internal void Take(ref Native.Texels made) { Fields.NonfiniteCount = made.NonfiniteCount; }
     }
 
     /// <summary>Columns for levels of detail; NULL = not wanted.</summary>
     public sealed unsafe partial class Levels
     {
-        internal Native.Levels Raw = Native.Levels.Default;
+        internal Native.Levels Fields = Native.Levels.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Levels Default { get { return new Levels(); } }
@@ -817,7 +817,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Levels Build(Call call, string name, long rows = -1)
         {
-            Native.Levels made = Raw;
+            Native.Levels made = Fields;
             made.Lod = call.F32Out(Lod, name, "Lod", ref rows);
             made.Level = call.U32Out(Level, name, "Level", ref rows);
             return made;
@@ -839,85 +839,85 @@ namespace Shd
     /// <summary>Model and coefficients, scene-linear RGB.</summary>
     public sealed unsafe partial class MaterialDesc
     {
-        internal Native.MaterialDesc Raw = Native.MaterialDesc.Default;
+        internal Native.MaterialDesc Fields = Native.MaterialDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static MaterialDesc Default { get { return new MaterialDesc(); } }
 
         /// <summary>default Model.Lambert</summary>
-        public Model Model { get { return Raw.Model; } set { Raw.Model = value; } }
+        public Model Model { get { return Fields.Model; } set { Fields.Model = value; } }
         /// <summary>shown instead of the model; default DebugView.None</summary>
-        public DebugView DebugView { get { return Raw.DebugView; } set { Raw.DebugView = value; } }
+        public DebugView DebugView { get { return Fields.DebugView; } set { Fields.DebugView = value; } }
         /// <summary>default none</summary>
-        public MaterialFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public MaterialFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>
         /// k_a, 0..1e6. Default -1 in all channels: k_a is ambient_share times the diffuse
         /// colour, k_d times its slot. SlotTarget.Ambient replaces the slot of the diffuse
         /// colour in this product
         /// </summary>
-        public Float3 Ambient { get { return Raw.Ambient; } set { Raw.Ambient = value; } }
+        public Float3 Ambient { get { return Fields.Ambient; } set { Fields.Ambient = value; } }
         /// <summary>
         /// 0..1; default 1/16; used if ambient is -1. METALLIC_ROUGHNESS multiplies k_a by its
         /// base colour in any case, so k_a is ambient_share there
         /// </summary>
-        public float AmbientShare { get { return Raw.AmbientShare; } set { Raw.AmbientShare = value; } }
+        public float AmbientShare { get { return Fields.AmbientShare; } set { Fields.AmbientShare = value; } }
         /// <summary>k_d or base colour, 0..1e6; default 0.8</summary>
-        public Float3 Diffuse { get { return Raw.Diffuse; } set { Raw.Diffuse = value; } }
+        public Float3 Diffuse { get { return Fields.Diffuse; } set { Fields.Diffuse = value; } }
         /// <summary>k_s, 0..1e6; default 0.5</summary>
-        public Float3 Specular { get { return Raw.Specular; } set { Raw.Specular = value; } }
+        public Float3 Specular { get { return Fields.Specular; } set { Fields.Specular = value; } }
         /// <summary>p, 0..1e6; default 64</summary>
-        public float Exponent { get { return Raw.Exponent; } set { Raw.Exponent = value; } }
+        public float Exponent { get { return Fields.Exponent; } set { Fields.Exponent = value; } }
         /// <summary>0..1; default 0</summary>
-        public float Metallic { get { return Raw.Metallic; } set { Raw.Metallic = value; } }
+        public float Metallic { get { return Fields.Metallic; } set { Fields.Metallic = value; } }
         /// <summary>0..1; default 0.5</summary>
-        public float Roughness { get { return Raw.Roughness; } set { Raw.Roughness = value; } }
+        public float Roughness { get { return Fields.Roughness; } set { Fields.Roughness = value; } }
         /// <summary>
         /// index of refraction of GLASS, and of METALLIC_ROUGHNESS for the part that is not
         /// metal, 1..10;
         /// default 1.5
         /// </summary>
-        public float Ior { get { return Raw.Ior; } set { Raw.Ior = value; } }
+        public float Ior { get { return Fields.Ior; } set { Fields.Ior = value; } }
         /// <summary>0..1e12; default 0, so a slot needs a larger value here</summary>
-        public Float3 Emission { get { return Raw.Emission; } set { Raw.Emission = value; } }
+        public Float3 Emission { get { return Fields.Emission; } set { Fields.Emission = value; } }
         /// <summary>opacity of models, 0..1; default 1</summary>
-        public float Opacity { get { return Raw.Opacity; } set { Raw.Opacity = value; } }
+        public float Opacity { get { return Fields.Opacity; } set { Fields.Opacity = value; } }
         /// <summary>effect of SlotTarget.Occlusion, 0..1; default 1</summary>
-        public float OcclusionStrength { get { return Raw.OcclusionStrength; } set { Raw.OcclusionStrength = value; } }
+        public float OcclusionStrength { get { return Fields.OcclusionStrength; } set { Fields.OcclusionStrength = value; } }
         /// <summary>
         /// [slot_count], all with the same struct_size, at most one for each target;
         /// borrowed for the call; coefficients without a slot are constant
         /// </summary>
         public IList<Slot> Slots;
         /// <summary>default NormalEncoding.Xyz</summary>
-        public NormalEncoding NormalEncoding { get { return Raw.NormalEncoding; } set { Raw.NormalEncoding = value; } }
+        public NormalEncoding NormalEncoding { get { return Fields.NormalEncoding; } set { Fields.NormalEncoding = value; } }
         /// <summary>factor of x and y of mapped normals, -1e3..1e3; default 1</summary>
-        public float NormalScale { get { return Raw.NormalScale; } set { Raw.NormalScale = value; } }
+        public float NormalScale { get { return Fields.NormalScale; } set { Fields.NormalScale = value; } }
         /// <summary>default Bump.None</summary>
-        public Bump Bump { get { return Raw.Bump; } set { Raw.Bump = value; } }
+        public Bump Bump { get { return Fields.Bump; } set { Fields.Bump = value; } }
         /// <summary>factor of heights, -1e6..1e6; default 1</summary>
-        public float BumpScale { get { return Raw.BumpScale; } set { Raw.BumpScale = value; } }
+        public float BumpScale { get { return Fields.BumpScale; } set { Fields.BumpScale = value; } }
         /// <summary>
         /// Depth of height 0 below the surface [world units], 0..1e6; height 1 lies on the surface. At Phong frequency, all
         /// textures with the uv set of the height are looked up at the point where the line of sight meets the height field
         /// (parallax occlusion mapping, Tatarchuk 2006). The triangles do not move. Default 0 = off.
         /// </summary>
-        public float ParallaxDepth { get { return Raw.ParallaxDepth; } set { Raw.ParallaxDepth = value; } }
+        public float ParallaxDepth { get { return Fields.ParallaxDepth; } set { Fields.ParallaxDepth = value; } }
         /// <summary>maximum number of lookups of the height per fragment, 2..256; default 24</summary>
-        public uint ParallaxSteps { get { return Raw.ParallaxSteps; } set { Raw.ParallaxSteps = value; } }
+        public uint ParallaxSteps { get { return Fields.ParallaxSteps; } set { Fields.ParallaxSteps = value; } }
         /// <summary>warm colour of GOOCH, 0..1e6; default (0.4, 0.4, 0)</summary>
-        public Float3 Warm { get { return Raw.Warm; } set { Raw.Warm = value; } }
+        public Float3 Warm { get { return Fields.Warm; } set { Fields.Warm = value; } }
         /// <summary>cool colour of GOOCH, 0..1e6; default (0, 0, 0.4)</summary>
-        public Float3 Cool { get { return Raw.Cool; } set { Raw.Cool = value; } }
+        public Float3 Cool { get { return Fields.Cool; } set { Fields.Cool = value; } }
         /// <summary>share of k_d added to `warm`, 0..1; default 0.6</summary>
-        public float WarmMix { get { return Raw.WarmMix; } set { Raw.WarmMix = value; } }
+        public float WarmMix { get { return Fields.WarmMix; } set { Fields.WarmMix = value; } }
         /// <summary>share of k_d added to `cool`, 0..1; default 0.2</summary>
-        public float CoolMix { get { return Raw.CoolMix; } set { Raw.CoolMix = value; } }
+        public float CoolMix { get { return Fields.CoolMix; } set { Fields.CoolMix = value; } }
         /// <summary>steps of TOON, 1..256; default 3</summary>
-        public uint ToonSteps { get { return Raw.ToonSteps; } set { Raw.ToonSteps = value; } }
+        public uint ToonSteps { get { return Fields.ToonSteps; } set { Fields.ToonSteps = value; } }
         /// <summary>default Blend.Opaque</summary>
-        public Blend Blend { get { return Raw.Blend; } set { Raw.Blend = value; } }
+        public Blend Blend { get { return Fields.Blend; } set { Fields.Blend = value; } }
         /// <summary>fragments with a smaller alpha are dropped, 0..1; default 0 = none</summary>
-        public float AlphaCutoff { get { return Raw.AlphaCutoff; } set { Raw.AlphaCutoff = value; } }
+        public float AlphaCutoff { get { return Fields.AlphaCutoff; } set { Fields.AlphaCutoff = value; } }
         /// <summary>
         /// [varying_count]; borrowed for the call; NULL = all
         /// Interpolation.Perspective
@@ -927,21 +927,21 @@ namespace Shd
         /// varyings that program.vertex writes, 0..Constants.MaxVaryings; 0 without
         /// program.vertex
         /// </summary>
-        public long VaryingCount { get { return Raw.VaryingCount; } set { Raw.VaryingCount = value; } }
+        public long VaryingCount { get { return Fields.VaryingCount; } set { Fields.VaryingCount = value; } }
         /// <summary>
         /// Strength c of a clear coat over METALLIC_ROUGHNESS, 0..1; default 0 = none. As KHR_materials_clearcoat of glTF,
         /// with its own roughness and normal n_c and F = 0.04 + 0.96 (1 - |n_c.v|)^5: the model times 1 - c F, plus the sum
         /// of E max(0, n_c.l) c F D V. Without SlotTarget.ClearcoatNormal, n_c is the normal without normal maps and bumps.
         /// Ambient light and emission are not darkened. No effect on other models.
         /// </summary>
-        public float Clearcoat { get { return Raw.Clearcoat; } set { Raw.Clearcoat = value; } }
+        public float Clearcoat { get { return Fields.Clearcoat; } set { Fields.Clearcoat = value; } }
         /// <summary>0..1; default 0</summary>
-        public float ClearcoatRoughness { get { return Raw.ClearcoatRoughness; } set { Raw.ClearcoatRoughness = value; } }
+        public float ClearcoatRoughness { get { return Fields.ClearcoatRoughness; } set { Fields.ClearcoatRoughness = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.MaterialDesc Build(Call call, string name, long rows = -1)
         {
-            Native.MaterialDesc made = Raw;
+            Native.MaterialDesc made = Fields;
             made.Slots = Slot.BuildAll(call, Call.Join(name, "Slots"), Slots);
             made.SlotCount = checked((uint)(Slots == null ? 0 : Slots.Count));
             if (Interpolation != null) made.Interpolation = (Interpolation*)call.Pin(Interpolation);
@@ -966,7 +966,7 @@ namespace Shd
     /// <summary>Vertices and triangles of a mesh; copied. Required: vertex_count, position.</summary>
     public sealed unsafe partial class MeshDesc
     {
-        internal Native.MeshDesc Raw = Native.MeshDesc.Default;
+        internal Native.MeshDesc Fields = Native.MeshDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static MeshDesc Default { get { return new MeshDesc(); } }
@@ -976,9 +976,9 @@ namespace Shd
         /// <summary>x, y, z, object space, any length; all three or none; computed if absent</summary>
         public readonly Column<float>[] Normal = new Column<float>[3];
         /// <summary>used when `normal` is absent; default NormalWeight.Area</summary>
-        public NormalWeight NormalWeight { get { return Raw.NormalWeight; } set { Raw.NormalWeight = value; } }
+        public NormalWeight NormalWeight { get { return Fields.NormalWeight; } set { Fields.NormalWeight = value; } }
         /// <summary>default none</summary>
-        public MeshFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public MeshFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>x, y, z, object space, and handedness, +1 or -1; see @ref tangents. All four or none; stored unchanged.</summary>
         public readonly Column<float>[] Tangent = new Column<float>[4];
         /// <summary>u, v; both or none; 0 if absent</summary>
@@ -991,7 +991,7 @@ namespace Shd
         /// </summary>
         public Column<float>[] Attributes;
         /// <summary>default Topology.Triangles</summary>
-        public Topology Topology { get { return Raw.Topology; } set { Raw.Topology = value; } }
+        public Topology Topology { get { return Fields.Topology; } set { Fields.Topology = value; } }
         /// <summary>
         /// Vertex numbers of the triangles in the order of `topology`; counter-clockwise = front. NULL = indices16; if that
         /// is NULL too, 0, 1, 2, ... In strips and fans the largest number (0xffffffff, or 0xffff in indices16) starts a new
@@ -1004,7 +1004,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.MeshDesc Build(Call call, string name, long rows = -1)
         {
-            Native.MeshDesc made = Raw;
+            Native.MeshDesc made = Fields;
             for (int i = 0; i < 3; ++i) made.Position[i] = call.F32In(Position[i], name, "Position", ref rows);
             for (int i = 0; i < 3; ++i) made.Normal[i] = call.F32In(Normal[i], name, "Normal", ref rows);
             for (int i = 0; i < 4; ++i) made.Tangent[i] = call.F32In(Tangent[i], name, "Tangent", ref rows);
@@ -1036,24 +1036,24 @@ namespace Shd
     /// <summary>Occluders and rays; borrowed for the call. Required: nothing.</summary>
     public sealed unsafe partial class OcclusionDesc
     {
-        internal Native.OcclusionDesc Raw = Native.OcclusionDesc.Default;
+        internal Native.OcclusionDesc Fields = Native.OcclusionDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static OcclusionDesc Default { get { return new OcclusionDesc(); } }
 
         /// <summary>per point, 1..65536; default 64</summary>
-        public uint Rays { get { return Raw.Rays; } set { Raw.Rays = value; } }
+        public uint Rays { get { return Fields.Rays; } set { Fields.Rays = value; } }
         /// <summary>any value; default 0</summary>
-        public uint Seed { get { return Raw.Seed; } set { Raw.Seed = value; } }
+        public uint Seed { get { return Fields.Seed; } set { Fields.Seed = value; } }
         /// <summary>world length over which occluders count, &gt; 0; default FLT_MAX = unlimited</summary>
-        public float Radius { get { return Raw.Radius; } set { Raw.Radius = value; } }
+        public float Radius { get { return Fields.Radius; } set { Fields.Radius = value; } }
         /// <summary>
         /// World length by which rays start above the surface, 0..1e9, besides 2^-18 of the largest coordinate of the point.
         /// Depth maps: ShadowDesc.bias. Default 0.
         /// </summary>
-        public float Bias { get { return Raw.Bias; } set { Raw.Bias = value; } }
+        public float Bias { get { return Fields.Bias; } set { Fields.Bias = value; } }
         /// <summary>depth maps: edge length [texels], 16..8192; default 1024</summary>
-        public uint MapSize { get { return Raw.MapSize; } set { Raw.MapSize = value; } }
+        public uint MapSize { get { return Fields.MapSize; } set { Fields.MapSize = value; } }
         /// <summary>
         /// Occluders of the depth maps, as in ShadowRenderDesc; NULL if draw_count is 0. Not read if there is a
         /// tracer, which has occluders of its own.
@@ -1063,7 +1063,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionDesc Build(Call call, string name, long rows = -1)
         {
-            Native.OcclusionDesc made = Raw;
+            Native.OcclusionDesc made = Fields;
             made.Draws = Draw.BuildAll(call, Call.Join(name, "Draws"), Draws);
             made.DrawCount = Draws == null ? 0 : Draws.Count;
             More(call, name, ref made);
@@ -1086,7 +1086,7 @@ namespace Shd
     /// <summary>Points on surfaces; borrowed for the call.</summary>
     public sealed unsafe partial class OcclusionPoints
     {
-        internal Native.OcclusionPoints Raw = Native.OcclusionPoints.Default;
+        internal Native.OcclusionPoints Fields = Native.OcclusionPoints.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static OcclusionPoints Default { get { return new OcclusionPoints(); } }
@@ -1099,7 +1099,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionPoints Build(Call call, string name, long rows = -1)
         {
-            Native.OcclusionPoints made = Raw;
+            Native.OcclusionPoints made = Fields;
             for (int i = 0; i < 3; ++i) made.Position[i] = call.F32In(Position[i], name, "Position", ref rows);
             for (int i = 0; i < 3; ++i) made.Normal[i] = call.F32In(Normal[i], name, "Normal", ref rows);
             made.Count = Math.Max(rows, 0);
@@ -1121,21 +1121,21 @@ namespace Shd
     /// <summary>A texture of occlusion, with the coverage of shd/bake.h. Required: width, height.</summary>
     public sealed unsafe partial class OcclusionAtlas
     {
-        internal Native.OcclusionAtlas Raw = Native.OcclusionAtlas.Default;
+        internal Native.OcclusionAtlas Fields = Native.OcclusionAtlas.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static OcclusionAtlas Default { get { return new OcclusionAtlas(); } }
 
         /// <summary>texels, 1..16384</summary>
-        public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
+        public uint Width { get { return Fields.Width; } set { Fields.Width = value; } }
         /// <summary>texels, 1..16384</summary>
-        public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
+        public uint Height { get { return Fields.Height; } set { Fields.Height = value; } }
         /// <summary>as BakeDesc.uv_set: 0 or 1; default 0</summary>
-        public uint UvSet { get { return Raw.UvSet; } set { Raw.UvSet = value; } }
+        public uint UvSet { get { return Fields.UvSet; } set { Fields.UvSet = value; } }
         /// <summary>as BakeDesc.dilation, 0..1024 texels; default 0</summary>
-        public uint Dilation { get { return Raw.Dilation; } set { Raw.Dilation = value; } }
+        public uint Dilation { get { return Fields.Dilation; } set { Fields.Dilation = value; } }
         /// <summary>value of texels that stay empty, finite; default 1</summary>
-        public float Empty { get { return Raw.Empty; } set { Raw.Empty = value; } }
+        public float Empty { get { return Fields.Empty; } set { Fields.Empty = value; } }
         /// <summary>
         /// [draw_count] surfaces; mesh, object_to_world and instances are read; NULL if draw_count
         /// is 0
@@ -1147,7 +1147,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.OcclusionAtlas Build(Call call, string name, long rows = -1)
         {
-            Native.OcclusionAtlas made = Raw;
+            Native.OcclusionAtlas made = Fields;
             made.Draws = Draw.BuildAll(call, Call.Join(name, "Draws"), Draws);
             made.DrawCount = Draws == null ? 0 : Draws.Count;
             made.States = call.U32Out(States, name, "States", ref rows);
@@ -1166,7 +1166,7 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.OcclusionAtlas made) { Raw.Width = made.Width; Raw.Height = made.Height; Raw.UvSet = made.UvSet; Raw.Dilation = made.Dilation; Raw.Empty = made.Empty; }
+        internal void Take(ref Native.OcclusionAtlas made) { Fields.Width = made.Width; Fields.Height = made.Height; Fields.UvSet = made.UvSet; Fields.Dilation = made.Dilation; Fields.Empty = made.Empty; }
     }
 
     /// <summary>
@@ -1177,25 +1177,25 @@ namespace Shd
     /// </summary>
     public sealed unsafe partial class PolygonDesc
     {
-        internal Native.PolygonDesc Raw = Native.PolygonDesc.Default;
+        internal Native.PolygonDesc Fields = Native.PolygonDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static PolygonDesc Default { get { return new PolygonDesc(); } }
 
         /// <summary>default Barycentric.Wachspress</summary>
-        public Barycentric Kind { get { return Raw.Kind; } set { Raw.Kind = value; } }
+        public Barycentric Kind { get { return Fields.Kind; } set { Fields.Kind = value; } }
         /// <summary>[vertex_count] x and y, finite; required</summary>
         public readonly Column<float>[] Vertex = new Column<float>[2];
         /// <summary>
         /// HARMONIC: parts of each side of a triangle, 1..256; default 32. The solution has about
         /// vertex_count segments^2 / 2 nodes. Nodes times vertices are limited to 2^24.
         /// </summary>
-        public uint Segments { get { return Raw.Segments; } set { Raw.Segments = value; } }
+        public uint Segments { get { return Fields.Segments; } set { Fields.Segments = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonDesc Build(Call call, string name, long rows = -1)
         {
-            Native.PolygonDesc made = Raw;
+            Native.PolygonDesc made = Fields;
             for (int i = 0; i < 2; ++i) made.Vertex[i] = call.F32In(Vertex[i], name, "Vertex", ref rows);
             made.VertexCount = checked((uint)(Math.Max(rows, 0)));
             return made;
@@ -1216,7 +1216,7 @@ namespace Shd
     /// <summary>Points at which coordinates are computed, as columns of `count` elements. Required: position.</summary>
     public sealed unsafe partial class PolygonPoints
     {
-        internal Native.PolygonPoints Raw = Native.PolygonPoints.Default;
+        internal Native.PolygonPoints Fields = Native.PolygonPoints.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static PolygonPoints Default { get { return new PolygonPoints(); } }
@@ -1227,7 +1227,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonPoints Build(Call call, string name, long rows = -1)
         {
-            Native.PolygonPoints made = Raw;
+            Native.PolygonPoints made = Fields;
             for (int i = 0; i < 2; ++i) made.Position[i] = call.F32In(Position[i], name, "Position", ref rows);
             made.Count = Math.Max(rows, 0);
             return made;
@@ -1248,7 +1248,7 @@ namespace Shd
     /// <summary>Columns for the coordinates.</summary>
     public sealed unsafe partial class PolygonWeights
     {
-        internal Native.PolygonWeights Raw = Native.PolygonWeights.Default;
+        internal Native.PolygonWeights Fields = Native.PolygonWeights.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static PolygonWeights Default { get { return new PolygonWeights(); } }
@@ -1256,14 +1256,14 @@ namespace Shd
         /// <summary>[weight_count] b_i, one column for each vertex; NULL columns are not wanted</summary>
         public Column<float>[] Weight;
         /// <summary>written: points outside the polygon</summary>
-        public long OutsideCount { get { return Raw.OutsideCount; } set { Raw.OutsideCount = value; } }
+        public long OutsideCount { get { return Fields.OutsideCount; } set { Fields.OutsideCount = value; } }
         /// <summary>written: points that are not finite</summary>
-        public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
+        public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PolygonWeights Build(Call call, string name, long rows = -1)
         {
-            Native.PolygonWeights made = Raw;
+            Native.PolygonWeights made = Fields;
             made.Weight = call.F32Outs(Weight, name, "Weight", ref rows);
             made.WeightCount = checked((uint)(Weight == null ? 0 : Weight.Length));
             return made;
@@ -1279,19 +1279,19 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.PolygonWeights made) { Raw.OutsideCount = made.OutsideCount; Raw.NonfiniteCount = made.NonfiniteCount; }
+        internal void Take(ref Native.PolygonWeights made) { Fields.OutsideCount = made.OutsideCount; Fields.NonfiniteCount = made.NonfiniteCount; }
     }
 
     /// <summary>Directions to project, as columns of `count` elements.</summary>
     public sealed unsafe partial class Directions
     {
-        internal Native.Directions Raw = Native.Directions.Default;
+        internal Native.Directions Fields = Native.Directions.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Directions Default { get { return new Directions(); } }
 
         /// <summary>any but Projection.None; required</summary>
-        public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        public Projection Projection { get { return Fields.Projection; } set { Fields.Projection = value; } }
         /// <summary>x, y, z, any length; required</summary>
         public readonly Column<float>[] Direction = new Column<float>[3];
         /// <summary>change of `direction` per pixel step in x; absent = 0</summary>
@@ -1302,7 +1302,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Directions Build(Call call, string name, long rows = -1)
         {
-            Native.Directions made = Raw;
+            Native.Directions made = Fields;
             for (int i = 0; i < 3; ++i) made.Direction[i] = call.F32In(Direction[i], name, "Direction", ref rows);
             for (int i = 0; i < 3; ++i) made.DirectionDx[i] = call.F32In(DirectionDx[i], name, "DirectionDx", ref rows);
             for (int i = 0; i < 3; ++i) made.DirectionDy[i] = call.F32In(DirectionDy[i], name, "DirectionDy", ref rows);
@@ -1325,7 +1325,7 @@ namespace Shd
     /// <summary>Columns for points of images; NULL = not wanted.</summary>
     public sealed unsafe partial class ProjectedPoints
     {
-        internal Native.ProjectedPoints Raw = Native.ProjectedPoints.Default;
+        internal Native.ProjectedPoints Fields = Native.ProjectedPoints.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ProjectedPoints Default { get { return new ProjectedPoints(); } }
@@ -1345,12 +1345,12 @@ namespace Shd
         /// <summary>dv/dy</summary>
         public Column<float> Dvdy;
         /// <summary>written: directions that count as +Z</summary>
-        public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
+        public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ProjectedPoints Build(Call call, string name, long rows = -1)
         {
-            Native.ProjectedPoints made = Raw;
+            Native.ProjectedPoints made = Fields;
             made.U = call.F32Out(U, name, "U", ref rows);
             made.V = call.F32Out(V, name, "V", ref rows);
             made.Face = call.U32Out(Face, name, "Face", ref rows);
@@ -1371,19 +1371,19 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.ProjectedPoints made) { Raw.NonfiniteCount = made.NonfiniteCount; }
+        internal void Take(ref Native.ProjectedPoints made) { Fields.NonfiniteCount = made.NonfiniteCount; }
     }
 
     /// <summary>Points of images, as columns of `count` elements.</summary>
     public sealed unsafe partial class ImagePoints
     {
-        internal Native.ImagePoints Raw = Native.ImagePoints.Default;
+        internal Native.ImagePoints Fields = Native.ImagePoints.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ImagePoints Default { get { return new ImagePoints(); } }
 
         /// <summary>any but Projection.None; required</summary>
-        public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        public Projection Projection { get { return Fields.Projection; } set { Fields.Projection = value; } }
         /// <summary>across, clamped to 0..1; LAT_LONG repeats; required</summary>
         public Column<float> U;
         /// <summary>down, clamped to 0..1; required</summary>
@@ -1394,7 +1394,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ImagePoints Build(Call call, string name, long rows = -1)
         {
-            Native.ImagePoints made = Raw;
+            Native.ImagePoints made = Fields;
             made.U = call.F32In(U, name, "U", ref rows);
             made.V = call.F32In(V, name, "V", ref rows);
             made.Face = call.U32In(Face, name, "Face", ref rows);
@@ -1417,7 +1417,7 @@ namespace Shd
     /// <summary>Columns for the directions of points; NULL = not wanted.</summary>
     public sealed unsafe partial class PointDirections
     {
-        internal Native.PointDirections Raw = Native.PointDirections.Default;
+        internal Native.PointDirections Fields = Native.PointDirections.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static PointDirections Default { get { return new PointDirections(); } }
@@ -1430,12 +1430,12 @@ namespace Shd
         /// </summary>
         public Column<float> SolidAngle;
         /// <summary>written: points with a coordinate that is not finite; it counts as 0</summary>
-        public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
+        public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.PointDirections Build(Call call, string name, long rows = -1)
         {
-            Native.PointDirections made = Raw;
+            Native.PointDirections made = Fields;
             for (int i = 0; i < 3; ++i) made.Direction[i] = call.F32Out(Direction[i], name, "Direction", ref rows);
             made.SolidAngle = call.F32Out(SolidAngle, name, "SolidAngle", ref rows);
             return made;
@@ -1451,21 +1451,21 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.PointDirections made) { Raw.NonfiniteCount = made.NonfiniteCount; }
+        internal void Take(ref Native.PointDirections made) { Fields.NonfiniteCount = made.NonfiniteCount; }
     }
 
     /// <summary>All directions, in one image or six. Required: projection, images.</summary>
     public sealed unsafe partial class DirectionImages
     {
-        internal Native.DirectionImages Raw = Native.DirectionImages.Default;
+        internal Native.DirectionImages Fields = Native.DirectionImages.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static DirectionImages Default { get { return new DirectionImages(); } }
 
         /// <summary>any but Projection.None</summary>
-        public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        public Projection Projection { get { return Fields.Projection; } set { Fields.Projection = value; } }
         /// <summary>arrangement of CUBE; default six images; others ignore it</summary>
-        public CubeLayout Layout { get { return Raw.Layout; } set { Raw.Layout = value; } }
+        public CubeLayout Layout { get { return Fields.Layout; } set { Fields.Layout = value; } }
         /// <summary>
         /// One image, or the six of CubeLayout.Faces, of one struct_size, format and size. Square for MIRROR_BALL,
         /// ANGULAR and OCTAHEDRAL, and the size of the layout for CUBE. Borrowed for the call.
@@ -1475,7 +1475,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.DirectionImages Build(Call call, string name, long rows = -1)
         {
-            Native.DirectionImages made = Raw;
+            Native.DirectionImages made = Fields;
             made.Images = Image.BuildAll(call, Call.Join(name, "Images"), Images);
             return made;
         }
@@ -1520,7 +1520,7 @@ namespace Shd
     /// </summary>
     public sealed unsafe partial class Draw
     {
-        internal Native.Draw Raw = Native.Draw.Default;
+        internal Native.Draw Fields = Native.Draw.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Draw Default { get { return new Draw(); } }
@@ -1530,40 +1530,40 @@ namespace Shd
         /// <summary>borrowed for the call; NULL = draw depth only, without programs</summary>
         public Material Material;
         /// <summary>affine, finite; default identity</summary>
-        public Matrix4 ObjectToWorld { get { return Raw.ObjectToWorld; } set { Raw.ObjectToWorld = value; } }
+        public Matrix4 ObjectToWorld { get { return Fields.ObjectToWorld; } set { Fields.ObjectToWorld = value; } }
         /// <summary>
         /// Object-to-world matrices, [instance_count][16], each affine and finite, instead of object_to_world. The mesh is
         /// drawn with each of them as if by separate draws, in order. Borrowed for the call.
         /// </summary>
         public Matrix4[] Instances;
         /// <summary>default Frequency.Phong</summary>
-        public Frequency Frequency { get { return Raw.Frequency; } set { Raw.Frequency = value; } }
+        public Frequency Frequency { get { return Fields.Frequency; } set { Fields.Frequency = value; } }
         /// <summary>default none</summary>
-        public DrawFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public DrawFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>default Cull.None</summary>
-        public Cull Cull { get { return Raw.Cull; } set { Raw.Cull = value; } }
+        public Cull Cull { get { return Fields.Cull; } set { Fields.Cull = value; } }
         /// <summary>default Compare.Less</summary>
-        public Compare Compare { get { return Raw.Compare; } set { Raw.Compare = value; } }
+        public Compare Compare { get { return Fields.Compare; } set { Fields.Compare = value; } }
         /// <summary>added to depth, -1..1; the sum is clamped to 0..1; default 0</summary>
-        public float DepthBias { get { return Raw.DepthBias; } set { Raw.DepthBias = value; } }
+        public float DepthBias { get { return Fields.DepthBias; } set { Fields.DepthBias = value; } }
         /// <summary>
         /// factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
         /// default 0
         /// </summary>
-        public float DepthBiasSlope { get { return Raw.DepthBiasSlope; } set { Raw.DepthBiasSlope = value; } }
+        public float DepthBiasSlope { get { return Fields.DepthBiasSlope; } set { Fields.DepthBiasSlope = value; } }
         /// <summary>default Fill.Solid</summary>
-        public Fill Fill { get { return Raw.Fill; } set { Raw.Fill = value; } }
+        public Fill Fill { get { return Fields.Fill; } set { Fields.Fill = value; } }
         /// <summary>width of lines and points [pixels], 1/16..64; default 0 = 1</summary>
-        public float FillWidth { get { return Raw.FillWidth; } set { Raw.FillWidth = value; } }
+        public float FillWidth { get { return Fields.FillWidth; } set { Fields.FillWidth = value; } }
         /// <summary>edges of Fill.Lines; default EdgeFlags.All</summary>
-        public EdgeFlags Edges { get { return Raw.Edges; } set { Raw.Edges = value; } }
+        public EdgeFlags Edges { get { return Fields.Edges; } set { Fields.Edges = value; } }
         /// <summary>threshold of EdgeFlags.Crease, as in EdgesDesc: -1..1; default 0.5</summary>
-        public float CreaseCosine { get { return Raw.CreaseCosine; } set { Raw.CreaseCosine = value; } }
+        public float CreaseCosine { get { return Fields.CreaseCosine; } set { Fields.CreaseCosine = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Draw Build(Call call, string name, long rows = -1)
         {
-            Native.Draw made = Raw;
+            Native.Draw made = Fields;
             made.Mesh = call.UseOrNull(Mesh, name, "Mesh");
             made.Material = call.UseOrNull(Material, name, "Material");
             made.Instances = (float*)call.Pin(Instances);
@@ -1593,7 +1593,7 @@ namespace Shd
     /// </summary>
     public sealed unsafe partial class RenderDesc
     {
-        internal Native.RenderDesc Raw = Native.RenderDesc.Default;
+        internal Native.RenderDesc Fields = Native.RenderDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static RenderDesc Default { get { return new RenderDesc(); } }
@@ -1601,20 +1601,20 @@ namespace Shd
         /// <summary>required</summary>
         public Framebuffer Framebuffer;
         /// <summary>linear, premultiplied RGBA; default 0</summary>
-        public Float4 ClearColor { get { return Raw.ClearColor; } set { Raw.ClearColor = value; } }
+        public Float4 ClearColor { get { return Fields.ClearColor; } set { Fields.ClearColor = value; } }
         /// <summary>0..1; default 1</summary>
-        public float ClearDepth { get { return Raw.ClearDepth; } set { Raw.ClearDepth = value; } }
+        public float ClearDepth { get { return Fields.ClearDepth; } set { Fields.ClearDepth = value; } }
         /// <summary>default none</summary>
-        public RenderFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public RenderFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>
         /// Replaces `view`. An aspect of 0, the default, means the aspect of the viewport, or of the picture if there is no
         /// viewport. NULL = `view`.
         /// </summary>
         public Camera? Camera;
         /// <summary>default: identity matrices, eye at 0</summary>
-        public View View { get { return Raw.View; } set { Raw.View = value; } }
+        public View View { get { return Fields.View; } set { Fields.View = value; } }
         /// <summary>default Visibility.Depth</summary>
-        public Visibility Visibility { get { return Raw.Visibility; } set { Raw.Visibility = value; } }
+        public Visibility Visibility { get { return Fields.Visibility; } set { Fields.Visibility = value; } }
         /// <summary>
         /// [draw_count], all with the same struct_size, in order; NULL if draw_count is
         /// 0
@@ -1628,16 +1628,16 @@ namespace Shd
         /// </summary>
         public IList<Shadow> Shadows;
         /// <summary>pixels, framebuffer size..65536; default 0 = framebuffer size</summary>
-        public uint PictureWidth { get { return Raw.PictureWidth; } set { Raw.PictureWidth = value; } }
+        public uint PictureWidth { get { return Fields.PictureWidth; } set { Fields.PictureWidth = value; } }
         /// <summary>pixels, framebuffer size..65536; default 0 = framebuffer size</summary>
-        public uint PictureHeight { get { return Raw.PictureHeight; } set { Raw.PictureHeight = value; } }
+        public uint PictureHeight { get { return Fields.PictureHeight; } set { Fields.PictureHeight = value; } }
         /// <summary>
         /// column of the picture at which the framebuffer begins; the framebuffer lies
         /// inside the picture; default 0
         /// </summary>
-        public uint CropX { get { return Raw.CropX; } set { Raw.CropX = value; } }
+        public uint CropX { get { return Fields.CropX; } set { Fields.CropX = value; } }
         /// <summary>row of the picture at which the framebuffer begins; default 0</summary>
-        public uint CropY { get { return Raw.CropY; } set { Raw.CropY = value; } }
+        public uint CropY { get { return Fields.CropY; } set { Fields.CropY = value; } }
         /// <summary>
         /// target of NDC -1..1 in the picture, not empty; cuts triangles, lines and points
         /// at its edge; NULL = the whole picture
@@ -1654,7 +1654,7 @@ namespace Shd
         /// values. The large picture is drawn in blocks of up to 1024 x 1024 pixels; only one block is in memory. Statistics
         /// are sums over blocks, so a triangle counts in each block.
         /// </summary>
-        public uint Supersampling { get { return Raw.Supersampling; } set { Raw.Supersampling = value; } }
+        public uint Supersampling { get { return Fields.Supersampling; } set { Fields.Supersampling = value; } }
         /// <summary>
         /// Largest number of triangles that are processed together, 1024..2^31-1; 0 = 2^21. A larger frame is drawn in
         /// passes. A pass has several whole draws, each of which counts as at least 16 triangles, or a part of one draw. The
@@ -1667,7 +1667,7 @@ namespace Shd
         /// triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass. A frame in
         /// several passes or with supersampling takes 16 bytes for each pixel of a framebuffer with interleaved colour.
         /// </summary>
-        public uint PassTriangles { get { return Raw.PassTriangles; } set { Raw.PassTriangles = value; } }
+        public uint PassTriangles { get { return Fields.PassTriangles; } set { Fields.PassTriangles = value; } }
         /// <summary>
         /// Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
         /// GOOCH. It casts no shadows; SlotTarget.Occlusion multiplies all of its reflected light. It must
@@ -1675,19 +1675,19 @@ namespace Shd
         /// </summary>
         public Environment Environment;
         /// <summary>factor of its radiance, 0..1e12; default 1</summary>
-        public float EnvironmentIntensity { get { return Raw.EnvironmentIntensity; } set { Raw.EnvironmentIntensity = value; } }
+        public float EnvironmentIntensity { get { return Fields.EnvironmentIntensity; } set { Fields.EnvironmentIntensity = value; } }
         /// <summary>
         /// rotation or reflection of its directions, column-major, with orthonormal
         /// columns within 1e-3; default identity
         /// </summary>
-        public Matrix3 EnvironmentToWorld { get { return Raw.EnvironmentToWorld; } set { Raw.EnvironmentToWorld = value; } }
+        public Matrix3 EnvironmentToWorld { get { return Fields.EnvironmentToWorld; } set { Fields.EnvironmentToWorld = value; } }
         /// <summary>default Background.Clear</summary>
-        public Background Background { get { return Raw.Background; } set { Raw.Background = value; } }
+        public Background Background { get { return Fields.Background; } set { Fields.Background = value; } }
         /// <summary>
         /// roughness of the GGX lobe that blurs the environment behind the picture, 0..1;
         /// values above 0 need EnvironmentTables.Ggx; default 0 = sharp
         /// </summary>
-        public float BackgroundRoughness { get { return Raw.BackgroundRoughness; } set { Raw.BackgroundRoughness = value; } }
+        public float BackgroundRoughness { get { return Fields.BackgroundRoughness; } set { Fields.BackgroundRoughness = value; } }
         /// <summary>
         /// [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
         /// caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all
@@ -1699,7 +1699,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.RenderDesc Build(Call call, string name, long rows = -1)
         {
-            Native.RenderDesc made = Raw;
+            Native.RenderDesc made = Fields;
             made.Framebuffer = call.UseOrNull(Framebuffer, name, "Framebuffer");
             if (Camera.HasValue) { made.Camera = (global::Shd.Camera*)call.Memory(sizeof(global::Shd.Camera)); *made.Camera = Camera.Value; }
             made.Draws = Draw.BuildAll(call, Call.Join(name, "Draws"), Draws);
@@ -1734,18 +1734,19 @@ namespace Shd
     /// <summary>Options and budgets of a load. A budget that would be exceeded is Result.ErrorLimit.</summary>
     public sealed unsafe partial class SceneDesc
     {
-        internal Native.SceneDesc Raw = Native.SceneDesc.Default;
+        internal Native.SceneDesc Fields = Native.SceneDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static SceneDesc Default { get { return new SceneDesc(); } }
 
         /// <summary>default none</summary>
-        public SceneFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public SceneFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>flags of all meshes; meshes with uv always have tangents; default none</summary>
-        public MeshFlags MeshFlags { get { return Raw.MeshFlags; } set { Raw.MeshFlags = value; } }
+        public MeshFlags MeshFlags { get { return Fields.MeshFlags; } set { Fields.MeshFlags = value; } }
         /// <summary>
-        /// sampler of all textures; its wraps are replaced by those of the file.
-        /// Borrowed for the call; NULL = trilinear
+        /// sampler of all textures; its wraps are replaced by those of the file, and
+        /// its filter and magnification where the file asks for nearest texels or
+        /// levels. Borrowed for the call; NULL = trilinear
         /// </summary>
         public SamplerDesc? Sampler;
         /// <summary>
@@ -1754,24 +1755,24 @@ namespace Shd
         /// </summary>
         public LoadDesc Texture;
         /// <summary>sum of the model and the files that assimp reads with it; 0 = 2^30</summary>
-        public ulong MaxFileBytes { get { return Raw.MaxFileBytes; } set { Raw.MaxFileBytes = value; } }
+        public ulong MaxFileBytes { get { return Fields.MaxFileBytes; } set { Fields.MaxFileBytes = value; } }
         /// <summary>sum over all meshes; 0 = 2^26</summary>
-        public ulong MaxVertices { get { return Raw.MaxVertices; } set { Raw.MaxVertices = value; } }
+        public ulong MaxVertices { get { return Fields.MaxVertices; } set { Fields.MaxVertices = value; } }
         /// <summary>sum over all meshes; 0 = 2^26</summary>
-        public ulong MaxTriangles { get { return Raw.MaxTriangles; } set { Raw.MaxTriangles = value; } }
+        public ulong MaxTriangles { get { return Fields.MaxTriangles; } set { Fields.MaxTriangles = value; } }
         /// <summary>0 = 2^18; always at most 512 deep</summary>
-        public ulong MaxNodes { get { return Raw.MaxNodes; } set { Raw.MaxNodes = value; } }
+        public ulong MaxNodes { get { return Fields.MaxNodes; } set { Fields.MaxNodes = value; } }
         /// <summary>up to 2^20, the maximum of a frame; 0 = 2^18</summary>
-        public ulong MaxInstances { get { return Raw.MaxInstances; } set { Raw.MaxInstances = value; } }
+        public ulong MaxInstances { get { return Fields.MaxInstances; } set { Fields.MaxInstances = value; } }
         /// <summary>all textures with their mip levels; 0 = 2^32</summary>
-        public ulong MaxTextureBytes { get { return Raw.MaxTextureBytes; } set { Raw.MaxTextureBytes = value; } }
+        public ulong MaxTextureBytes { get { return Fields.MaxTextureBytes; } set { Fields.MaxTextureBytes = value; } }
         /// <summary>[s] 0 = 60. Checked between the steps of assimp, meshes and textures</summary>
-        public double TimeLimit { get { return Raw.TimeLimit; } set { Raw.TimeLimit = value; } }
+        public double TimeLimit { get { return Fields.TimeLimit; } set { Fields.TimeLimit = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SceneDesc Build(Call call, string name, long rows = -1)
         {
-            Native.SceneDesc made = Raw;
+            Native.SceneDesc made = Fields;
             if (Sampler.HasValue) { made.Sampler = (global::Shd.SamplerDesc*)call.Memory(sizeof(global::Shd.SamplerDesc)); *made.Sampler = Sampler.Value; }
             if (Texture != null) made.Texture = LoadDesc.BuildAll(call, Call.Join(name, "Texture"), new LoadDesc[] { Texture });
             return made;
@@ -1792,7 +1793,7 @@ namespace Shd
     /// <summary>Light and draws of a map; borrowed for the call. Required: light.</summary>
     public sealed unsafe partial class ShadowRenderDesc
     {
-        internal Native.ShadowRenderDesc Raw = Native.ShadowRenderDesc.Default;
+        internal Native.ShadowRenderDesc Fields = Native.ShadowRenderDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ShadowRenderDesc Default { get { return new ShadowRenderDesc(); } }
@@ -1812,20 +1813,20 @@ namespace Shd
         /// lights: measured from the light along the axis of the face, &gt; 0; a fitted near_plane is at least 1/256 of
         /// far_plane.
         /// </summary>
-        public float NearPlane { get { return Raw.NearPlane; } set { Raw.NearPlane = value; } }
-        public float FarPlane { get { return Raw.FarPlane; } set { Raw.FarPlane = value; } }
+        public float NearPlane { get { return Fields.NearPlane; } set { Fields.NearPlane = value; } }
+        public float FarPlane { get { return Fields.FarPlane; } set { Fields.FarPlane = value; } }
         /// <summary>
         /// Directional lights: the part of the world that needs shadows. Both 0 = the bounds of the draws. Draws between
         /// this part and the light still cast shadows. The size of texels is rounded up in steps of 1/8 to 1/16, and texels
         /// lie at multiples of their size, so shadows do not shimmer while bounds of constant size move.
         /// </summary>
-        public Float3 BoundsMin { get { return Raw.BoundsMin; } set { Raw.BoundsMin = value; } }
-        public Float3 BoundsMax { get { return Raw.BoundsMax; } set { Raw.BoundsMax = value; } }
+        public Float3 BoundsMin { get { return Fields.BoundsMin; } set { Fields.BoundsMin = value; } }
+        public Float3 BoundsMax { get { return Fields.BoundsMax; } set { Fields.BoundsMax = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShadowRenderDesc Build(Call call, string name, long rows = -1)
         {
-            Native.ShadowRenderDesc made = Raw;
+            Native.ShadowRenderDesc made = Fields;
             made.Light = call.UseOrNull(Light, name, "Light");
             made.Draws = Draw.BuildAll(call, Call.Join(name, "Draws"), Draws);
             made.DrawCount = Draws == null ? 0 : Draws.Count;
@@ -1847,7 +1848,7 @@ namespace Shd
     /// <summary>Points on surfaces; borrowed for the call.</summary>
     public sealed unsafe partial class ShadowLookups
     {
-        internal Native.ShadowLookups Raw = Native.ShadowLookups.Default;
+        internal Native.ShadowLookups Fields = Native.ShadowLookups.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ShadowLookups Default { get { return new ShadowLookups(); } }
@@ -1860,7 +1861,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShadowLookups Build(Call call, string name, long rows = -1)
         {
-            Native.ShadowLookups made = Raw;
+            Native.ShadowLookups made = Fields;
             for (int i = 0; i < 3; ++i) made.Position[i] = call.F32In(Position[i], name, "Position", ref rows);
             for (int i = 0; i < 3; ++i) made.Normal[i] = call.F32In(Normal[i], name, "Normal", ref rows);
             made.Count = Math.Max(rows, 0);
@@ -1882,7 +1883,7 @@ namespace Shd
     /// <summary>Output columns of a shape. They do not overlap; each may be absent.</summary>
     public sealed unsafe partial class ShapeColumns
     {
-        internal Native.ShapeColumns Raw = Native.ShapeColumns.Default;
+        internal Native.ShapeColumns Fields = Native.ShapeColumns.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static ShapeColumns Default { get { return new ShapeColumns(); } }
@@ -1899,7 +1900,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.ShapeColumns Build(Call call, string name, long rows = -1)
         {
-            Native.ShapeColumns made = Raw;
+            Native.ShapeColumns made = Fields;
             for (int i = 0; i < 3; ++i) made.Position[i] = call.F32Out(Position[i], name, "Position", ref rows);
             for (int i = 0; i < 3; ++i) made.Normal[i] = call.F32Out(Normal[i], name, "Normal", ref rows);
             for (int i = 0; i < 2; ++i) made.Uv[i] = call.F32Out(Uv[i], name, "Uv", ref rows);
@@ -1926,7 +1927,7 @@ namespace Shd
     /// <summary>
     /// A source for a coefficient. Required: target, and the fields that the source uses.
     ///
-    /// Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
+    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
     /// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
     /// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
     /// vertex, on level 0.
@@ -1938,17 +1939,17 @@ namespace Shd
     /// </summary>
     public sealed unsafe partial class Slot
     {
-        internal Native.Slot Raw = Native.Slot.Default;
+        internal Native.Slot Fields = Native.Slot.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static Slot Default { get { return new Slot(); } }
 
         /// <summary>the coefficient; each slot of a material has a different one</summary>
-        public SlotTarget Target { get { return Raw.Target; } set { Raw.Target = value; } }
+        public SlotTarget Target { get { return Fields.Target; } set { Fields.Target = value; } }
         /// <summary>default SlotSource.Constant</summary>
-        public SlotSource Source { get { return Raw.Source; } set { Raw.Source = value; } }
+        public SlotSource Source { get { return Fields.Source; } set { Fields.Source = value; } }
         /// <summary>SlotSource.Vertex: first column, 0..7; default 0</summary>
-        public uint Attribute { get { return Raw.Attribute; } set { Raw.Attribute = value; } }
+        public uint Attribute { get { return Fields.Attribute; } set { Fields.Attribute = value; } }
         /// <summary>
         /// SlotSource.Texture: a 2D texture, or a 3D texture that is looked up at places;
         /// else NULL; retained by the material
@@ -1957,15 +1958,15 @@ namespace Shd
         /// <summary>SlotSource.Texture: NULL = default sampler; retained by the material</summary>
         public Sampler Sampler;
         /// <summary>channel of the texture or the solid texture for scalars, 0..3; default 0</summary>
-        public uint Channel { get { return Raw.Channel; } set { Raw.Channel = value; } }
+        public uint Channel { get { return Fields.Channel; } set { Fields.Channel = value; } }
         /// <summary>coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0</summary>
-        public uint UvSet { get { return Raw.UvSet; } set { Raw.UvSet = value; } }
+        public uint UvSet { get { return Fields.UvSet; } set { Fields.UvSet = value; } }
         /// <summary>
         /// (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
         /// KHR_texture_transform is T R S, with the rotation r and v downwards
         /// t = {sx cos r, sy sin r, ox, -sx sin r, sy cos r, oy}.
         /// </summary>
-        public Float6 UvTransform { get { return Raw.UvTransform; } set { Raw.UvTransform = value; } }
+        public Float6 UvTransform { get { return Fields.UvTransform; } set { Fields.UvTransform = value; } }
         /// <summary>
         /// Solid texture of SlotSource.Solid, else NULL; copied by the material. Colours take r, g, b and, for the
         /// diffuse slot and normals, a; scalars take `channel`. At Phong frequency, and for slots that scale light, the
@@ -1978,19 +1979,19 @@ namespace Shd
         /// texture is evaluated at the place. A 3D texture is looked up at (u, v, w) = place, with the derivatives of the
         /// place by pixel steps times `place_width`: it fills the cube from 0 to 1, and its sampler wraps it.
         /// </summary>
-        public Matrix4 PlaceTransform { get { return Raw.PlaceTransform; } set { Raw.PlaceTransform = value; } }
+        public Matrix4 PlaceTransform { get { return Fields.PlaceTransform; } set { Fields.PlaceTransform = value; } }
         /// <summary>space of the position; default PlaceSpace.Object</summary>
-        public PlaceSpace PlaceSpace { get { return Raw.PlaceSpace; } set { Raw.PlaceSpace = value; } }
+        public PlaceSpace PlaceSpace { get { return Fields.PlaceSpace; } set { Fields.PlaceSpace = value; } }
         /// <summary>
         /// factor of the width of a pixel, 0..1000; 0 = no band limit, level 0 of
         /// 3D textures; default 1
         /// </summary>
-        public float PlaceWidth { get { return Raw.PlaceWidth; } set { Raw.PlaceWidth = value; } }
+        public float PlaceWidth { get { return Fields.PlaceWidth; } set { Fields.PlaceWidth = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Slot Build(Call call, string name, long rows = -1)
         {
-            Native.Slot made = Raw;
+            Native.Slot made = Fields;
             made.Texture = call.UseOrNull(Texture, name, "Texture");
             made.Sampler = call.UseOrNull(Sampler, name, "Sampler");
             if (Solid.HasValue) { made.Solid = (global::Shd.SolidDesc*)call.Memory(sizeof(global::Shd.SolidDesc)); *made.Solid = Solid.Value; }
@@ -2014,7 +2015,7 @@ namespace Shd
     /// <summary>Points at which a solid texture is evaluated, as columns of `count` elements. Required: position.</summary>
     public sealed unsafe partial class SolidPoints
     {
-        internal Native.SolidPoints Raw = Native.SolidPoints.Default;
+        internal Native.SolidPoints Fields = Native.SolidPoints.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static SolidPoints Default { get { return new SolidPoints(); } }
@@ -2027,7 +2028,7 @@ namespace Shd
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SolidPoints Build(Call call, string name, long rows = -1)
         {
-            Native.SolidPoints made = Raw;
+            Native.SolidPoints made = Fields;
             for (int i = 0; i < 3; ++i) made.Position[i] = call.F32In(Position[i], name, "Position", ref rows);
             made.Width = call.F32In(Width, name, "Width", ref rows);
             made.Count = Math.Max(rows, 0);
@@ -2049,7 +2050,7 @@ namespace Shd
     /// <summary>Columns for the values of a solid texture; NULL = not wanted. At least one is required.</summary>
     public sealed unsafe partial class SolidValues
     {
-        internal Native.SolidValues Raw = Native.SolidValues.Default;
+        internal Native.SolidValues Fields = Native.SolidValues.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static SolidValues Default { get { return new SolidValues(); } }
@@ -2064,12 +2065,12 @@ namespace Shd
         /// <summary>r, g, b, a of SolidDesc.colors at the value, linear</summary>
         public readonly Column<float>[] Color = new Column<float>[4];
         /// <summary>written: points whose position or width is not finite</summary>
-        public long NonfiniteCount { get { return Raw.NonfiniteCount; } set { Raw.NonfiniteCount = value; } }
+        public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SolidValues Build(Call call, string name, long rows = -1)
         {
-            Native.SolidValues made = Raw;
+            Native.SolidValues made = Fields;
             made.Value = call.F32Out(Value, name, "Value", ref rows);
             for (int i = 0; i < 3; ++i) made.Gradient[i] = call.F32Out(Gradient[i], name, "Gradient", ref rows);
             for (int i = 0; i < 4; ++i) made.Color[i] = call.F32Out(Color[i], name, "Color", ref rows);
@@ -2086,31 +2087,31 @@ namespace Shd
             }
             return all;
         }
-        internal void Take(ref Native.SolidValues made) { Raw.NonfiniteCount = made.NonfiniteCount; }
+        internal void Take(ref Native.SolidValues made) { Fields.NonfiniteCount = made.NonfiniteCount; }
     }
 
     /// <summary>Options of tessellation and displacement.</summary>
     public sealed unsafe partial class TessellationDesc
     {
-        internal Native.TessellationDesc Raw = Native.TessellationDesc.Default;
+        internal Native.TessellationDesc Fields = Native.TessellationDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static TessellationDesc Default { get { return new TessellationDesc(); } }
 
         /// <summary>default TessellationMode.Uniform</summary>
-        public TessellationMode Mode { get { return Raw.Mode; } set { Raw.Mode = value; } }
+        public TessellationMode Mode { get { return Fields.Mode; } set { Fields.Mode = value; } }
         /// <summary>UNIFORM: parts of an edge, 1..Constants.MaxSegments; default 1</summary>
-        public uint Segments { get { return Raw.Segments; } set { Raw.Segments = value; } }
+        public uint Segments { get { return Fields.Segments; } set { Fields.Segments = value; } }
         /// <summary>ADAPTIVE: largest number of parts of an edge, 1..Constants.MaxSegments; default 64</summary>
-        public uint MaxSegments { get { return Raw.MaxSegments; } set { Raw.MaxSegments = value; } }
+        public uint MaxSegments { get { return Fields.MaxSegments; } set { Fields.MaxSegments = value; } }
         /// <summary>ADAPTIVE: longest part [pixels], without `view` [world units]; &gt; 0; default 8</summary>
-        public float EdgeLength { get { return Raw.EdgeLength; } set { Raw.EdgeLength = value; } }
+        public float EdgeLength { get { return Fields.EdgeLength; } set { Fields.EdgeLength = value; } }
         /// <summary>ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024</summary>
-        public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
+        public uint Width { get { return Fields.Width; } set { Fields.Width = value; } }
         /// <summary>ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024</summary>
-        public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
+        public uint Height { get { return Fields.Height; } set { Fields.Height = value; } }
         /// <summary>the call is refused if the result would have more, 1..2^28; default 2^24</summary>
-        public uint MaxTriangles { get { return Raw.MaxTriangles; } set { Raw.MaxTriangles = value; } }
+        public uint MaxTriangles { get { return Fields.MaxTriangles; } set { Fields.MaxTriangles = value; } }
         /// <summary>
         /// ADAPTIVE: view for lengths in pixels. An edge counts as turned about its middle until it is perpendicular to the
         /// line of sight; its length is then projected to the picture. An edge that passes the eye has max_segments parts,
@@ -2124,18 +2125,18 @@ namespace Shd
         /// <summary>sampler of `displacement`; borrowed for the call; NULL = the default sampler</summary>
         public Sampler Sampler;
         /// <summary>level of detail of the lookups, log2 of base texels, -32..32; default 0</summary>
-        public float Lod { get { return Raw.Lod; } set { Raw.Lod = value; } }
+        public float Lod { get { return Fields.Lod; } set { Fields.Lod = value; } }
         /// <summary>factor of heights [object units], -1e12..1e12; default 0 = no displacement</summary>
-        public float Amplitude { get { return Raw.Amplitude; } set { Raw.Amplitude = value; } }
+        public float Amplitude { get { return Fields.Amplitude; } set { Fields.Amplitude = value; } }
         /// <summary>height that is not displaced, -1e12..1e12; default 0</summary>
-        public float Offset { get { return Raw.Offset; } set { Raw.Offset = value; } }
+        public float Offset { get { return Fields.Offset; } set { Fields.Offset = value; } }
         /// <summary>used with displacement; default DisplacedNormals.Tilted</summary>
-        public DisplacedNormals Normals { get { return Raw.Normals; } set { Raw.Normals = value; } }
+        public DisplacedNormals Normals { get { return Fields.Normals; } set { Fields.Normals = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TessellationDesc Build(Call call, string name, long rows = -1)
         {
-            Native.TessellationDesc made = Raw;
+            Native.TessellationDesc made = Fields;
             if (View.HasValue) { made.View = (global::Shd.View*)call.Memory(sizeof(global::Shd.View)); *made.View = View.Value; }
             if (ObjectToWorld.HasValue) { made.ObjectToWorld = (float*)call.Memory(sizeof(Matrix4)); *(Matrix4*)made.ObjectToWorld = ObjectToWorld.Value; }
             made.Displacement = call.UseOrNull(Displacement, name, "Displacement");
@@ -2158,7 +2159,7 @@ namespace Shd
     /// <summary>Texels and tables of a texture. Required: format, width, height, texels.</summary>
     public sealed unsafe partial class TextureDesc
     {
-        internal Native.TextureDesc Raw = Native.TextureDesc.Default;
+        internal Native.TextureDesc Fields = Native.TextureDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static TextureDesc Default { get { return new TextureDesc(); } }
@@ -2168,45 +2169,45 @@ namespace Shd
         /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
         /// and the caller gives its levels
         /// </summary>
-        public Format Format { get { return Raw.Format; } set { Raw.Format = value; } }
+        public Format Format { get { return Fields.Format; } set { Fields.Format = value; } }
         /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>
-        public uint Width { get { return Raw.Width; } set { Raw.Width = value; } }
+        public uint Width { get { return Fields.Width; } set { Fields.Width = value; } }
         /// <summary>texels, 1..65536</summary>
-        public uint Height { get { return Raw.Height; } set { Raw.Height = value; } }
+        public uint Height { get { return Fields.Height; } set { Fields.Height = value; } }
         /// <summary>bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed</summary>
-        public long RowStride { get { return Raw.RowStride; } set { Raw.RowStride = value; } }
+        public long RowStride { get { return Fields.RowStride; } set { Fields.RowStride = value; } }
         /// <summary>bytes between layers, at least the rows of a layer times the row stride; 0 = packed</summary>
-        public long LayerStride { get { return Raw.LayerStride; } set { Raw.LayerStride = value; } }
+        public long LayerStride { get { return Fields.LayerStride; } set { Fields.LayerStride = value; } }
         /// <summary>images of the array, 1..2048; default 1</summary>
-        public uint Layers { get { return Raw.Layers; } set { Raw.Layers = value; } }
+        public uint Layers { get { return Fields.Layers; } set { Fields.Layers = value; } }
         /// <summary>default none</summary>
-        public TextureFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public TextureFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>sources of r, g, b, a of lookups; default Channel.Default</summary>
-        public Channel4 Swizzle { get { return Raw.Swizzle; } set { Raw.Swizzle = value; } }
+        public Channel4 Swizzle { get { return Fields.Swizzle; } set { Fields.Swizzle = value; } }
         /// <summary>
         /// values of channels that the format does not have, in lookups inside and outside the
         /// image; finite; default 0, 0, 0, 1
         /// </summary>
-        public Float4 Fill { get { return Raw.Fill; } set { Raw.Fill = value; } }
+        public Float4 Fill { get { return Fields.Fill; } set { Fields.Fill = value; } }
         /// <summary>default none</summary>
-        public TableFlags Tables { get { return Raw.Tables; } set { Raw.Tables = value; } }
+        public TableFlags Tables { get { return Fields.Tables; } set { Fields.Tables = value; } }
         /// <summary>
         /// Slices of a 3D texture, 1..65536; default 0 = a 2D texture. width * height * depth is at most 2^28, `layers` is
         /// 1, and TableFlags.Mipmap is the only table. Texels are [depth][height][width], and `layer_stride` is the distance
         /// of slices. Lookups read (u, v, w); w = 0 is the outer face of slice 0. A level halves all three sizes.
         /// </summary>
-        public uint Depth { get { return Raw.Depth; } set { Raw.Depth = value; } }
+        public uint Depth { get { return Fields.Depth; } set { Fields.Depth = value; } }
         /// <summary>
         /// Default Projection.None. With any other one, lookups read (u, v, w) as a direction of any length. `width` and
         /// `height` are equal unless it is LAT_LONG; `layers` of CUBE are the 6 faces +X, -X, +Y, -Y, +Z, -Z; `depth` is 0;
         /// `tables` has TableFlags.Mipmap at most. Mip levels are averages of texels of one image, unweighted.
         /// </summary>
-        public Projection Projection { get { return Raw.Projection; } set { Raw.Projection = value; } }
+        public Projection Projection { get { return Fields.Projection; } set { Fields.Projection = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TextureDesc Build(Call call, string name, long rows = -1)
         {
-            Native.TextureDesc made = Raw;
+            Native.TextureDesc made = Fields;
             More(call, name, ref made);
             return made;
         }
@@ -2227,7 +2228,7 @@ namespace Shd
     /// <summary>Options of a texture in a file. Required: cache.</summary>
     public sealed unsafe partial class TileFileDesc
     {
-        internal Native.TileFileDesc Raw = Native.TileFileDesc.Default;
+        internal Native.TileFileDesc Fields = Native.TileFileDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static TileFileDesc Default { get { return new TileFileDesc(); } }
@@ -2236,21 +2237,21 @@ namespace Shd
         /// meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
         /// declares nothing. Other numbers must be linear, or be declared so here
         /// </summary>
-        public ColorEncoding ColorSpace { get { return Raw.ColorSpace; } set { Raw.ColorSpace = value; } }
+        public ColorEncoding ColorSpace { get { return Fields.ColorSpace; } set { Fields.ColorSpace = value; } }
         /// <summary>retained by the texture</summary>
         public TileCache Cache;
         /// <summary>
         /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
         /// memory of OpenImageIO; more exist while more threads read
         /// </summary>
-        public long MaxReaders { get { return Raw.MaxReaders; } set { Raw.MaxReaders = value; } }
+        public long MaxReaders { get { return Fields.MaxReaders; } set { Fields.MaxReaders = value; } }
         /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>
-        public Float4 Fill { get { return Raw.Fill; } set { Raw.Fill = value; } }
+        public Float4 Fill { get { return Fields.Fill; } set { Fields.Fill = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.TileFileDesc Build(Call call, string name, long rows = -1)
         {
-            Native.TileFileDesc made = Raw;
+            Native.TileFileDesc made = Fields;
             made.Cache = call.UseOrNull(Cache, name, "Cache");
             return made;
         }
@@ -2270,7 +2271,7 @@ namespace Shd
     /// <summary>Density, transfer function, steps and shading of a volume. Required: point_count, texture, density, extinction.</summary>
     public sealed unsafe partial class VolumeDesc
     {
-        internal Native.VolumeDesc Raw = Native.VolumeDesc.Default;
+        internal Native.VolumeDesc Fields = Native.VolumeDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static VolumeDesc Default { get { return new VolumeDesc(); } }
@@ -2298,25 +2299,25 @@ namespace Shd
         /// </summary>
         public Material Material;
         /// <summary>corner of the texture's (0, 0, 0) in object space, finite; default 0</summary>
-        public Float3 BoxMin { get { return Raw.BoxMin; } set { Raw.BoxMin = value; } }
+        public Float3 BoxMin { get { return Fields.BoxMin; } set { Fields.BoxMin = value; } }
         /// <summary>corner of the texture's (1, 1, 1); above box_min on each axis; default 1</summary>
-        public Float3 BoxMax { get { return Raw.BoxMax; } set { Raw.BoxMax = value; } }
+        public Float3 BoxMax { get { return Fields.BoxMax; } set { Fields.BoxMax = value; } }
         /// <summary>length of a step [world units], above 0, at most 1e12; default 1/256</summary>
-        public float Step { get { return Raw.Step; } set { Raw.Step = value; } }
+        public float Step { get { return Fields.Step; } set { Fields.Step = value; } }
         /// <summary>
         /// the point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed
         /// from the pixel of the picture and `seed`; 0..1; default 0
         /// </summary>
-        public float Jitter { get { return Raw.Jitter; } set { Raw.Jitter = value; } }
+        public float Jitter { get { return Fields.Jitter; } set { Fields.Jitter = value; } }
         /// <summary>seed of the jitter; default 0</summary>
-        public uint Seed { get { return Raw.Seed; } set { Raw.Seed = value; } }
+        public uint Seed { get { return Fields.Seed; } set { Fields.Seed = value; } }
         /// <summary>reserved; 0</summary>
-        public uint Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public uint Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VolumeDesc Build(Call call, string name, long rows = -1)
         {
-            Native.VolumeDesc made = Raw;
+            Native.VolumeDesc made = Fields;
             made.Texture = call.UseOrNull(Texture, name, "Texture");
             made.Density = call.F32In(Density, name, "Density", ref rows);
             made.Extinction = call.F32In(Extinction, name, "Extinction", ref rows);
@@ -2341,7 +2342,7 @@ namespace Shd
     /// <summary>One volume in the frame. Required: volume.</summary>
     public sealed unsafe partial class VolumeDraw
     {
-        internal Native.VolumeDraw Raw = Native.VolumeDraw.Default;
+        internal Native.VolumeDraw Fields = Native.VolumeDraw.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static VolumeDraw Default { get { return new VolumeDraw(); } }
@@ -2349,12 +2350,12 @@ namespace Shd
         /// <summary>borrowed for the call</summary>
         public Volume Volume;
         /// <summary>affine, finite, invertible; default identity</summary>
-        public Matrix4 ObjectToWorld { get { return Raw.ObjectToWorld; } set { Raw.ObjectToWorld = value; } }
+        public Matrix4 ObjectToWorld { get { return Fields.ObjectToWorld; } set { Fields.ObjectToWorld = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VolumeDraw Build(Call call, string name, long rows = -1)
         {
-            Native.VolumeDraw made = Raw;
+            Native.VolumeDraw made = Fields;
             made.Volume = call.UseOrNull(Volume, name, "Volume");
             return made;
         }
@@ -2374,7 +2375,7 @@ namespace Shd
     /// <summary>Files of a stack. Required: either paths and path_count, or pattern.</summary>
     public sealed unsafe partial class StackDesc
     {
-        internal Native.StackDesc Raw = Native.StackDesc.Default;
+        internal Native.StackDesc Fields = Native.StackDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static StackDesc Default { get { return new StackDesc(); } }
@@ -2387,14 +2388,14 @@ namespace Shd
         /// </summary>
         public string Pattern;
         /// <summary>number of slice 0 of `pattern`; default 0</summary>
-        public uint First { get { return Raw.First; } set { Raw.First = value; } }
+        public uint First { get { return Fields.First; } set { Fields.First = value; } }
         /// <summary>number of the last slice, first..first + 65535; default 0</summary>
-        public uint Last { get { return Raw.Last; } set { Raw.Last = value; } }
+        public uint Last { get { return Fields.Last; } set { Fields.Last = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.StackDesc Build(Call call, string name, long rows = -1)
         {
-            Native.StackDesc made = Raw;
+            Native.StackDesc made = Fields;
             made.Paths = call.Texts(Paths, name, "Paths");
             made.PathCount = checked((uint)(Paths == null ? 0 : Paths.Count));
             made.Pattern = call.Text(Pattern);
@@ -2416,24 +2417,24 @@ namespace Shd
     /// <summary>Grid and box of an OpenVDB load.</summary>
     public sealed unsafe partial class VdbDesc
     {
-        internal Native.VdbDesc Raw = Native.VdbDesc.Default;
+        internal Native.VdbDesc Fields = Native.VdbDesc.Default;
 
         /// <summary>The defaults of the library.</summary>
         public static VdbDesc Default { get { return new VdbDesc(); } }
 
         /// <summary>default none</summary>
-        public VdbFlags Flags { get { return Raw.Flags; } set { Raw.Flags = value; } }
+        public VdbFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
         /// <summary>name, at most 255 bytes; default NULL = the first grid of float or double</summary>
         public string Grid;
         /// <summary>first voxel of the box, in index space, -2^30..2^30; read with VdbFlags.Box</summary>
-        public Int3 BoxMin { get { return Raw.BoxMin; } set { Raw.BoxMin = value; } }
+        public Int3 BoxMin { get { return Fields.BoxMin; } set { Fields.BoxMin = value; } }
         /// <summary>last voxel of the box, at least box_min on each axis; read with VdbFlags.Box</summary>
-        public Int3 BoxMax { get { return Raw.BoxMax; } set { Raw.BoxMax = value; } }
+        public Int3 BoxMax { get { return Fields.BoxMax; } set { Fields.BoxMax = value; } }
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.VdbDesc Build(Call call, string name, long rows = -1)
         {
-            Native.VdbDesc made = Raw;
+            Native.VdbDesc made = Fields;
             made.Grid = call.Text(Grid);
             return made;
         }

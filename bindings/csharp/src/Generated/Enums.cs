@@ -1310,6 +1310,8 @@ namespace Shd
         None = 0,
         /// <summary>a texture that cannot be read makes the load fail</summary>
         RequireTextures = 1,
+        /// <summary>textures have the filters of SceneDesc.sampler, not those of the file</summary>
+        HostFilters = 2,
     }
 
     /// <summary>Kinds of parts that have names.</summary>
@@ -1321,6 +1323,7 @@ namespace Shd
         Texture = 2,
         Light = 3,
         Camera = 4,
+        Animation = 5,
     }
 
     /// <summary>Computation of visibility from depths.</summary>
@@ -1417,6 +1420,7 @@ namespace Shd
         ClearcoatRoughness = 14,
         /// <summary>tangent-space normal of the clear coat, NormalEncoding.Xyz with z &gt; 0</summary>
         ClearcoatNormal = 15,
+        Tint = 16,
     }
 
     /// <summary>Source of the values of a slot.</summary>

@@ -81,7 +81,7 @@ namespace Shd.Native
 
     /// <summary>
     /// A function that gives the values of a slot: writes in-&gt;count values to each column.
-    /// @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
+    /// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
     ///             scalars; the others are NULL
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]

@@ -986,17 +986,27 @@ namespace Shd.Native
         /// <summary>
         /// Read a model file.
         ///
-        /// Materials: materials with a roughness become Model.MetallicRoughness, all others Model.BlinnPhong. All
-        /// reflect ambient light with their diffuse colour (ambient_share = 1). Every slot whose texture is in the file is set.
-        /// Heights are in their slot, but have no effect until a material enables bump, parallax or displacement. An opacity
-        /// below 1, an opacity map and glTF's BLEND become Blend.Sorted; glTF's MASK becomes alpha_cutoff. The first two
-        /// sets of texture coordinates are used.
+        /// Materials: unlit materials become Model.Unlit, and those that transmit at least half of the light and are no
+        /// metals Model.Glass, which needs an environment. Others with a roughness become Model.MetallicRoughness, and
+        /// the rest Model.BlinnPhong. All reflect ambient light with their diffuse colour (ambient_share = 1). Every slot
+        /// whose texture is in the file is set. Heights have no effect unless the file scales them. An opacity below 1, an
+        /// opacity map and glTF's BLEND become Blend.Sorted; glTF's MASK becomes alpha_cutoff, and a cutoff above 1 makes
+        /// the opacity 0. The first two sets of texture coordinates are used. Colours of vertices are the attributes 0 to 3 of a
+        /// mesh, and multiply the diffuse colour and the opacity.
+        ///
+        /// Faces: the backs of surfaces that are not double-sided are culled; a node that mirrors turns the front around.
+        ///
+        /// Normals that the file has not, and normals of length 0 or not finite, are computed.
         ///
         /// Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. If the light of the file
         /// does not decrease with the square of the distance, its intensity is chosen so that both agree at the distance of half
         /// the diagonal of the model.
         ///
-        /// Points and lines, animations, skins and morph targets are left out.
+        /// Skins and morph targets have the pose and the weights of the file; shd_scene_pose() samples animations. Points and
+        /// lines are left out.
+        ///
+        /// A model whose centre is more than 1024 radii away from 0 is moved to 0, because floats would lose its details:
+        /// SceneInfo.origin.
         /// </summary>
         [DllImport("shd_scene", EntryPoint = "shd_scene_load", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result SceneLoad(IntPtr context, byte* path, SceneDesc* desc, IntPtr* outScene);
@@ -1063,6 +1073,23 @@ namespace Shd.Native
         /// </summary>
         [DllImport("shd_scene", EntryPoint = "shd_scene_fill_render", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result SceneFillRender(IntPtr scene, RenderDesc* inOutRender);
+
+        /// <summary>
+        /// The times of an animation [s]: its first key and its last one. Poses before and after are those of the keys. Its name
+        /// is that of ScenePart.Animation.
+        /// </summary>
+        [DllImport("shd_scene", EntryPoint = "shd_scene_get_animation_times", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result SceneGetAnimationTimes(
+            IntPtr scene, uint index, double* outFirst, double* outLast);
+
+        /// <summary>
+        /// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
+        /// and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
+        /// shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
+        /// instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+        /// </summary>
+        [DllImport("shd_scene", EntryPoint = "shd_scene_pose", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result ScenePose(IntPtr scene, uint animation, double seconds, IntPtr* outScene);
 
     }
 }

@@ -1853,8 +1853,9 @@ namespace Shd.Native
         /// <summary>flags of all meshes; meshes with uv always have tangents; default none</summary>
         public MeshFlags MeshFlags;
         /// <summary>
-        /// sampler of all textures; its wraps are replaced by those of the file.
-        /// Borrowed for the call; NULL = trilinear
+        /// sampler of all textures; its wraps are replaced by those of the file, and
+        /// its filter and magnification where the file asks for nearest texels or
+        /// levels. Borrowed for the call; NULL = trilinear
         /// </summary>
         public SamplerDesc* Sampler;
         /// <summary>
@@ -1999,7 +2000,7 @@ namespace Shd.Native
     /// <summary>
     /// A source for a coefficient. Required: target, and the fields that the source uses.
     ///
-    /// Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
+    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
     /// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
     /// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
     /// vertex, on level 0.

@@ -540,7 +540,7 @@ namespace Shd
         public uint LightCount;
         /// <summary>0 where the file has none</summary>
         public uint CameraCount;
-        /// <summary>at least 1; as many as draws</summary>
+        /// <summary>as many as draws</summary>
         public uint InstanceCount;
         /// <summary>parts of the file that were left out or changed</summary>
         public uint WarningCount;
@@ -552,6 +552,15 @@ namespace Shd
         public Float3 BoundsMin;
         /// <summary>highest x, y, z of all instances, world space</summary>
         public Float3 BoundsMax;
+        /// <summary>
+        /// a place in the world of the file is origin + the place in world space; 0 unless the
+        /// model is far away from 0. Equal in all poses
+        /// </summary>
+        public Double3 Origin;
+        /// <summary>0 where the file has none</summary>
+        public uint AnimationCount;
+        /// <summary>meshes with a skin or morph targets, which each pose makes anew</summary>
+        public uint DeformedMeshCount;
 
         /// <summary>The defaults of the library.</summary>
         public static SceneInfo Default
@@ -577,6 +586,8 @@ namespace Shd
         public uint Material;
         /// <summary>affine, finite</summary>
         public Matrix4 ObjectToWorld;
+        /// <summary>faces that its draw skips: Cull.None for surfaces that are double-sided</summary>
+        public Cull Cull;
 
         /// <summary>The defaults of the library.</summary>
         public static SceneInstance Default
@@ -1139,6 +1150,20 @@ namespace Shd
         {
             get { Inline.Check(index, Length); fixed (Channel* first = &e0) return first[index]; }
             set { Inline.Check(index, Length); fixed (Channel* first = &e0) first[index] = value; }
+        }
+    }
+
+    /// <summary>3 elements inside a struct.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct Double3
+    {
+        public const int Length = 3;
+        private double e0, e1, e2;
+        /// <summary>Element 0 .. 2.</summary>
+        public double this[int index]
+        {
+            get { Inline.Check(index, Length); fixed (double* first = &e0) return first[index]; }
+            set { Inline.Check(index, Length); fixed (double* first = &e0) first[index] = value; }
         }
     }
 

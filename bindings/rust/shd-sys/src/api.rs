@@ -1751,9 +1751,12 @@ impl shd_scene_flag {
     pub const NONE: Self = Self(0);
     /// a texture that cannot be read makes the load fail
     pub const REQUIRE_TEXTURES: Self = Self(1);
+    /// textures have the filters of shd_scene_desc.sampler, not those of the file
+    pub const HOST_FILTERS: Self = Self(2);
 }
 pub const SHD_SCENE_NONE: shd_scene_flag = shd_scene_flag::NONE;
 pub const SHD_SCENE_REQUIRE_TEXTURES: shd_scene_flag = shd_scene_flag::REQUIRE_TEXTURES;
+pub const SHD_SCENE_HOST_FILTERS: shd_scene_flag = shd_scene_flag::HOST_FILTERS;
 flags!(shd_scene_flag);
 
 /// Kinds of parts that have names.
@@ -1767,13 +1770,15 @@ impl shd_scene_part {
     pub const TEXTURE: Self = Self(2);
     pub const LIGHT: Self = Self(3);
     pub const CAMERA: Self = Self(4);
+    pub const ANIMATION: Self = Self(5);
 }
 pub const SHD_SCENE_PART_MESH: shd_scene_part = shd_scene_part::MESH;
 pub const SHD_SCENE_PART_MATERIAL: shd_scene_part = shd_scene_part::MATERIAL;
 pub const SHD_SCENE_PART_TEXTURE: shd_scene_part = shd_scene_part::TEXTURE;
 pub const SHD_SCENE_PART_LIGHT: shd_scene_part = shd_scene_part::LIGHT;
 pub const SHD_SCENE_PART_CAMERA: shd_scene_part = shd_scene_part::CAMERA;
-names!(shd_scene_part: MESH, MATERIAL, TEXTURE, LIGHT, CAMERA);
+pub const SHD_SCENE_PART_ANIMATION: shd_scene_part = shd_scene_part::ANIMATION;
+names!(shd_scene_part: MESH, MATERIAL, TEXTURE, LIGHT, CAMERA, ANIMATION);
 
 /// Computation of visibility from depths.
 #[repr(transparent)]
@@ -1873,6 +1878,7 @@ impl shd_slot_target {
     pub const CLEARCOAT_ROUGHNESS: Self = Self(14);
     /// tangent-space normal of the clear coat, SHD_NORMAL_ENCODING_XYZ with z > 0
     pub const CLEARCOAT_NORMAL: Self = Self(15);
+    pub const TINT: Self = Self(16);
 }
 pub const SHD_SLOT_DIFFUSE: shd_slot_target = shd_slot_target::DIFFUSE;
 pub const SHD_SLOT_AMBIENT: shd_slot_target = shd_slot_target::AMBIENT;
@@ -1890,7 +1896,8 @@ pub const SHD_SLOT_NORMAL_MIXED: shd_slot_target = shd_slot_target::NORMAL_MIXED
 pub const SHD_SLOT_CLEARCOAT: shd_slot_target = shd_slot_target::CLEARCOAT;
 pub const SHD_SLOT_CLEARCOAT_ROUGHNESS: shd_slot_target = shd_slot_target::CLEARCOAT_ROUGHNESS;
 pub const SHD_SLOT_CLEARCOAT_NORMAL: shd_slot_target = shd_slot_target::CLEARCOAT_NORMAL;
-names!(shd_slot_target: DIFFUSE, AMBIENT, SPECULAR, EXPONENT, OPACITY, EMISSION, METALLIC, ROUGHNESS, OCCLUSION, NORMAL, HEIGHT, MATCAP, NORMAL_MIXED, CLEARCOAT, CLEARCOAT_ROUGHNESS, CLEARCOAT_NORMAL);
+pub const SHD_SLOT_TINT: shd_slot_target = shd_slot_target::TINT;
+names!(shd_slot_target: DIFFUSE, AMBIENT, SPECULAR, EXPONENT, OPACITY, EMISSION, METALLIC, ROUGHNESS, OCCLUSION, NORMAL, HEIGHT, MATCAP, NORMAL_MIXED, CLEARCOAT, CLEARCOAT_ROUGHNESS, CLEARCOAT_NORMAL, TINT);
 
 /// Source of the values of a slot.
 #[repr(transparent)]
@@ -2524,7 +2531,7 @@ pub type shd_present_tile_fn = Option<unsafe extern "C" fn(user_data: *mut c_voi
 pub type shd_progress_report_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, fraction: f32) -> i32>;
 
 /// A function that gives the values of a slot: writes in->count values to each column.
-/// @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
+/// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
 /// scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
@@ -4512,8 +4519,9 @@ pub struct shd_scene_desc {
     pub flags: shd_scene_flags,
     /// flags of all meshes; meshes with uv always have tangents; default none
     pub mesh_flags: shd_mesh_flags,
-    /// sampler of all textures; its wraps are replaced by those of the file.
-    /// Borrowed for the call; NULL = trilinear
+    /// sampler of all textures; its wraps are replaced by those of the file, and
+    /// its filter and magnification where the file asks for nearest texels or
+    /// levels. Borrowed for the call; NULL = trilinear
     pub sampler: *const shd_sampler_desc,
     /// formats, flags, tables and budgets of each texture file; its color_space is
     /// ignored. Borrowed for the call; NULL = defaults
@@ -4555,7 +4563,7 @@ pub struct shd_scene_info {
     pub light_count: u32,
     /// 0 where the file has none
     pub camera_count: u32,
-    /// at least 1; as many as draws
+    /// as many as draws
     pub instance_count: u32,
     /// parts of the file that were left out or changed
     pub warning_count: u32,
@@ -4567,9 +4575,16 @@ pub struct shd_scene_info {
     pub bounds_min: [f32; 3],
     /// highest x, y, z of all instances, world space
     pub bounds_max: [f32; 3],
+    /// a place in the world of the file is origin + the place in world space; 0 unless the
+    /// model is far away from 0. Equal in all poses
+    pub origin: [f64; 3],
+    /// 0 where the file has none
+    pub animation_count: u32,
+    /// meshes with a skin or morph targets, which each pose makes anew
+    pub deformed_mesh_count: u32,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_scene_info>() == 72);
+const _: () = assert!(core::mem::size_of::<shd_scene_info>() == 104);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_scene_info>() == 8);
 init!(shd_scene_info, SHD_DESC_KIND_SCENE_INFO);
@@ -4586,9 +4601,11 @@ pub struct shd_scene_instance {
     pub material: u32,
     /// affine, finite
     pub object_to_world: [f32; 16],
+    /// faces that its draw skips: SHD_CULL_NONE for surfaces that are double-sided
+    pub cull: shd_cull,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_scene_instance>() == 76);
+const _: () = assert!(core::mem::size_of::<shd_scene_instance>() == 80);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_scene_instance>() == 4);
 init!(shd_scene_instance, SHD_DESC_KIND_SCENE_INSTANCE);
@@ -4745,7 +4762,7 @@ init!(shd_shape_columns, SHD_DESC_KIND_SHAPE_COLUMNS);
 
 /// A source for a coefficient. Required: target, and the fields that the source uses.
 ///
-/// Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
+/// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
 /// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
 /// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
 /// vertex, on level 0.
@@ -6500,17 +6517,27 @@ extern "C" {
 extern "C" {
     /// Read a model file.
     ///
-    /// Materials: materials with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG. All
-    /// reflect ambient light with their diffuse colour (ambient_share = 1). Every slot whose texture is in the file is set.
-    /// Heights are in their slot, but have no effect until a material enables bump, parallax or displacement. An opacity
-    /// below 1, an opacity map and glTF's BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two
-    /// sets of texture coordinates are used.
+    /// Materials: unlit materials become SHD_MODEL_UNLIT, and those that transmit at least half of the light and are no
+    /// metals SHD_MODEL_GLASS, which needs an environment. Others with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, and
+    /// the rest SHD_MODEL_BLINN_PHONG. All reflect ambient light with their diffuse colour (ambient_share = 1). Every slot
+    /// whose texture is in the file is set. Heights have no effect unless the file scales them. An opacity below 1, an
+    /// opacity map and glTF's BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff, and a cutoff above 1 makes
+    /// the opacity 0. The first two sets of texture coordinates are used. Colours of vertices are the attributes 0 to 3 of a
+    /// mesh, and multiply the diffuse colour and the opacity.
+    ///
+    /// Faces: the backs of surfaces that are not double-sided are culled; a node that mirrors turns the front around.
+    ///
+    /// Normals that the file has not, and normals of length 0 or not finite, are computed.
     ///
     /// Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. If the light of the file
     /// does not decrease with the square of the distance, its intensity is chosen so that both agree at the distance of half
     /// the diagonal of the model.
     ///
-    /// Points and lines, animations, skins and morph targets are left out.
+    /// Skins and morph targets have the pose and the weights of the file; shd_scene_pose() samples animations. Points and
+    /// lines are left out.
+    ///
+    /// A model whose centre is more than 1024 radii away from 0 is moved to 0, because floats would lose its details:
+    /// shd_scene_info.origin.
     ///
     /// SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a file that assimp refuses,
     /// SHD_ERROR_UNSUPPORTED for an unknown format and for a file without triangles
@@ -6568,4 +6595,20 @@ extern "C" {
     ///
     /// - `in_out_render`: borrowed for the call; afterwards its draws and lights are borrowed until release of the scene
     pub fn shd_scene_fill_render(scene: *const shd_scene, in_out_render: *mut shd_render_desc) -> shd_result;
+    /// The times of an animation \[s\]: its first key and its last one. Poses before and after are those of the keys. Its name
+    /// is that of SHD_SCENE_PART_ANIMATION.
+    ///
+    /// - `index`: below shd_scene_info.animation_count
+    /// - `out_first`: written; 0 on failure
+    /// - `out_last`: written; 0 on failure
+    pub fn shd_scene_get_animation_times(scene: *const shd_scene, index: u32, out_first: *mut f64, out_last: *mut f64) -> shd_result;
+    /// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
+    /// and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
+    /// shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
+    /// instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+    ///
+    /// - `animation`: index, below shd_scene_info.animation_count
+    /// - `seconds`: finite; clamped to the times of each property
+    /// - `out_scene`: owned; NULL on failure
+    pub fn shd_scene_pose(scene: *const shd_scene, animation: u32, seconds: f64, out_scene: *mut *mut shd_scene) -> shd_result;
 }

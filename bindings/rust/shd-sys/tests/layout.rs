@@ -832,6 +832,9 @@ fn shd_scene_info_offsets() {
     offset!(shd_scene_info, triangle_count, 40);
     offset!(shd_scene_info, bounds_min, 48);
     offset!(shd_scene_info, bounds_max, 60);
+    offset!(shd_scene_info, origin, 72);
+    offset!(shd_scene_info, animation_count, 96);
+    offset!(shd_scene_info, deformed_mesh_count, 100);
 }
 
 #[test]
@@ -840,6 +843,7 @@ fn shd_scene_instance_offsets() {
     offset!(shd_scene_instance, mesh, 4);
     offset!(shd_scene_instance, material, 8);
     offset!(shd_scene_instance, object_to_world, 12);
+    offset!(shd_scene_instance, cull, 76);
 }
 
 #[test]
