@@ -140,7 +140,8 @@ def check_arithmetic(root):
 
 def check_spdx(root):
     """Every source says its licence in the first three lines."""
-    lists = [p.relative_to(root) for p in root.rglob("CMakeLists.txt") if "build" not in p.relative_to(root).parts[0]]
+    folders = [p for p in root.iterdir() if p.is_dir() and not p.name.startswith("build")]
+    lists = [p.relative_to(root) for p in [root / "CMakeLists.txt", *(q for f in folders for q in f.rglob("CMakeLists.txt"))]]
     for path in [*sources(root, SOURCE_FOLDERS, SOURCE_SUFFIXES), *sorted(lists)]:
         head = [line for _, line in numbered_lines(root, path)][:3]
         if not any("SPDX-License-Identifier: MIT" in line for line in head):
