@@ -7,10 +7,12 @@
 #include <hwy/highway.h>
 
 #include "light/shadow_receiver-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// A point is lit if the plane of its surface, at the centre of the nearest texel, is not behind the depth of the texel
 /// (Williams 1978).
@@ -20,7 +22,7 @@ void SampleHard(const Shadow& shadow, const ShadowLookups& in, float* visibility
     using D = decltype(d);
     using V = hn::Vec<D>;
     const V last = hn::Set(d, static_cast<float>(map.size - 1));
-    const V column = hn::Min(hn::Floor(at.x), last), row = hn::Min(hn::Floor(at.y), last);
+    const V column = hn::Min(RoundDown(at.x), last), row = hn::Min(RoundDown(at.y), last);
     const V depth = GatherDepths(d, map, TexelIndex(d, map, at.face, column, row));
     return hn::IfThenElseZero(hn::Le(PlaneDepth(d, at, column, row), depth), hn::Set(d, 1.0f));
   });

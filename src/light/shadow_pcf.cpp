@@ -7,10 +7,12 @@
 #include <hwy/highway.h>
 
 #include "light/shadow_receiver-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// The mean of n x n bilinear comparisons one texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows
 /// with Depth Maps", 1987). Each of (n + 1) x (n + 1) texels is compared with the plane of the surface at its centre.
@@ -25,7 +27,7 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
     const hn::RebindToSigned<D> di;
     const V one = hn::Set(d, 1.0f), radius = hn::Set(d, 0.5f * static_cast<float>(taps));
     const V left = at.x - radius, top = at.y - radius;
-    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V column = RoundDown(left), row = RoundDown(top);
     const V last_x = left - column, last_y = top - row;
     const V first_x = one - last_x, first_y = one - last_y;
     const auto pitch = hn::Set(di, static_cast<int32_t>(map.pitch));

@@ -7,10 +7,12 @@
 #include <hwy/highway.h>
 
 #include "light/shadow_receiver-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 constexpr float kReach = 2.0f;  // [texels] size of a texel and of the bilinear comparison around it
 
@@ -77,7 +79,7 @@ class Comparison {
     const hn::RebindToSigned<D> di;
     const V half = hn::Set(d, 0.5f);
     const V left = x - half, top = y - half;
-    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V column = RoundDown(left), row = RoundDown(top);
     const V fx = left - column, fy = top - row;
     const V z = plane(column, row);
     const auto size = static_cast<float>(map_.size);
@@ -150,7 +152,7 @@ HWY_INLINE Blockers<D> FindBlockers(D d, const Comparison<D>& comparison, const 
     for (uint32_t j = 0; j < taps; ++j) {
       const V u = grid.x(d, j, i), v = grid.y(d, j, i);
       const V x = half * (u * u * u), y = half * (v * v * v);
-      const V column = hn::Floor(at.x + x), row = hn::Floor(at.y + y);
+      const V column = RoundDown(at.x + x), row = RoundDown(at.y + y);
       const V depth = comparison.depth(d, column, row);
       const auto blocks = hn::Lt(depth, comparison.plane(column, row));
       const auto meets = hn::And(blocks, cone.meets(d, depth, hn::Max(hn::Abs(x), hn::Abs(y))));

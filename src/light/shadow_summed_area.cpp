@@ -9,10 +9,12 @@
 #include "light/shadow_receiver-inl.h"
 #include "light/shadow_sums.h"
 #include "simd/double-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// A box along one axis: the table entries at its ends, and the fractions of texels between the entries and the ends.
 template <class D, class V>
@@ -25,7 +27,7 @@ struct BoxSide {
     const hn::RebindToSigned<D> di;
     const V end[2] = {Clamp(d, centre - half, 0.0f, size), Clamp(d, centre + half, 0.0f, size)};
     for (size_t k = 0; k < 2; ++k) {
-      const V cell = hn::Min(hn::Floor(end[k]), hn::Set(d, size - 1.0f));
+      const V cell = hn::Min(RoundDown(end[k]), hn::Set(d, size - 1.0f));
       entry[k] = hn::ConvertTo(di, cell);
       part[k] = end[k] - cell;
     }

@@ -7,10 +7,12 @@
 #include <hwy/highway.h>
 
 #include "light/shadow_receiver-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Four adjacent texels of a map.
 template <class V>
@@ -35,7 +37,7 @@ void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibi
     using V = hn::Vec<D>;
     const hn::RebindToSigned<D> di;
     const V left = at.x - hn::Set(d, centre), top = at.y - hn::Set(d, centre);
-    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V column = RoundDown(left), row = RoundDown(top);
     const V fx = left - column, fy = top - row;
     const auto pitch = hn::Set(di, static_cast<int32_t>(map.pitch));
     const auto start = TexelIndex(d, map, at.face, column, row);

@@ -9,10 +9,12 @@
 #endif
 
 #include "material/blinn_phong-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// Lambert plus the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0,
 /// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
@@ -24,7 +26,7 @@ struct Toon : SpecularBase {
     static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
                                     const V* shape, V* lobe) {
       const V one = hn::Set(d, 1.0f), steps = hn::Set(d, m.toon_steps);
-      lobe[0] = hn::Min(hn::Ceil(in.cosine * steps) / steps, one);
+      lobe[0] = hn::Min(RoundUp(in.cosine * steps) / steps, one);
       const V highlight = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
       lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
     }

@@ -6,11 +6,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "simd/tail-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 void FindColors(const Solid& solid, const float* values, size_t count, float* const* out) {
   const hn::ScalableTag<float> d;
@@ -22,7 +24,7 @@ void FindColors(const Solid& solid, const float* values, size_t count, float* co
     const auto value =
         simd::HWY_NAMESPACE::LoadFirst(d, values + at, count - at < hn::Lanes(d) ? count - at : hn::Lanes(d));
     const auto t = hn::Max(hn::Min((value - low) * scale, last), zero);
-    const auto step = hn::Min(hn::Floor(t), last - one);
+    const auto step = hn::Min(RoundDown(t), last - one);
     const auto next = t - step, here = one - next;
     for (int c = 0; c < 4; ++c) {
       if (!out[c]) continue;

@@ -13,10 +13,12 @@
 #include "procedural/batch-inl.h"
 #include "simd/hash-inl.h"
 #include "simd/integer-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Coordinates are clamped to this distance from the origin, beyond which floats have no fraction.
 constexpr float kFarthest = 0x1p23f;
@@ -40,7 +42,7 @@ template <class D, class V>
 HWY_INLINE Axis<D> SplitAxis(D d, V p) {
   const hn::RebindToUnsigned<D> du;
   const V clamped = ClampCoordinate(d, p);
-  const V whole = hn::Floor(clamped);
+  const V whole = RoundDown(clamped);
   return {hn::BitCast(du, simd::HWY_NAMESPACE::ToInt(whole)), clamped - whole};
 }
 

@@ -8,10 +8,12 @@
 
 #include "procedural/lattice-inl.h"
 #include "procedural/octaves-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// One octave of simplex noise, before it is normalised: the space is skewed by (x + y + z) / 3, so that six tetrahedra
 /// of equal shape fill a cell. Perlin, "Noise Hardware" (2001).
@@ -42,7 +44,7 @@ struct SimplexNoise {
     const auto clamp = [&](V p) { return hn::Max(hn::Min(p, farthest), hn::Neg(farthest)); };
     const V px = clamp(x), py = clamp(y), pz = clamp(z);
     const V skew = (px + py + pz) * hn::Set(d, 1.0f / 3.0f);
-    const V i = hn::Floor(px + skew), j = hn::Floor(py + skew), k = hn::Floor(pz + skew);
+    const V i = RoundDown(px + skew), j = RoundDown(py + skew), k = RoundDown(pz + skew);
     const V unskew = (i + j + k) * sixth;
     const V x0 = (px - i) + unskew, y0 = (py - j) + unskew, z0 = (pz - k) + unskew;
     // The steps to the second and the third corner follow the order of the coordinates.

@@ -7,10 +7,12 @@
 #include <hwy/highway.h>
 
 #include "procedural/wave-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// 0 where sin(pi x) > 0, otherwise 1: (1 - wave) / 2 with the square wave of x.
 struct StripesPattern {
@@ -22,7 +24,7 @@ struct StripesPattern {
     const V x = place.x / size;
     const Wave<V> wave = SquareWave<kGradient>(d, x, place.width / size);
     // At the integers the sine is 0, and the wave 1 or -1.
-    const auto zero_of_sine = hn::And(hn::Eq(x, hn::Floor(x)), wave.is_sharp);
+    const auto zero_of_sine = hn::And(hn::Eq(x, RoundDown(x)), wave.is_sharp);
     Sample<V> out = {hn::IfThenElse(zero_of_sine, hn::Set(d, 1.0f), half - half * wave.value), zero, zero, zero};
     if constexpr (kGradient) out.dx = LimitSlope(d, hn::Neg(half) * wave.slope / size);
     return out;

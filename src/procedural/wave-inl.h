@@ -11,10 +11,12 @@
 #include <hwy/highway.h>
 
 #include "procedural/batch-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Narrower pixels see one point of a wave.
 constexpr float kNarrowest = 0x1p-12f;
@@ -36,7 +38,7 @@ struct Wave {
 template <class D, class V>
 HWY_INLINE V ModuloTwo(D d, V x) {
   const V half = x * hn::Set(d, 0.5f);
-  const V fraction = half - hn::Floor(half);
+  const V fraction = half - RoundDown(half);
   return hn::IfThenElseZero(hn::Eq(fraction, fraction), fraction + fraction);
 }
 

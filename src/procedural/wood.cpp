@@ -8,10 +8,12 @@
 
 #include "procedural/octaves-inl.h"
 #include "procedural/perlin-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// The cubic step from 0 at `begin` to 1 at `end`, and its derivative.
 template <class D, class V>
@@ -34,7 +36,7 @@ struct WoodPattern {
     const V x = ClampCoordinate(d, p.x), z = ClampCoordinate(d, p.z);
     const V radius = hn::Sqrt(x * x + z * z);
     const V t = radius + distortion * noise.value;
-    const V f = t - hn::Floor(t), kept = BandLimit(d, p.width);
+    const V f = t - RoundDown(t), kept = BandLimit(d, p.width);
     const Fade<V> growth = SmoothStep(d, 0.0f, 0.8f, f), edge = SmoothStep(d, 0.83f, 1.0f, f);
     Sample<V> out = {mean + kept * ((growth.weight - edge.weight) - mean), noise.dx, noise.dy, noise.dz};
     if constexpr (kGradient) {

@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "projection/projection-inl.h"
+#include "simd/round-inl.h"
 #include "simd/tail-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,6 +15,7 @@ namespace shd::projection::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::IsFinite;
 using simd::HWY_NAMESPACE::LoadFirst;
+using simd::HWY_NAMESPACE::RoundDown;
 using simd::HWY_NAMESPACE::StoreFirst;
 
 using Tag = hn::CappedTag<float, 16>;
@@ -76,7 +78,7 @@ size_t UnprojectBatch(const ImagePoints& in, const PointDirections& out, bool re
     const auto u_finite = IsFinite(d, u), v_finite = IsFinite(d, v);
     nonfinite += hn::CountTrue(d, hn::AndNot(hn::And(u_finite, v_finite), hn::FirstN(d, count)));
     u = hn::IfThenElseZero(u_finite, u);
-    if (repeats) u = hn::IfThenElse(hn::Gt(hn::Abs(u), one), u - hn::Floor(u), u);
+    if (repeats) u = hn::IfThenElse(hn::Gt(hn::Abs(u), one), u - RoundDown(u), u);
     u = hn::Min(hn::Max(u, repeats ? hn::Neg(one) : zero), one);
     v = hn::Min(hn::Max(hn::IfThenElseZero(v_finite, v), zero), one);
     const auto face = in.face ? hn::Min(Load(du, in.face + i, count), hn::Set(du, 5)) : hn::Zero(du);

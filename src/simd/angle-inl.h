@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "simd/integer-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
@@ -47,7 +48,7 @@ struct SineCosine {
 /// nearest multiple of 1/2 is exact and in +-1/4, where both are polynomials with the least largest error (Remez).
 template <class D, class V>
 HWY_INLINE SineCosine<V> SineCosinePi(D d, V x) {
-  const V halves = hn::Round(x + x), f = x - halves * hn::Set(d, 0.5f), z = f * f;
+  const V halves = RoundNearest(x + x), f = x - halves * hn::Set(d, 0.5f), z = f * f;
   V sine = hn::Set(d, -0.589479660f);
   sine = sine * z + hn::Set(d, 2.54981053f);
   sine = sine * z + hn::Set(d, -5.16770915f);

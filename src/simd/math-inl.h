@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "simd/integer-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
@@ -89,7 +90,7 @@ HWY_INLINE V Exp2(D d, V x) {
   const auto is_nan = hn::IsNaN(x);
   V t = hn::IfThenElse(is_nan, hn::Zero(d), x);
   t = hn::Min(hn::Max(t, hn::Set(d, -160.0f)), hn::Set(d, 129.0f));
-  const V whole = hn::Round(t);
+  const V whole = RoundNearest(t);
   const V f = t - whole;
   const V p = ExpSeries(d, f);
   // 2^n as a product of two normal floats; only the last product rounds.
@@ -123,7 +124,7 @@ HWY_INLINE V UnitPow(D d, V x, V y) {
   const V power = y * (hn::ConvertTo(d, exponent) + s * AtanhSeries(d, s * s));
 
   const V t = hn::Max(power, hn::Set(d, -126.0f));
-  const V whole = hn::Round(t);
+  const V whole = RoundNearest(t);
   const V f = t - whole;
   const auto scale = hn::ShiftLeft<23>(ToInt(whole) + hn::Set(di, 127));
   const V result = ExpSeries(d, f) * hn::BitCast(d, scale);
@@ -137,7 +138,7 @@ HWY_INLINE V UnitPow(D d, V x, V y) {
 template <class D, class V>
 HWY_INLINE V SinPi(D d, V x) {
   const V two = hn::Set(d, 2.0f), half = hn::Set(d, 0.5f);
-  const V r = x - two * hn::Round(x * half);  // in [-1, 1]
+  const V r = x - two * RoundNearest(x * half);  // in [-1, 1]
   const V mirrored = hn::CopySign(hn::Set(d, 1.0f), r) - r;
   const V t = hn::IfThenElse(hn::Gt(hn::Abs(r), half), mirrored, r), z = t * t;
   V p = hn::Set(d, -7.37043094e-3f);  // -pi^11 / 11!
@@ -151,7 +152,7 @@ HWY_INLINE V SinPi(D d, V x) {
 /// cos(pi x), with the error of SinPi(). x is finite.
 template <class D, class V>
 HWY_INLINE V CosPi(D d, V x) {
-  const V r = x - hn::Set(d, 2.0f) * hn::Round(x * hn::Set(d, 0.5f));
+  const V r = x - hn::Set(d, 2.0f) * RoundNearest(x * hn::Set(d, 0.5f));
   return SinPi(d, hn::Set(d, 0.5f) - hn::Abs(r));
 }
 

@@ -22,6 +22,8 @@ Picture
   --display NAME        display of the colour config (default sRGB)
   --view NAME           view of that display (default "ACES 1.0 SDR-video"; "Plain" = encoding alone)
   --no-color            no display transform: the sRGB curve alone, clamped
+  --hash                print a hash of the picture, the same on every machine, and save it only if -o is given: FNV-1a
+                        of 64 bits over the linear floats r, g, b, a of each pixel
   --dither              ordered dither of 8-bit colours
   --aov                 also save texture coordinates, normals and triangle numbers (.exr only)
   --aovs A,B,...        also save these: uv, normal, triangle, position, derivatives, barycentrics, level, draw,
@@ -117,7 +119,7 @@ Machine
   --stats               what was drawn and how long each stage took, on stderr
   --help, --version     this text; the version
 
-Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model,
+Prints the name and size of every picture that it saves. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model,
 the volume or --texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is
 reported and its colour used instead. Lights and cameras of the file that are not used are reported, too.
 Some damaged models make assimp end the whole process: run models you do not trust in a sandbox of your own.

@@ -2,6 +2,7 @@
 /// shd-render: pictures of a 3D model.
 #include <algorithm>
 #include <chrono>
+#include <cinttypes>
 #include <cstdio>
 #include <exception>
 #include <vector>
@@ -220,6 +221,8 @@ void run(const Options& options) {
     const float turn = options.turntable ? 360.0f * static_cast<float>(i) / static_cast<float>(pictures) : 0.0f;
     render(stage, turn, progress.of_picture(i), framebuffer.get());
     const std::string name = picture_name(options, i);
+    if (options.hash) std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
+    if (name.empty()) continue;
     save_picture(context.get(), framebuffer.get(), options, name);
     std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
   }

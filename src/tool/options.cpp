@@ -217,6 +217,7 @@ bool set_switch(const std::string& name, Options& out) {
   if (name == "--dither") return out.dither = true;
   if (name == "--progress") return out.progress = true;
   if (name == "--stats") return out.stats = true;
+  if (name == "--hash") return out.hash = true;
   return false;
 }
 

@@ -29,7 +29,7 @@ struct Options {
   std::string model;  // empty = `shape`
   shd_shape shape = SHD_SHAPE_TEAPOT;
   VolumeOptions volume;  // instead of a model
-  std::string output = "out.png";
+  std::string output;    // empty = out.png, or with `hash` no file
   uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
   bool sample_shading = false;  // every sample at its own position
   shd_visibility visibility = SHD_VISIBILITY_DEPTH;
@@ -86,7 +86,7 @@ struct Options {
   bool dither = false;
   uint32_t threads = 0;
   shd_simd simd = SHD_SIMD_BEST;
-  bool progress = false, stats = false;
+  bool progress = false, stats = false, hash = false;
 };
 
 /// Throws Failure (kExitUsage) that names the option and its valid values.

@@ -189,7 +189,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Source source(data, size);
   Case c;
   choose_case(source, c);
-  for (const shd_simd simd : {SHD_SIMD_BEST, SHD_SIMD_SCALAR}) {
+  for (const shd_simd simd : {SHD_SIMD_BEST, SHD_SIMD_BASELINE}) {
     const Host host(simd, UINT64_MAX);
     check(host, c);
   }

@@ -51,6 +51,7 @@ OPENERS = {
 OPENERS_OF_THEIR_OWN = "src/tool/maketx/"
 FORBIDDEN_CALLS = re.compile(
     r"\b(MulAdd|MulSub|NegMulAdd|NegMulSub|MulAddSub|ApproximateReciprocal\w*|fma|fmaf|ffast-math)\b")
+UNSIGNED_ZEROS = re.compile(r"\bhn::(?:Floor|Ceil|Round|Trunc)\s*\(")
 
 
 def sources(root, folders, suffixes):
@@ -129,18 +130,21 @@ def check_files(root):
 
 
 def check_arithmetic(root):
-    """No fused or approximate operation in src/: they change the bits between targets."""
+    """No fused or approximate operation and no rounding of Highway in src/: the bits differ between targets."""
     for path in sources(root, ["src"], {".cpp", ".h"}):
         for number, line in numbered_lines(root, path):
             code = line.split("//")[0]
             match = FORBIDDEN_CALLS.search(code)
             if match:
                 yield f"{path}:{number}: {match.group(1)} rounds differently on different targets"
+            if path.as_posix() != "src/simd/round-inl.h" and UNSIGNED_ZEROS.search(code):
+                yield f"{path}:{number}: loses the sign of a zero on some targets; use simd/round-inl.h"
 
 
 def check_spdx(root):
     """Every source says its licence in the first three lines."""
-    lists = [p.relative_to(root) for p in root.rglob("CMakeLists.txt") if "build" not in p.relative_to(root).parts[0]]
+    folders = [p for p in root.iterdir() if p.is_dir() and not p.name.startswith("build")]
+    lists = [p.relative_to(root) for p in [root / "CMakeLists.txt", *(q for f in folders for q in f.rglob("CMakeLists.txt"))]]
     for path in [*sources(root, SOURCE_FOLDERS, SOURCE_SUFFIXES), *sorted(lists)]:
         head = [line for _, line in numbered_lines(root, path)][:3]
         if not any("SPDX-License-Identifier: MIT" in line for line in head):

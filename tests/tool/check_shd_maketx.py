@@ -34,8 +34,14 @@ def refused(code, text, *args, limit=None):
     assert result.returncode == code and text in result.stderr, (args, code, text, result.returncode, result.stderr)
 
 
+def helpers(*commands):
+    """Runs the helper once, because OpenImageIO takes long to load."""
+    words = [word for command in commands for word in ("--", *map(str, command))]
+    subprocess.run([HELPER, *words[1:]], check=True, stdout=subprocess.DEVNULL)
+
+
 def helper(*args):
-    subprocess.run([HELPER, *map(str, args)], check=True, stdout=subprocess.DEVNULL)
+    helpers(args)
 
 
 def read(path):
@@ -50,27 +56,33 @@ def write(path, data):
 
 def check_formats():
     sizes = [(64, 64), (300, 500), (1, 1), (127, 33), (256, 128), (1, 40), (96, 1025)]
+    makes, runs, checks = [], [], []
+
+    def add(size, channels, kind, meaning, options, suffix="tx", lookup=False):
+        name = f"formats-{len(runs)}"
+        makes.append(("make", name + ".tif", *size, channels, kind))
+        runs.append((name + ".tif", "-o", f"{name}.{suffix}", "--quiet", *options))
+        checks.append(("check", name + ".tif", f"{name}.{suffix}", meaning))
+        if lookup:
+            checks.append(("lookup", f"{name}.{suffix}"))
+
     for k, kind in enumerate(("uint8", "uint16", "half", "float")):
         for channels in (3,) if SANITIZED else (1, 2, 3, 4):
             numbers = {(k + 2 * channels) % len(sizes)} | ({1} if channels == 3 else set())
             for number in sorted(numbers):
-                width, height = sizes[number]
                 tiles = "+tiles" if number % 2 else ""
-                helper("make", "in.tif", width, height, channels, kind + tiles)
                 meaning = "srgb" if kind == "uint8" and number % 3 else "linear"
-                done("in.tif", "-o", "out.tx", "--force", "--" + meaning, "--quiet", "--memory", "1M", "--tile", "16")
-                helper("check", "in.tif", "out.tx", meaning)
-                if number == 1:
-                    helper("lookup", "out.tx")
+                add(sizes[number], channels, kind + tiles, meaning, ("--" + meaning, "--memory", "1M", "--tile", "16"),
+                    lookup=number == 1)
                 if kind in ("half", "float") and number == 1:
-                    done("in.tif", "-o", "out.exr", "--force", "--quiet")
-                    helper("check", "in.tif", "out.exr")
-                    helper("lookup", "out.exr")
+                    add(sizes[number], channels, kind + tiles, "linear", (), "exr", lookup=True)
     for channels in (3, 4):
         for kind in ("uint8", "uint16", "float"):
-            helper("make", "in.tif", 130, 77, channels, kind)
-            done("in.tif", "-o", "out.tx", "--force", "--normal", "--quiet")
-            helper("check", "in.tif", "out.tx", "normal")
+            add((130, 77), channels, kind, "normal", ("--normal",))
+    helpers(*makes)
+    for arguments in runs:
+        done(*arguments)
+    helpers(*checks)
 
 
 def check_same_file():

@@ -3,6 +3,7 @@
 //   pyramid make FILE WIDTH HEIGHT CHANNELS TYPE   noise; TYPE is uint8, uint16, half or float; "+tiles": 32 x 48 tiles
 //   pyramid check INPUT FILE [srgb|linear|normal]  base = INPUT, levels = those of libshd, bit for bit
 //   pyramid lookup FILE                            OpenImageIO's TextureSystem reads the base, and the last level
+//   pyramid COMMAND -- COMMAND ...                 several of these
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
 
@@ -188,13 +189,30 @@ int lookup(const char* path) {
   return 0;
 }
 
+int run(const std::vector<std::string>& words) {
+  const size_t count = words.size();
+  const std::string verb = count ? words[0] : "";
+  const auto number = [&](size_t i) { return std::atoi(words[i].c_str()); };
+  if (verb == "make" && count == 6) return make(words[1].c_str(), number(2), number(3), number(4), words[5].c_str());
+  if (verb == "check" && (count == 3 || count == 4)) {
+    return check(words[1].c_str(), words[2].c_str(), count > 3 ? words[3].c_str() : "linear");
+  }
+  if (verb == "lookup" && count == 2) return lookup(words[1].c_str());
+  fail("usage: see the head of the source");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string verb = argc > 1 ? argv[1] : "";
-  if (verb == "make" && argc == 7)
-    return make(argv[2], std::atoi(argv[3]), std::atoi(argv[4]), std::atoi(argv[5]), argv[6]);
-  if (verb == "check" && argc >= 4) return check(argv[2], argv[3], argc > 4 ? argv[4] : "linear");
-  if (verb == "lookup" && argc == 3) return lookup(argv[2]);
-  fail("usage: see the head of the source");
+  std::vector<std::string> command;
+  int result = 0;
+  for (int i = 1; i <= argc && result == 0; ++i) {
+    if (i < argc && std::strcmp(argv[i], "--") != 0) {
+      command.push_back(argv[i]);
+      continue;
+    }
+    result = run(command);
+    command.clear();
+  }
+  return result;
 }

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/direction/filters-inl.h"
 #include "texture/direction/sink-inl.h"
 #include "texture/filter/ewa-inl.h"
@@ -16,6 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 namespace {
 
 /// A position of an axis that the sink folds.
@@ -74,7 +76,7 @@ void StretchShapes(const ProjectedBlock& points, const Texture& texture, EwaDire
     const auto wide = hn::Min(stretch * stretch * width2, hn::Max(half_circle * half_circle, one));
     hn::Store(wide, d, block->width2 + i);
     hn::Store(hn::Load(d, block->shear + i) * stretch, d, block->shear + i);
-    hn::Store(hn::Max(hn::Floor(hn::Sqrt(wide / width2)), one), d, block->stride + i);
+    hn::Store(hn::Max(RoundDown(hn::Sqrt(wide / width2)), one), d, block->stride + i);
   }
 }
 

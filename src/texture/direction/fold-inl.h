@@ -19,12 +19,14 @@
 #include <hwy/highway.h>
 
 #include "projection/cube-inl.h"
+#include "simd/round-inl.h"
 #include "texture/filter/level-inl.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 using simd::HWY_NAMESPACE::Vec3V;
 
 /// A texel of an image, and the face of the image.
@@ -87,7 +89,7 @@ HWY_INLINE FoldedTexel<D> FoldDisc(D d, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> s
   const V inner = hn::Max(hn::Min(two * size - r, size - hn::Set(d, 1.4142136f)), zero);
   const V scale = hn::IfThenElseZero(outside, inner / r);
   const V half = hn::Set(d, 0.5f);
-  const V far_x = hn::Floor((size - p * scale) * half), far_y = hn::Floor((size - q * scale) * half);
+  const V far_x = RoundDown((size - p * scale) * half), far_y = RoundDown((size - q * scale) * half);
   return {hn::IfThenElse(outside, hn::Min(hn::Max(far_x, zero), last), x),
           hn::IfThenElse(outside, hn::Min(hn::Max(far_y, zero), last), y), face};
 }
@@ -138,10 +140,10 @@ HWY_INLINE FoldedPoint<D> FoldPoint(D d, shd_projection projection, hn::Vec<D> u
     return {cube.u, cube.v, cube.face};
   }
   if (projection == SHD_PROJECTION_LAT_LONG) {
-    const V period = v - two * hn::Floor(v * half);  // 0..2
+    const V period = v - two * RoundDown(v * half);  // 0..2
     const auto beyond = hn::Gt(period, one);
     const V around = u + hn::IfThenElseZero(beyond, half);
-    return {around - hn::Floor(around), hn::IfThenElse(beyond, two - period, period), face};
+    return {around - RoundDown(around), hn::IfThenElse(beyond, two - period, period), face};
   }
   u = hn::Min(hn::Max(u, hn::Neg(one)), two);
   v = hn::Min(hn::Max(v, hn::Neg(one)), two);

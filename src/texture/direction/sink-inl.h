@@ -12,6 +12,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/direction/direction.h"
 #include "texture/direction/fold-inl.h"
 #include "texture/direction/project-inl.h"
@@ -20,6 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 class DirectionSink {
  public:
@@ -92,7 +95,7 @@ class DirectionSink {
   HWY_INLINE static Taps TapsAt(D d, const Level<D>& level, V u, V v, VI face) {
     const V half = hn::Set(d, 0.5f), below_one = hn::Set(d, 0x1.fffffep-1f);
     const V x = u * level.across.real - half, y = v * level.down.real - half;
-    const V left = hn::Floor(x), top = hn::Floor(y);
+    const V left = RoundDown(x), top = RoundDown(y);
     return {left, top, hn::Min(x - left, below_one), hn::Min(y - top, below_one), face};
   }
 
@@ -129,8 +132,8 @@ class DirectionSink {
     const V zero = hn::Zero(d), half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
     const V width = level.across.real, height = level.down.real;
     const FoldedPoint<D> point = FoldPoint(d, projection_, (x + half) / width, (y + half) / height, face_);
-    FoldedTexel<D> texel = {hn::Min(hn::Floor(point.u * width), width - one),
-                            hn::Min(hn::Floor(point.v * height), height - one), point.face};
+    FoldedTexel<D> texel = {hn::Min(RoundDown(point.u * width), width - one),
+                            hn::Min(RoundDown(point.v * height), height - one), point.face};
     if (is_disc_) texel = FoldDisc(d, x, y, width, face_);
     return index_of(
         d, level,
@@ -184,7 +187,7 @@ class DirectionSink {
     const V first = plain * (one - opposite) / (one - plain * opposite);
     stream_.quad_of(d, op, index, taps.s, taps.t, hn::IfThenElse(whole, share, first));
     const V turned = u + half;
-    Taps other = TapsAt(d, level, turned - hn::Floor(turned), half, taps.face);
+    Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
     other.y = taps.y;
     fold_quad(d, level, other, index);
     stream_.quad_of(d, kBlend | (op & kSecond), index, other.s, taps.t, plain * opposite);
@@ -235,13 +238,13 @@ class DirectionSink {
   HWY_NOINLINE void along_parallel(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
     const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const V extent = hn::Min(stretch_, level.across.real);  // [texels]
-    const V count = hn::Max(hn::Min(hn::Ceil((extent + one) * hn::Set(d, 1.0f / kParallelStep)), most_), one);
+    const V count = hn::Max(hn::Min(RoundUp((extent + one) * hn::Set(d, 1.0f / kParallelStep)), most_), one);
     const auto single = hn::Eq(count, one);
     const V width = extent / level.across.real, step = width / count, begin = u - half * width;
     const float steps = hn::GetLane(hn::MaxOfLanes(d, count));
     const V plain = (op & kHow) == kStart ? one : Plain(d, share);
     for (float k = 0.0f; k < steps; k += 1.0f) {
-      const V place = begin + (hn::Set(d, k) + half) * step, fraction = place - hn::Floor(place);
+      const V place = begin + (hn::Set(d, k) + half) * step, fraction = place - RoundDown(place);
       const V part = plain / (count * (one - plain) + plain * hn::Set(d, k + 1.0f));
       const V first = hn::IfThenElse(hn::Or(single, hn::Gt(share, one)), share, part);
       const V later = hn::IfThenElseZero(hn::Lt(hn::Set(d, k), count), part);
@@ -276,7 +279,7 @@ HWY_INLINE hn::Vec<D> MostOf(D d, const PointBlock&, size_t) {
 }
 template <class D>
 HWY_INLINE hn::Vec<D> MostOf(D d, const ProbeBlock& block, size_t i) {
-  return hn::Min(hn::Floor(hn::Set(d, kMaxQuads) / hn::Load(d, block.probes + i)), hn::Set(d, kMaxParallel));
+  return hn::Min(RoundDown(hn::Set(d, kMaxQuads) / hn::Load(d, block.probes + i)), hn::Set(d, kMaxParallel));
 }
 
 /// The block that FindShapes() fills.

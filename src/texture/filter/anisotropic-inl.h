@@ -10,12 +10,14 @@
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
+#include "simd/round-inl.h"
 #include "texture/filter/bases-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// The lines of probes of one vector of lookups.
 template <class D>
@@ -47,7 +49,7 @@ struct ProbeLine {
   /// Returns the reduced coordinate at a position of an axis.
   static HWY_INLINE V at(shd_wrap wrap, V centre, V position, V step) {
     const V x = centre + position * step;
-    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - hn::Floor(x) : x;
+    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - RoundDown(x) : x;
   }
 
  private:

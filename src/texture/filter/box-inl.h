@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
+#include "simd/round-inl.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/footprint-inl.h"
 #include "texture/store/wrap-inl.h"
@@ -20,6 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// Maximum length of a box [texels]. It keeps numbers of whole texels and their sums exact in floats.
 constexpr float kLongestBox = 0x1p22f;
@@ -94,7 +97,7 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   b.side_v = hn::IfThenElse(along_x, xv, yv);
   const V other_u = hn::IfThenElse(along_x, yu, xu), other_v = hn::IfThenElse(along_x, yv, xv);
   const V ratio = hn::Sqrt(hn::Max(xx, yy) / hn::Max(hn::Min(xx, yy), one));
-  b.count = hn::Min(hn::Max(hn::Ceil(ratio), one), hn::Set(d, max_parts));
+  b.count = hn::Min(hn::Max(RoundUp(ratio), one), hn::Set(d, max_parts));
   b.half_u = HalfSide(d, hn::Abs(b.side_u) / b.count + hn::Abs(other_u), range);
   b.half_v = HalfSide(d, hn::Abs(b.side_v) / b.count + hn::Abs(other_v), range);
   return b;
@@ -119,11 +122,11 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
   auto mirrored = hn::Lt(one, zero);
   switch (wrap) {
     case SHD_WRAP_REPEAT:
-      e.turns = hn::Floor(x / size);
+      e.turns = RoundDown(x / size);
       e.place = x - e.turns * size;
       break;
     case SHD_WRAP_MIRROR: {
-      const V period = size + size, periods = hn::Floor(x / period);
+      const V period = size + size, periods = RoundDown(x / period);
       const V rest = x - periods * period;
       mirrored = hn::Gt(rest, size);
       e.place = hn::IfThenElse(mirrored, period - rest, rest);
@@ -137,7 +140,7 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
     case SHD_WRAP_BORDER: e.place = hn::Min(hn::Max(x, zero), size); break;
     default: break;
   }
-  const V cell = hn::Min(hn::Max(hn::Floor(e.place), zero), size - one), next = cell + one;
+  const V cell = hn::Min(hn::Max(RoundDown(e.place), zero), size - one), next = cell + one;
   const auto below = upper ? hn::Not(mirrored) : mirrored;  // the box contains the lower part of the cell
   e.inner = hn::ConvertTo(di, hn::IfThenElse(below, cell, next));
   e.outer = hn::ConvertTo(di, hn::IfThenElse(below, next, cell));

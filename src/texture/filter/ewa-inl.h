@@ -14,12 +14,15 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/ellipse-inl.h"
 #include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// Visits the texels in one vector of ellipses, and sums their weights. An axis without kFolds wraps its positions. The
 /// sink folds the positions of others, and may skip columns: it reads every stride-th one.
@@ -46,8 +49,8 @@ struct EllipseWalk {
     const V one = hn::Set(d, 1.0f), half_height = hn::Sqrt(ellipse.height2);
     per_height2 = one / ellipse.height2;
     per_width2 = one / ellipse.width2;
-    top = hn::Ceil(ellipse.y.x - half_height);
-    const V bottom = hn::Floor(ellipse.y.x + half_height);
+    top = RoundUp(ellipse.y.x - half_height);
+    const V bottom = RoundDown(ellipse.y.x + half_height);
     last = hn::IfThenElse(ellipse.is_quad, hn::Neg(one), bottom - top);
     total = total_u = total_v = hn::Zero(d);
     stride = one;
@@ -69,12 +72,12 @@ struct EllipseWalk {
     const V middle = ellipse.x.x + ellipse.shear * row.dy;
     const V rest = hn::Max(hn::Set(d, 1.0f) - row.height, hn::Zero(d));
     const V half_width = hn::Sqrt(rest * ellipse.width2);
-    row.left = hn::Ceil(middle - half_width);
-    const V right = hn::Floor(middle + half_width);
+    row.left = RoundUp(middle - half_width);
+    const V right = RoundDown(middle + half_width);
     V columns = right - row.left;
     if constexpr (Axis::kFolds) {
-      const V steps = hn::Floor(columns / stride), spare = columns - steps * stride;
-      row.left = row.left + hn::Floor(hn::Max(spare, hn::Zero(d)) * hn::Set(d, 0.5f));
+      const V steps = RoundDown(columns / stride), spare = columns - steps * stride;
+      row.left = row.left + RoundDown(hn::Max(spare, hn::Zero(d)) * hn::Set(d, 0.5f));
       columns = steps;
     }
     row.dx = row.left - middle;

@@ -11,12 +11,14 @@
 #include <hwy/highway.h>
 
 #include "simd/integer-inl.h"
+#include "simd/round-inl.h"
 #include "texture/store/storage.h"
 #include "texture/store/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Size and first texel of one level per lane. All lanes may have the same level.
 template <class D>
@@ -38,7 +40,7 @@ SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_te
 /// Returns max(1, floor(base * scale)), where scale is a power of two. This is exact, because sizes are below 2^24.
 template <class D, class V>
 HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
-  const V size = hn::Max(hn::Floor(hn::Set(d, static_cast<float>(base)) * scale), hn::Set(d, 1.0f));
+  const V size = hn::Max(RoundDown(hn::Set(d, static_cast<float>(base)) * scale), hn::Set(d, 1.0f));
   return {size, ToInt(size)};
 }
 
@@ -71,7 +73,7 @@ struct LevelPair {
 
 template <class D>
 SHD_KERNEL_PART LevelPair<D> LevelsOf(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod) {
-  const auto floor = hn::Floor(lod);
+  const auto floor = RoundDown(lod);
   const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
   LevelPair<D> pair;
   pair.fraction = lod - floor;
@@ -100,7 +102,7 @@ template <class D>
 HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
   const hn::RebindToSigned<D> di;
   const auto steps = hn::Set(d, 256.0f);
-  const auto s = hn::Floor(taps->s * steps + hn::Set(d, 0.5f)) / steps;
+  const auto s = RoundDown(taps->s * steps + hn::Set(d, 0.5f)) / steps;
   const auto next = hn::Eq(s, hn::Set(d, 1.0f));
   taps->s = hn::IfThenZeroElse(next, s);
   taps->i0 = hn::IfThenElse(hn::RebindMask(di, next), taps->i1, taps->i0);

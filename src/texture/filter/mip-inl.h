@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/stream.h"
@@ -17,11 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
 template <class D>
 HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& block, size_t i) {
-  const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
+  const auto level = RoundUp(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
   return LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Max(level, hn::Zero(d)));
 }
 

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/cubic-inl.h"
 #include "texture/filter/level-inl.h"
 #include "texture/stream.h"
@@ -18,6 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// The chosen tap along one axis.
 template <class D>
@@ -60,7 +62,7 @@ HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisS
 /// Picks level floor(lod) or the next one, with the fraction of lod as the probability of the next.
 template <class D>
 HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
-  const auto floor = hn::Floor(lod);
+  const auto floor = RoundDown(lod);
   const auto next = hn::IfThenElseZero(hn::Lt(x, lod - floor), hn::Set(d, 1.0f));
   const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
   return LevelAt(d, texture, first_texel, hn::Min(floor + next, last));

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/ellipse-inl.h"
 #include "texture/filter/pick-inl.h"
 #include "texture/filter/random-inl.h"
@@ -18,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// The texels of an ellipse as lines. Lines are perpendicular to the axis, u or v, along which the ellipse is longer,
 /// so an ellipse of any angle has many short lines. Lanes in step then visit few texels more than a single lane would.
@@ -41,9 +44,9 @@ class EllipseLines {
     per_short_ = one / short_square;
     const V half_length = hn::Sqrt(long_square);
     half_width_ = hn::Sqrt(short_square);
-    first_ = hn::Ceil(along_ - half_length);
-    lines_ = hn::Floor(half_length * two) + one;
-    texels_ = hn::Floor(half_width_ * two) + one;
+    first_ = RoundUp(along_ - half_length);
+    lines_ = RoundDown(half_length * two) + one;
+    texels_ = RoundDown(half_width_ * two) + one;
   }
 
   /// Returns the maximum number of lines of a lane.
@@ -62,7 +65,7 @@ class EllipseLines {
     const V middle = across_ + shear_ * distance;
     Line line;
     line.square = hn::IfThenElse(hn::Lt(k, lines_), distance * distance * per_long_, one);
-    line.start = hn::Ceil(middle - half_width_);
+    line.start = RoundUp(middle - half_width_);
     line.offset = line.start - middle;
     return line;
   }

@@ -8,12 +8,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 namespace {
 
 /// Returns log2 of the extent of the footprint along one axis in base texels, clamped to -32..31. The extent is
@@ -59,7 +61,7 @@ struct AxisLevels {
 template <class D>
 HWY_INLINE AxisLevels<D> LevelsAround(D d, hn::Vec<D> lod, uint32_t base, uint32_t count) {
   const hn::RebindToSigned<D> di;
-  const auto floor = hn::Floor(lod);
+  const auto floor = RoundDown(lod);
   AxisLevels<D> levels;
   levels.level[0] = hn::ConvertTo(di, floor);
   levels.level[1] = hn::Min(levels.level[0] + hn::Set(di, 1), hn::Set(di, static_cast<int32_t>(count - 1)));

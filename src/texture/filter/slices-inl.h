@@ -11,6 +11,8 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
+
 // The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
 // clang-format off
 #include "texture/footprint/places-inl.h"
@@ -22,6 +24,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// One level of a 3D texture per lane.
 template <class D>
@@ -107,7 +111,7 @@ struct OnSlices {
 /// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
 template <class D>
 HWY_INLINE Slices<D> NearestSlices(D d, const Texture& texture, const PlaceLodBlock& block, size_t i) {
-  const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
+  const auto level = RoundUp(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
   return SlicesAt(d, texture, hn::Max(level, hn::Zero(d)));
 }
 
@@ -178,7 +182,7 @@ struct LevelNumbers {
   bool blended;
 
   HWY_INLINE LevelNumbers(D d, const Texture& texture, hn::Vec<D> lod)
-      : high(hn::Floor(lod)),
+      : high(RoundDown(lod)),
         low(hn::Min(high + hn::Set(d, 1.0f), hn::Set(d, static_cast<float>(texture.level_count - 1)))),
         fraction(lod - high),
         blended(!hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)))) {}

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/filters-inl.h"
@@ -20,6 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 namespace {
 
 /// A block of shapes, with random bits for each lookup.
@@ -116,7 +118,7 @@ struct PickAnisotropic : OnMipLevels {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto x = rng.next(d);
     const auto position = sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL
-                              ? line.position(d, hn::Floor(x * line.probes))
+                              ? line.position(d, RoundDown(x * line.probes))
                               : PickGaussian(d, line, x);
     const auto first_texel = FirstTexel(d, texture, block, i);
     const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));

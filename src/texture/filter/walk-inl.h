@@ -10,12 +10,14 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/kernel_part.h"
 #include "texture/store/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Distance from a level at which wraps without repetition read one texel only, longer than any walk [texels].
 constexpr float kFarOutside = 512.0f;
@@ -81,7 +83,7 @@ class Walk {
   HWY_INLINE bool is_periodic() const { return wrap_ == SHD_WRAP_REPEAT || wrap_ == SHD_WRAP_MIRROR; }
   HWY_INLINE Ints<D> wrapped(D, hn::Vec<D> start) const {
     const hn::RebindToSigned<D> di;
-    if (is_periodic()) start = start - hn::Floor(start / real_end_) * real_end_;
+    if (is_periodic()) start = start - RoundDown(start / real_end_) * real_end_;
     return hn::ConvertTo(di, start);
   }
 

@@ -7,11 +7,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 
 /// Half axes of the ellipse divided by those of the footprint; a square pixel spans sqrt(1/3) of them. On a receding
 /// floor 0.84 is nearest to the average over pixels: 0.15 dB better than 0.82 and 0.03 dB better than 0.85.
@@ -36,7 +38,7 @@ HWY_INLINE Axes2<D> AxesOnLevel(D d, const Footprint<D>& f, const Sampler& sampl
   const V longer = f.lambda + hn::Set(d, sampler.lod_bias);
   const V shorter = f.lambda - simd::HWY_NAMESPACE::NormalLog2(d, ratio);
   const V lod = ClampLod(d, shorter, sampler.lod_bias, range);
-  const V level = hn::Floor(lod);
+  const V level = RoundDown(lod);
   // In texels of the level: 1 <= b < 2, b <= a <= ratio b.
   const V b = Exp2(d, lod - level);
   const V free = Exp2(d, hn::Min(hn::Max(longer - level, zero), hn::Set(d, 8.0f)));

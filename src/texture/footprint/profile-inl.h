@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
 #include "texture/footprint/footprint-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/store/storage.h"
@@ -22,6 +23,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 
 /// A line of probes: probe k = 0..count - 1 lies at the point + (2 k + 1 - count) (step_u, step_v). The weights are
 /// equal or exp(-2 x^2), x = (2 k + 1 - count) / reach.
@@ -71,7 +74,7 @@ SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float 
 template <class D, class V>
 HWY_INLINE V RoundLevel(D d, V lod, float steps) {
   const V count = hn::Set(d, steps);
-  return hn::Floor(lod * count + hn::Set(d, 0.5f)) / count;
+  return RoundDown(lod * count + hn::Set(d, 0.5f)) / count;
 }
 
 template <class D, class V>
@@ -104,7 +107,7 @@ struct VulkanProfile {
     const V eta = hn::Min(ratio, hn::Set(d, sampler.max_anisotropy));
     const auto along_x = hn::Gt(l.x, l.y);
     Probes<D> probes;
-    probes.count = hn::Ceil(eta);
+    probes.count = RoundUp(eta);
     probes.lambda = Lambda(d, j) - simd::HWY_NAMESPACE::Log2(d, eta);
     // Probe i = 1..N lies at i / (N + 1) - 1/2 of the derivative.
     const V parts = probes.count + probes.count + hn::Set(d, 2.0f);
@@ -164,7 +167,7 @@ struct D3d11Profile {
     Probes<D> probes;
     probes.lambda = major.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
     // A minor axis below one texel limits the probes to the texels of the major axis.
-    probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major.length, one)));
+    probes.count = RoundUp(hn::Min(ratio, hn::Max(major.length, one)));
     const V parts = probes.count + probes.count + hn::Set(d, 2.0f);
     const V step = major.length / parts;
     probes.step_u = ClampStep(d, step * f.u / hn::Set(d, width));
@@ -176,7 +179,7 @@ struct D3d11Profile {
   /// Returns floor(lod + 1/2) of the fixed-point level of detail.
   template <class D, class V>
   HWY_INLINE V NearestLevel(D d, V lod) const {
-    return hn::Floor(RoundLevel(d, lod, kLevelSteps) + hn::Set(d, 0.5f));
+    return RoundDown(RoundLevel(d, lod, kLevelSteps) + hn::Set(d, 0.5f));
   }
 };
 
@@ -294,7 +297,7 @@ struct OiioProfile {
     const V texels = axes.major * larger;
     const V enough = hn::Min(hn::Max(texels + texels, one), hn::Set(d, sampler.max_anisotropy));
     const V aspect = hn::IfThenElse(magnified, enough, axes.aspect);
-    probes.count = hn::Max(hn::Floor(aspect + aspect - one), one);
+    probes.count = hn::Max(RoundDown(aspect + aspect - one), one);
     const V spread = axes.major - axes.minor, step = spread / probes.count;
     probes.step_u = step * axes.u;
     probes.step_v = step * axes.v;
@@ -307,7 +310,7 @@ struct OiioProfile {
   /// Returns the coarser of both levels, a whole number, which is its own nearest level.
   template <class D, class V>
   HWY_INLINE V NearestLevel(D, V lod) const {
-    return hn::Ceil(lod);
+    return RoundUp(lod);
   }
 
  private:

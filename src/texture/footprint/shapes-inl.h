@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "simd/finite-inl.h"
+#include "simd/round-inl.h"
 #include "simd/tail-inl.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/footprint-inl.h"
@@ -24,6 +25,8 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::FiniteOrZero;
 using simd::HWY_NAMESPACE::LoadFirst;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
@@ -166,8 +169,8 @@ template <class D, class V>
 HWY_INLINE V BlendLevels(D d, const Sampler& sampler, V lod) {
   if (HWY_LIKELY(sampler.level_steepness == 1.0f)) return lod;
   const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
-  if (sampler.level_steepness == 0.0f) return hn::Ceil(lod - half);
-  const V floor = hn::Floor(lod);
+  if (sampler.level_steepness == 0.0f) return RoundUp(lod - half);
+  const V floor = RoundDown(lod);
   const V share = (lod - floor - half) * hn::Set(d, sampler.level_steepness) + half;
   return floor + hn::Min(hn::Max(share, hn::Zero(d)), one);
 }
@@ -311,7 +314,7 @@ struct ProbePlacement {
       blended = BlendLevels(d, sampler, lod);
       widths = ratio * simd::HWY_NAMESPACE::Exp2(d, lod - blended);
     }
-    const auto probes = hn::Max(hn::Ceil(widths - hn::Set(d, sampler.probe_slack)), one);
+    const auto probes = hn::Max(RoundUp(widths - hn::Set(d, sampler.probe_slack)), one);
     const auto half_step = f.length / (probes + probes);
     const auto step_u = width(d, half_step * f.u), step_v = height(d, half_step * f.v);
     hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);

@@ -11,6 +11,8 @@
 
 #include <hwy/highway.h>
 
+#include "simd/round-inl.h"
+
 #include <shd/wrap.h>
 
 #include "simd/integer-inl.h"
@@ -19,6 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
 using simd::HWY_NAMESPACE::ToInt;
 
 template <class D>
@@ -31,10 +34,10 @@ using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
 /// accept. For other wraps, the result is the coordinate.
 template <class D, class V>
 HWY_INLINE V ReduceCoordinate(D d, shd_wrap wrap, V u) {
-  if (wrap == SHD_WRAP_REPEAT) return u - hn::Floor(u);
+  if (wrap == SHD_WRAP_REPEAT) return u - RoundDown(u);
   if (wrap == SHD_WRAP_MIRROR) {
     const V half = u * hn::Set(d, 0.5f);
-    return half - hn::Floor(half);
+    return half - RoundDown(half);
   }
   return u;
 }
@@ -92,7 +95,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
       x = x - half;
-      const V floor = hn::Floor(x);
+      const V floor = RoundDown(x);
       taps.s = hn::Min(x - floor, below_one);
       const auto i = ToInt(floor);  // -1..size - 1
       taps.i0 = i + (size.whole & hn::BroadcastSignBit(i));
@@ -102,7 +105,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
     }
     case SHD_WRAP_MIRROR: {
       x = x + x - half;
-      const V floor = hn::Floor(x);
+      const V floor = RoundDown(x);
       taps.s = hn::Min(x - floor, below_one);
       const auto i = ToInt(floor);  // -1..2 size - 1
       taps.i0 = Fold(di, i, size.whole);
@@ -113,7 +116,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       const V free = x - half;
       x = hn::Min(hn::Max(free, hn::Set(d, -1.0f)), size.real);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
-      const V floor = hn::Floor(x);
+      const V floor = RoundDown(x);
       taps.s = hn::Min(x - floor, below_one);
       const auto i = ToInt(floor);  // -1..size
       taps.i0 = ClampBorder(d, i, size.whole, &taps.in0);
@@ -124,7 +127,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       const V free = x - half;
       x = hn::Min(hn::Max(free, hn::Neg(size.real)), size.real);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
-      const V floor = hn::Floor(x);
+      const V floor = RoundDown(x);
       taps.s = hn::Min(x - floor, below_one);
       const auto i = ToInt(floor);  // -size..size
       taps.i0 = FoldOnce(di, i, size.whole);
@@ -136,7 +139,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       const V free = x - half, last = size.real - hn::Set(d, 1.0f);
       x = hn::Min(hn::Max(free, hn::Zero(d)), last);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
-      const V floor = hn::Floor(x);
+      const V floor = RoundDown(x);
       taps.s = x - floor;
       taps.i0 = ToInt(floor);
       taps.i1 = hn::Min(taps.i0 + one, size.whole - one);
@@ -162,12 +165,12 @@ HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>
   *in = hn::Eq(i, i);
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
-      const V periods = hn::Floor(i / size.real);
+      const V periods = RoundDown(i / size.real);
       return ToInt(i - periods * size.real);
     }
     case SHD_WRAP_MIRROR: {
       const V period = size.real + size.real;
-      const V periods = hn::Floor(i / period);
+      const V periods = RoundDown(i / period);
       return Fold(di, ToInt(i - periods * period), size.whole);
     }
     case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, ToInt(i), size.whole);
@@ -197,7 +200,7 @@ SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced
     x = hn::Min(hn::Max(free, hn::Neg(outside)), size.real + two);
     point.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
   }
-  point.second = hn::Floor(x);
+  point.second = RoundDown(x);
   point.s = hn::Min(x - point.second, hn::Set(d, 0x1.fffffep-1f));
   return point;
 }
@@ -236,11 +239,11 @@ SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, cons
     case SHD_WRAP_REPEAT: return ToInt(hn::Min(x, last));
     case SHD_WRAP_MIRROR: return Fold(di, ToInt(x + x), size.whole);
     case SHD_WRAP_BORDER: {
-      const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Set(d, -1.0f)), size.real);
+      const V clamped = hn::Min(hn::Max(RoundDown(x), hn::Set(d, -1.0f)), size.real);
       return ClampBorder(d, ToInt(clamped), size.whole, in);
     }
     case SHD_WRAP_MIRROR_ONCE: {
-      const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Neg(size.real)), last);
+      const V clamped = hn::Min(hn::Max(RoundDown(x), hn::Neg(size.real)), last);
       return FoldOnce(di, ToInt(clamped), size.whole);
     }
     default: return ToInt(hn::Min(hn::Max(x, hn::Zero(d)), last));

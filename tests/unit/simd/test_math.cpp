@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Log2, Exp2, Pow, SinPi and CosPi against libm in double, on every target, and bit for bit between targets.
+// Log2, Exp2, Pow, SinPi and CosPi against libm in double, rounding against libm bit for bit, on every target, and bit
+// for bit between targets.
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +10,7 @@
 namespace shd::tests {
 #ifndef SHD_TESTS_MATH_FUNCTIONS
 #define SHD_TESTS_MATH_FUNCTIONS
-enum Function { kLog2, kExp2, kPow, kUnitPow, kSinPi, kCosPi };
+enum Function { kLog2, kExp2, kPow, kUnitPow, kSinPi, kCosPi, kRoundDown, kRoundUp, kRoundNearest };
 #endif
 }  // namespace shd::tests
 
@@ -19,6 +20,7 @@ enum Function { kLog2, kExp2, kPow, kUnitPow, kSinPi, kCosPi };
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::tests::HWY_NAMESPACE {
@@ -36,6 +38,9 @@ void evaluate(int function, const float* x, const float* y, size_t count, float*
     if (function == kPow) result = simd::HWY_NAMESPACE::Pow(d, a, hn::LoadU(d, y + i));
     if (function == kSinPi) result = simd::HWY_NAMESPACE::SinPi(d, a);
     if (function == kCosPi) result = simd::HWY_NAMESPACE::CosPi(d, a);
+    if (function == kRoundDown) result = simd::HWY_NAMESPACE::RoundDown(a);
+    if (function == kRoundUp) result = simd::HWY_NAMESPACE::RoundUp(a);
+    if (function == kRoundNearest) result = simd::HWY_NAMESPACE::RoundNearest(a);
     hn::StoreU(result, d, out + i);
   }
 }
@@ -130,6 +135,31 @@ void test_waves(void**) {
   }
 }
 
+/// Whole numbers have the bits of libm, with the sign of a zero.
+void test_rounding(void**) {
+  uint32_t state = 7;
+  for (size_t i = 0; i < kCount; ++i) {
+    const float number = float_from_bits(next(&state));
+    g_x[i] = i % 2 ? static_cast<float>(next(&state)) * 0x1p-29f - 4.0f : std::isfinite(number) ? number : 0.0f;
+  }
+  const float edges[] = {0.0f,        -0.0f,      0.3f,        -0.3f,         0.5f,        -0.5f,
+                         1.5f,        -1.5f,      2.5f,        1e-45f,        -1e-45f,     FLT_MAX,
+                         -FLT_MAX,    8388607.5f, -8388607.5f, 8388608.0f,    -8388609.0f, 0.49999997f,
+                         -0.9999999f, INFINITY,   -INFINITY,   2147483648.0f, -4e9f,       NAN};
+  std::memcpy(g_x, edges, sizeof edges);
+  float (*const wanted[])(float) = {std::floor, std::ceil, std::nearbyint};
+  for (int k = 0; k < 3; ++k) {
+    on_every_target(kRoundDown + k, [&](size_t i) {
+      const float want = wanted[k](g_x[i]);
+      const bool same = std::isnan(want) ? std::isnan(g_out[i]) : std::memcmp(&want, &g_out[i], sizeof want) == 0;
+      if (!same) {
+        fail_msg("function %d of %a: got %a, want %a", k, static_cast<double>(g_x[i]), static_cast<double>(g_out[i]),
+                 static_cast<double>(want));
+      }
+    });
+  }
+}
+
 void fill_powers() {
   uint32_t state = 3;
   for (size_t i = 0; i < kCount; ++i) {
@@ -182,6 +212,7 @@ int main() {
       {"pow", shd::tests::test_pow, nullptr, nullptr, nullptr},
       {"unit_pow", shd::tests::test_unit_pow, nullptr, nullptr, nullptr},
       {"waves", shd::tests::test_waves, nullptr, nullptr, nullptr},
+      {"rounding", shd::tests::test_rounding, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests_name("unit.simd.math", tests, nullptr, nullptr);
 }
