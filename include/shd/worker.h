@@ -64,6 +64,15 @@ SHD_NODISCARD SHD_API shd_result shd_worker_run(const shd_worker_task *task);
  */
 SHD_NODISCARD SHD_API shd_result shd_worker_read(shd_worker_stream *reply, void *bytes, size_t size);
 
+/**
+ * Path of a module of shd: in the folder shd beside libshd_io, beside libshd_io, or beside shd-io-worker.
+ * @param file      name of the file, without folders
+ * @param out_path  [size], an absolute path; "" on failure
+ * @return SHD_ERROR_NOT_FOUND if there is no such file
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_worker_find_module(const char *file, char *out_path, size_t size);
+
 /** What a module gets in the child. All pointers are valid until the process ends. */
 typedef struct shd_worker_call {
     const void *request; /**< of shd_worker_task */

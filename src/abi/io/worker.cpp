@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include <shd/worker.h>
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstring>
+#include <string>
 
 #include "extension/guard.h"
+#include "io/worker_path.h"
 #include "io/worker_run.h"
+
+extern "C" shd_result shd_worker_find_module(const char* file, char* out_path, size_t size) {
+  using namespace shd::extension;
+  return guard([&]() -> shd_result {
+    if (!file || !out_path || size == 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", file ? "out_path" : "file");
+    *out_path = 0;
+    std::string path = shd::io::module_path(file);
+    if (path.empty()) {
+      const std::string worker = shd::io::default_worker_path();
+      path = worker.substr(0, worker.rfind('/') + 1) + file;
+      if (::access(path.c_str(), R_OK) != 0) path.clear();
+    }
+    if (path.empty()) refuse(SHD_ERROR_NOT_FOUND, "cannot find the module %s", file);
+    if (path.size() >= size) refuse(SHD_ERROR_LIMIT, "size: %zu is too small for the path of %s", size, file);
+    std::memcpy(out_path, path.c_str(), path.size() + 1);
+    return SHD_OK;
+  });
+}
 
 #ifdef __linux__
 
