@@ -10,10 +10,12 @@
  *
  * Files are untrusted. Sizes, counts and time have budgets. The load drops triangles with indices out of range or
  * positions that are not finite, instances whose matrices are not finite, and slots whose textures cannot be read, and
- * adds a warning to the scene for each. The model may name other files by any path: its materials, buffers and
- * textures. They are read if they are regular files. assimp itself can still crash, run out of stack, hang, change the
- * memory of the process or return parts of it as vertices on a hostile file: load untrusted models in a separate
- * process.
+ * adds a warning to the scene for each. The model names other files: its materials, buffers and textures. They are read
+ * if they are regular files in its folder or below it; SHD_SCENE_ANY_FOLDER allows others.
+ *
+ * The readers run in a fresh child of shd-io-worker (shd/io.h), which opens no file, and whose memory and time are
+ * limited. A crash in it is SHD_ERROR_CORRUPT. Every value that it sends is checked. With SHD_SCENE_IN_PROCESS they run
+ * in this process, and a hostile file can crash or hang it, or change its memory.
  *
  * Nothing is printed. Two readers of assimp 5 print, and have no switch for it: skeletons of Ogre (.skeleton.xml) are
  * not read, which skins alone need, and OpenGEX (.ogex) is SHD_ERROR_UNSUPPORTED.
@@ -38,6 +40,8 @@ typedef enum shd_scene_flag {
     SHD_SCENE_NONE = 0,
     SHD_SCENE_REQUIRE_TEXTURES = 1, /**< a texture that cannot be read makes the load fail */
     SHD_SCENE_HOST_FILTERS = 2,     /**< textures have the filters of shd_scene_desc.sampler, not those of the file */
+    SHD_SCENE_IN_PROCESS = 4,       /**< reads the model in this process: faster start, and the file must be trusted */
+    SHD_SCENE_ANY_FOLDER = 8,       /**< names of the model may leave its folder: by `..`, absolute paths and links */
     SHD_SCENE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_scene_flag;
 typedef uint32_t shd_scene_flags; /**< shd_scene_flag bits */
@@ -51,14 +55,24 @@ typedef struct shd_scene_desc {
                                           its filter and magnification where the file asks for nearest texels or
                                           levels. Borrowed for the call; NULL = trilinear */
     const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
-                                          ignored. Borrowed for the call; NULL = defaults */
-    uint64_t max_file_bytes;         /**< sum of the model and the files that assimp reads with it; 0 = 2^30 */
+                                          ignored; worker_path is that of the model, too. Borrowed for the call; NULL = defaults */
+    uint64_t max_file_bytes;         /**< sum of the model and the files that are read with it; 0 = 2^30 */
     uint64_t max_vertices;           /**< sum over all meshes; 0 = 2^26 */
     uint64_t max_triangles;          /**< sum over all meshes; 0 = 2^26 */
     uint64_t max_nodes;              /**< 0 = 2^18; always at most 512 deep */
     uint64_t max_instances;          /**< up to 2^20, the maximum of a frame; 0 = 2^18 */
     uint64_t max_texture_bytes;      /**< all textures with their mip levels; 0 = 2^32 */
-    double time_limit;               /**< [s] 0 = 60. Checked between the steps of assimp, meshes and textures */
+    double time_limit;               /**< [s] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked
+                                          between the steps of a reader */
+    uint64_t max_reader_bytes;       /**< memory of the process that reads, and of what it sends; 0 = 2^32 [bytes] */
+    /**
+     * Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+     * until the load returns. SHD_ERROR_NOT_FOUND = no such file; any other result than SHD_OK ends the load. Runs on
+     * the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+     * memory.
+     */
+    shd_result (*find)(void *user_data, const char *name, const void **out_bytes, size_t *out_size);
+    void *find_user_data; /**< first argument of `find` */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_desc;
 
@@ -105,6 +119,19 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 SHD_NODISCARD SHD_API shd_result shd_scene_load(shd_context *context, const char *path, const shd_scene_desc *desc,
                                                 shd_scene **out_scene);
 
+/**
+ * Read a model file in memory. The files that it names come from shd_scene_desc.find.
+ * @param bytes  borrowed for the call
+ * @param size   [bytes]
+ * @param name   of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for the
+ *               call
+ * @return as shd_scene_load()
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_scene_load_memory(shd_context *context, const void *bytes, size_t size,
+                                                       const char *name, const shd_scene_desc *desc,
+                                                       shd_scene **out_scene);
+
 /** Add a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_scene_retain(shd_scene *scene);
 
@@ -113,21 +140,21 @@ SHD_API void shd_scene_release(shd_scene *scene);
 
 /** Contents of a file. */
 typedef struct shd_scene_info {
-    uint32_t struct_size;    /**< set by shd_scene_info_default() */
-    uint32_t mesh_count;     /**< with triangles */
-    uint32_t material_count; /**< at least 1 */
-    uint32_t texture_count;  /**< that could be read */
-    uint32_t light_count;    /**< 0 where the file has none */
-    uint32_t camera_count;   /**< 0 where the file has none */
-    uint32_t instance_count; /**< as many as draws */
-    uint32_t warning_count;  /**< parts of the file that were left out or changed */
-    uint64_t vertex_count;   /**< sum over all meshes, each counted once */
-    uint64_t triangle_count; /**< sum over all meshes, each counted once */
-    float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
-    float bounds_max[3];     /**< highest x, y, z of all instances, world space */
-    double origin[3];        /**< a place in the world of the file is origin + the place in world space; 0 unless the
+    uint32_t struct_size;     /**< set by shd_scene_info_default() */
+    uint32_t mesh_count;      /**< with triangles */
+    uint32_t material_count;  /**< at least 1 */
+    uint32_t texture_count;   /**< that could be read */
+    uint32_t light_count;     /**< 0 where the file has none */
+    uint32_t camera_count;    /**< 0 where the file has none */
+    uint32_t instance_count;  /**< as many as draws */
+    uint32_t warning_count;   /**< parts of the file that were left out or changed */
+    uint64_t vertex_count;    /**< sum over all meshes, each counted once */
+    uint64_t triangle_count;  /**< sum over all meshes, each counted once */
+    float bounds_min[3];      /**< lowest x, y, z of all instances, world space */
+    float bounds_max[3];      /**< highest x, y, z of all instances, world space */
+    double origin[3];         /**< a place in the world of the file is origin + the place in world space; 0 unless the
                                   model is far away from 0. Equal in all poses */
-    uint32_t animation_count;     /**< 0 where the file has none */
+    uint32_t animation_count; /**< 0 where the file has none */
     uint32_t deformed_mesh_count; /**< meshes with a skin or morph targets, which each pose makes anew */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_info;

@@ -68,7 +68,7 @@ if(SHD_WITH_OIIO)
   endif()
 endif()
 if(SHD_WITH_ASSIMP)
-  shd_pkg_config(shd_scene "Model files for shd through assimp" "assimp" "shd_io shd")
+  shd_pkg_config(shd_scene "Model files for shd" "" "shd_io shd")
 endif()
 
 if(TARGET shd_embree)

@@ -45,7 +45,7 @@
   ROW(BITMAP_INFO, shd_bitmap_info, file_format, flags, 16, ())                     \
   ROW(SHAPE_DESC, shd_shape_desc, shape, segments, 40, ())                          \
   ROW(SHAPE_COLUMNS, shd_shape_columns, position, indices, 160, ())                 \
-  ROW(SCENE_DESC, shd_scene_desc, flags, time_limit, 88, ())                        \
+  ROW(SCENE_DESC, shd_scene_desc, flags, find_user_data, 112, ())                   \
   ROW(SCENE_INFO, shd_scene_info, instance_count, bounds_max, 72, ())               \
   ROW(SCENE_INSTANCE, shd_scene_instance, object_to_world, object_to_world, 76, ()) \
   ROW(SOLID_DESC, shd_solid_desc, kind, colors, 188, ())                            \

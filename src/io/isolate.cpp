@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "io/isolate.h"
 
-#include <fcntl.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <string>
-#include <system_error>
 
 #include "core/failure.h"
 #include "core/printable.h"
 #include "io/channels.h"
-#include "io/child_process.h"
 #include "io/levels.h"
 #include "io/packet.h"
-#include "io/printable.h"
 #include "io/texture_load.h"
-#include "io/worker_link.h"
-#include "io/worker_path.h"
-#include "io/worker_protocol.h"
+#include "io/worker_call.h"
 
 namespace shd::io {
 
@@ -40,44 +30,6 @@ namespace {
 /// Pixels that are received and then expanded while the processor's cache holds them.
 constexpr size_t kChunkPixels = size_t{1} << 14;
 
-/// Size of the pipe for pixels, if the system grants it [bytes].
-constexpr int kPipeSize = 1 << 20;
-
-/// A pair of connected descriptors, the second of which goes to the worker.
-struct Ends {
-  FileDescriptor ours, theirs;
-};
-
-Ends connect(int type) {
-  int ends[2];
-  if (::socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends) != 0) refuse_errno("cannot make", "socket", errno);
-  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
-}
-
-Ends make_pipe() {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) refuse_errno("cannot make", "pipe", errno);
-  Ends out = {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
-  (void)::fcntl(out.ours.fd, F_SETPIPE_SZ, kPipeSize);
-  if (::fcntl(out.ours.fd, F_SETFL, O_NONBLOCK) != 0) refuse_errno("cannot make", "pipe", errno);
-  return out;
-}
-
-/// The connections of one load. The worker kills the child when `control` is shut down; a process that is forked during
-/// the load may still hold a copy of the descriptor, so closing alone would not do.
-struct Channel {
-  Ends control = connect(SOCK_SEQPACKET);
-  Ends data = make_pipe();
-  Ends bytes;  // for a source in memory
-
-  explicit Channel(const Source& source) {
-    if (source.bytes) bytes = connect(SOCK_STREAM);
-  }
-  ~Channel() { ::shutdown(control.ours.fd, SHUT_RDWR); }
-  Channel(const Channel&) = delete;
-  Channel& operator=(const Channel&) = delete;
-};
-
 WorkerRequest make_request(const LoadOptions& options, size_t size) {
   WorkerRequest request = {};
   request.magic = kWorkerMagic;
@@ -90,50 +42,6 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   request.limits = options.limits;
   request.size = size;
   return request;
-}
-
-/// A path as it is at this moment: the working directory can change before another load names it.
-std::string absolute_path(const char* path) {
-  std::error_code error;
-  const std::string absolute = std::filesystem::absolute(path, error).string();
-  if (error) refuse_errno("cannot find", path, error.value());
-  return absolute;
-}
-
-/// Hands the source to the worker. Returns false if the worker is dead and has not taken it.
-bool begin_load(const WorkerLink& link, Channel& channel, const Source& source, const WorkerRequest& request,
-                const Deadline& deadline) {
-  const auto since = std::chrono::steady_clock::now();
-  const int file = source.bytes ? channel.bytes.theirs.fd : source.file;
-  const int handed[kMaxDescriptors] = {channel.control.theirs.fd, channel.data.theirs.fd, file};
-  WorkerStarted started = {};
-  Stream stream = send_packet(link.socket.fd, &request, sizeof request, handed, kMaxDescriptors, deadline);
-  for (Ends* ends : {&channel.control, &channel.data, &channel.bytes}) ends->theirs.reset();
-  if (stream == Stream::kDone) {
-    stream = receive_packet(channel.control.ours.fd, &started, sizeof started, nullptr, 0, deadline);
-  }
-  if (stream == Stream::kClosed) return false;
-  if (stream == Stream::kLate) {
-    worker_silent(link, since);
-    deadline.check();
-  }
-  worker_answered(link, deadline);
-  if (started.error) refuse_errno("cannot start", "a child of the worker", started.error);
-  return true;
-}
-
-/// Throws Failure unless a transfer is complete.
-void require_done(Stream stream, const Channel& channel, const Deadline& deadline) {
-  if (stream == Stream::kDone) return;
-  WorkerEnded ended = {};
-  std::string end = "no reply";
-  // A child that closes its pipe and lives is killed when the channel is closed.
-  const Deadline moment(std::min(0.25, deadline.seconds_left()));
-  if (receive_packet(channel.control.ours.fd, &ended, sizeof ended, nullptr, 0, moment) == Stream::kDone) {
-    end = describe_status(ended.status);
-  }
-  deadline.check();
-  core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
 /// Checks the properties of a grid.
@@ -329,7 +237,7 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
                    const Deadline& deadline) {
   WorkerReply reply;
   Stream stream = Stream::kDone;
-  if (source.bytes) stream = send_all(channel.bytes.ours.fd, source.bytes, source.size, deadline);
+  if (source.bytes) stream = send_all(channel.input.ours.fd, source.bytes, source.size, deadline);
   // A child that refuses a file need not have read all of it.
   if (stream != Stream::kLate) stream = receive_all(channel.data.ours.fd, &reply, sizeof reply, deadline);
   require_done(stream, channel, deadline);
@@ -340,18 +248,9 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
 
 Bitmap load_isolated(const char* worker_path, const Source& source, const LoadOptions& options, const Memory& memory,
                      const Deadline& deadline) {
-  const std::string program = worker_path ? absolute_path(worker_path) : default_worker_path();
-  const WorkerRequest request = make_request(options, source.size);
-  // A worker that has died since the last load is replaced, once.
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    Channel channel(source);
-    const WorkerLink link = connect_worker(program, deadline);
-    if (begin_load(link, channel, source, request, deadline)) {
-      return finish_load(channel, source, options, memory, deadline);
-    }
-    drop_worker(link, deadline);
-  }
-  core::refuse(SHD_ERROR_INTERNAL, "the worker \"%s\" ends when it gets a file", printable(program.c_str()).c_str());
+  const Channel channel = begin_call(worker_path, make_request(options, source.size), source.bytes ? -1 : source.file,
+                                     source.bytes ? SOCK_STREAM : 0, deadline);
+  return finish_load(channel, source, options, memory, deadline);
 }
 
 #endif

@@ -2,7 +2,6 @@
 #include "io/module.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <new>
@@ -13,20 +12,11 @@
 
 namespace shd::io {
 
-namespace {
-
-std::string module_path(const char* file) {
-  const std::string folder = library_folder();
-  if (folder.empty()) core::refuse(SHD_ERROR_NOT_FOUND, "cannot open %s: the folder of libshd_io is not known", file);
-  const std::string installed = folder + "/shd/" + file;
-  return ::access(installed.c_str(), R_OK) == 0 ? installed : folder + "/" + file;
-}
-
-}  // namespace
-
 const void* open_module(const char* file, const char* symbol) {
   // It stays loaded, because threads of the libraries under it run until the end of the process.
-  void* handle = ::dlopen(module_path(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  const std::string path = module_path(file);
+  if (path.empty()) core::refuse(SHD_ERROR_NOT_FOUND, "cannot open %s: there is no such file beside libshd_io", file);
+  void* handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (!handle) {
     const char* reason = ::dlerror();
     core::refuse(SHD_ERROR_NOT_FOUND, "cannot open %s: %s", file,

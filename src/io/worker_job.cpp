@@ -6,11 +6,9 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
@@ -22,6 +20,8 @@
 #include "io/read_file.h"
 #include "io/worker_confine.h"
 #include "io/worker_memory.h"
+#include "io/worker_module.h"
+#include "io/worker_send.h"
 
 namespace shd::io {
 
@@ -34,32 +34,6 @@ uint64_t decoded_bytes(const WorkerRequest& request) {
 
 /// More than any pipe holds that an unprivileged process makes [bytes].
 constexpr int kMaxPipe = 1 << 24;
-
-bool send_all(int pipe, const void* bytes, size_t size) {
-  const auto* next = static_cast<const unsigned char*>(bytes);
-  while (size > 0) {
-    const ssize_t put = ::write(pipe, next, size);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    next += put;
-    size -= static_cast<size_t>(put);
-  }
-  return true;
-}
-
-/// Sends memory that stays unchanged until it has been read: the pipe refers to it instead of copying it.
-bool lend_all(int pipe, const void* bytes, size_t size) {
-  auto* next = static_cast<unsigned char*>(const_cast<void*>(bytes));
-  while (size > 0) {
-    const iovec part = {next, size};
-    const ssize_t put = ::vmsplice(pipe, &part, 1, 0);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return send_all(pipe, next, size);  // not every sandbox has vmsplice()
-    next += put;
-    size -= static_cast<size_t>(put);
-  }
-  return true;
-}
 
 /// Decoders hold up to two copies of a picture in addition to the result. The constant covers three copies of the
 /// largest row or tile that any max_bytes allows, 64 MiB, and tables. The server kills a child at its deadline, too;
@@ -108,11 +82,6 @@ struct Answer {
   bool begun;  // the first reply has been sent
   LentRing ring;
 };
-
-/// Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
-void require_sent(bool sent) {
-  if (!sent) _exit(3);
-}
 
 void send_description(void* owner, const Bitmap& bitmap, const Packing& packing) {
   auto* answer = static_cast<Answer*>(owner);
@@ -179,6 +148,7 @@ void run_job(int socket) {
   FileDescriptor handed[2];
   if (receive_packet(socket, &request, sizeof request, handed, 2, Deadline(1e9)) != Stream::kDone) _exit(2);
   ::close(socket);
+  if (names_module(request)) run_module(request, handed[0].fd, handed[1].fd);
   confine(request);
   static Answer answer = {handed[0].fd, {}, false, LentRing(pipe_capacity(handed[0].fd))};
   answer.reply.magic = kWorkerMagic;

@@ -64,6 +64,15 @@ std::string library_folder() {
 #endif
 }
 
+std::string module_path(const std::string& file) {
+  const std::string folder = library_folder();
+  if (folder.empty()) return "";
+  for (const std::string& path : {folder + "/shd/" + file, folder + "/" + file}) {
+    if (::access(path.c_str(), R_OK) == 0) return path;
+  }
+  return "";
+}
+
 std::string default_worker_path() {
   const char* named = environment("SHD_IO_WORKER");
   if (named && *named == '/') return named;

@@ -14,4 +14,7 @@ std::string library_folder();
 /// configured install path. The last path need not exist. Throws Failure if SHD_IO_WORKER is a relative path.
 std::string default_worker_path();
 
+/// Absolute path of a module: in the folder shd beside this library, or beside it. "" if there is none.
+std::string module_path(const std::string& file);
+
 }  // namespace shd::io

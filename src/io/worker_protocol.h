@@ -15,7 +15,9 @@ namespace shd::io {
 //      is SHD_OK, pieces of the pixels in order while it decodes, each behind its size as a uint64_t, the size 0, and
 //      the final WorkerReply. A piece is whole pixels of the `channels` of the reply. The host expands them to RGBA in
 //      its own memory, and uses nothing before the final reply. The pieces of a texture are bytes of its layout.
-//   2  file, which the child reads from its start.
+//   2  file, which the child reads from its start. If the request names a module, it is a socket (SOCK_SEQPACKET): the
+//      child sends WorkerQuestions, and receives for each a WorkerAnswer with the descriptor of a file.
+// The reply of a module is pieces as above, but of any bytes and without a WorkerReply before them.
 // Both ends must be of one build.
 
 /// The server is ready; with its own pidfd if the system has one.
@@ -26,6 +28,9 @@ struct WorkerHello {
 
 struct WorkerRequest {
   uint32_t magic;
+  uint32_t module_request_size;        // of module_request [bytes]
+  char module[1024];                   // absolute path of a module, which gets the request; "" = an image
+  unsigned char module_request[1024];  // limits.bytes is the memory of the child
   uint32_t formats;
   uint32_t flags;
   uint32_t encoding;
@@ -42,6 +47,18 @@ struct WorkerStarted {
 
 struct WorkerEnded {
   int32_t status;  // status of waitpid()
+};
+
+/// A child that runs a module asks for a file.
+struct WorkerQuestion {
+  uint32_t magic;
+  char name[4096];
+};
+
+/// With one descriptor if `found`.
+struct WorkerAnswer {
+  uint32_t found;
+  uint64_t size;  // of the file [bytes]
 };
 
 /// The size is that of the pixels of all slices and levels in `format` [bytes]. A pixel on the pipe has `channels`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The loop of the fork server. It reads nothing that a child or a file has written. It allocates no heap memory, so
-// that every child starts with the same heap.
+// that every child starts with the same heap, except for modules, each of which it opens once.
 #include <poll.h>
 #include <sched.h>
 #include <signal.h>
@@ -17,6 +17,7 @@
 
 #include "io/packet.h"
 #include "io/worker_job.h"
+#include "io/worker_module.h"
 
 namespace shd::io {
 
@@ -150,6 +151,7 @@ void read_request() {
   if (whole) {
     const int control = handed[0].fd;
     const int data_and_file[2] = {handed[1].fd, handed[2].fd};
+    if (names_module(request) && open_for_children(request)) drop_spare();  // it was forked without the module
     const WorkerStarted started = {start_job(request, handed[0], data_and_file)};
     tell(control, started);
     handed[1].reset();

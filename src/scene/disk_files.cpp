@@ -49,26 +49,20 @@ fs::path walk(const fs::path& folder, const fs::path& relative) {
   return fs::is_regular_file(place, error) ? place : fs::path();
 }
 
-}  // namespace
-
-std::string find_file(const std::string& folder, const std::string& name) {
-  std::error_code error;
-  std::string forward = name;
-  std::replace(forward.begin(), forward.end(), '\\', '/');
-  const fs::path base = folder.empty() ? fs::path(".") : fs::path(folder), wanted(forward);
-  if (wanted.is_absolute() && fs::is_regular_file(wanted, error)) return wanted.string();
-  for (const fs::path& candidate : {walk(base, wanted.relative_path()), walk(base, wanted.filename())}) {
-    if (!candidate.empty()) return candidate.string();
-  }
-  return {};
+/// Whether a relative path stays below the folder it is relative to, as far as its text shows.
+bool stays_below(const fs::path& relative) {
+  const fs::path normal = relative.lexically_normal();
+  return normal.is_relative() && (normal.empty() || *normal.begin() != "..");
 }
 
-DiskFiles::DiskFiles(const std::string& path, const Limits& limits, const Deadline& deadline)
-    : limits_(limits), deadline_(deadline), left_(limits.file_bytes) {
+}  // namespace
+
+DiskFiles::DiskFiles(const std::string& path, bool any_folder, const Limits& limits, const Deadline& deadline)
+    : HostFiles(limits, deadline), any_folder_(any_folder) {
   const size_t slash = path.find_last_of('/');
   if (slash != std::string::npos) folder_ = path.substr(0, slash + 1);
   name_ = path.substr(folder_.size());
-  const core::RegularFile opened = core::open_regular(path.c_str());
+  core::RegularFile opened = core::open_regular(path.c_str());
   const std::string text = text_of(path);
   if (opened.other_kind) core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file", text.c_str());
   if (opened.error) {
@@ -81,34 +75,53 @@ DiskFiles::DiskFiles(const std::string& path, const Limits& limits, const Deadli
     core::refuse(SHD_ERROR_LIMIT, "\"%s\" has %llu bytes, above scene.max_file_bytes %llu", text.c_str(),
                  static_cast<unsigned long long>(opened.size), static_cast<unsigned long long>(limits.file_bytes));
   }
-  const Bytes* bytes = load(path, opened);
-  if (!bytes) core::refuse(SHD_ERROR_IO, "cannot read \"%s\"", text.c_str());
-  model_ = *bytes;
+  charge(path, opened.size);
+  model_.file = std::move(opened.file);
+  model_.path = path;
+  model_.size = opened.size;
 }
 
-const Bytes* DiskFiles::find(const std::string& name) {
-  deadline_.check();
-  const std::string path = find_file(folder_, name);
-  if (path.empty()) return nullptr;
-  const auto known = loaded_.find(path);
-  if (known != loaded_.end()) return &known->second->bytes;
-  return load(path, core::open_regular(path.c_str()));
+bool DiskFiles::is_inside(const std::string& path) const {
+  std::error_code error;
+  const std::string root = fs::canonical(folder_.empty() ? "." : folder_, error).string();
+  if (error) return false;
+  const std::string place = fs::canonical(path, error).string();
+  if (error) return false;
+  return root == "/" || place.compare(0, root.size() + 1, root + "/") == 0;
 }
 
-const Bytes* DiskFiles::load(const std::string& path, const core::RegularFile& opened) {
-  if (opened.file.fd < 0) return nullptr;
-  if (opened.size > left_) {
-    core::refuse(SHD_ERROR_LIMIT, "with \"%s\" its files have more bytes than scene.max_file_bytes %llu",
-                 text_of(path).c_str(), static_cast<unsigned long long>(limits_.file_bytes));
+bool DiskFiles::locate(const std::string& folder, const std::string& name, Opened* out, std::string* why) {
+  std::error_code error;
+  std::string forward = name;
+  std::replace(forward.begin(), forward.end(), '\\', '/');
+  const fs::path root(folder_.empty() ? "." : folder_), wanted(forward);
+  const fs::path base = folder.empty() ? root : root / folder;
+  bool outside = false;
+  const auto take = [&](const fs::path& candidate) {
+    if (candidate.empty()) return false;
+    if (!any_folder_ && !is_inside(candidate.string())) {
+      outside = true;
+      return false;
+    }
+    core::RegularFile opened = core::open_regular(candidate.c_str());
+    if (opened.file.fd < 0) return false;
+    out->file = std::move(opened.file);
+    out->path = candidate.lexically_normal().string();
+    out->size = opened.size;
+    return true;
+  };
+  if (wanted.is_absolute()) {
+    outside = !any_folder_;
+    if (any_folder_ && fs::is_regular_file(wanted, error) && take(wanted)) return true;
   }
-  auto loaded = std::make_unique<Loaded>();
-  loaded->memory.resize(static_cast<size_t>(opened.size));
-  int error = 0;
-  const size_t size = loaded->memory.size();
-  if (core::read_at(opened.file.fd, 0, size, loaded->memory.data(), &error) < size) return nullptr;
-  left_ -= opened.size;
-  loaded->bytes = {loaded->memory.data(), size};
-  return &loaded_.emplace(path, std::move(loaded)).first->second->bytes;
+  if (any_folder_ || stays_below(fs::path(folder) / wanted.relative_path())) {
+    if (take(walk(base, wanted.relative_path()))) return true;
+  } else {
+    outside = true;
+  }
+  if (take(walk(base, wanted.filename()))) return true;
+  *why = outside ? "it is outside the folder of the model, which takes SHD_SCENE_ANY_FOLDER" : "";
+  return false;
 }
 
 }  // namespace shd::scene

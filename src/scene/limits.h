@@ -17,6 +17,7 @@ struct Limits {
   uint64_t nodes = uint64_t{1} << 18;
   uint64_t instances = uint64_t{1} << 18;
   uint64_t texture_bytes = uint64_t{1} << 32;
+  uint64_t reader_bytes = uint64_t{1} << 32;  // memory of the process that reads
   double seconds = 60;
 };
 

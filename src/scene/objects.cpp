@@ -238,7 +238,7 @@ void make_pose(const Parts& parts, const Pose& pose, const Deadline* deadline, s
 
 }  // namespace
 
-void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
+void make_objects(shd_context* context, HostFiles& files, Model&& model, const ObjectOptions& options,
                   const Limits& limits, const Deadline& deadline, Objects* out) {
   const auto parts = std::make_shared<Parts>();
   out->parts = parts;
@@ -247,12 +247,10 @@ void make_objects(shd_context* context, const std::string& folder, Model&& model
   parts->model = std::move(model);
   parts->warnings = std::move(parts->model.warnings);
   for (Geometry& geometry : parts->model.geometries) prepare_normals(geometry, limits, &parts->warnings);
-  parts->textures = load_textures(context, folder, parts->model, options.load, options.all_textures_required, limits,
-                                  deadline, &parts->warnings);
-  for (size_t i = 0; i < parts->textures.size(); ++i) {
-    if (!parts->textures[i].get()) continue;
-    parts->found_textures.push_back(parts->textures[i].get());
-    parts->texture_names.push_back(parts->model.textures[i].name);
+  parts->textures = load_textures(context, files, parts->model, options.load, options.all_textures_required, limits,
+                                  deadline, &parts->texture_names, &parts->warnings);
+  for (const Texture& texture : parts->textures) {
+    if (texture.get()) parts->found_textures.push_back(texture.get());
   }
   make_materials(context, parts->model, parts->textures, options.sampler, options.host_filters, &parts->materials,
                  &parts->warnings);

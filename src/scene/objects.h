@@ -7,6 +7,7 @@
 #include <shd/scene.h>
 
 #include "scene/bounds.h"
+#include "scene/host_files.h"
 #include "scene/deform.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
@@ -67,9 +68,9 @@ struct Objects {
   Bounds bounds;                                  // without Parts::origin
 };
 
-/// Makes all objects in the pose of the file; `folder` is that of the model. Throws Failure; all objects made before
+/// Makes all objects in the pose of the file; `files` are those around the model. Throws Failure; all objects made before
 /// are then released.
-void make_objects(shd_context* context, const std::string& folder, Model&& model, const ObjectOptions& options,
+void make_objects(shd_context* context, HostFiles& files, Model&& model, const ObjectOptions& options,
                   const Limits& limits, const Deadline& deadline, Objects* out);
 
 /// Makes the objects of a pose of an animation. Meshes without skins and morph targets are shared. Throws Failure.

@@ -14,7 +14,10 @@
 /// | model.h      | contents of a file, as plain data                     |
 /// | limits.h     | budgets, and the deadline of a load                   |
 /// | read/read.h  | a file to a Model                                     |
-/// | disk_files.h | the files around a model, found by names of any system |
+/// | reading.h    | a file to a Model, by the worker or in this process   |
+/// | host_files.h | the files around a model, by the rules of the host    |
+/// | disk_files.h | those on disk, found by names of any system           |
+/// | callback_files.h | those that a callback of the host answers         |
 /// | sample.h     | values of an animation at given seconds               |
 /// | pose.h       | the tree of a Model as matrices of a pose             |
 /// | normals.h    | flat and missing normals                              |

@@ -2,10 +2,12 @@
 #include "scene/textures.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <set>
 
 #include "extension/error.h"
-#include "scene/disk_files.h"
+#include "scene/text.h"
 
 namespace shd::scene {
 namespace {
@@ -23,21 +25,40 @@ shd_result create_texture(shd_context* context, const TextureSource& source, uin
   return shd_texture_create(context, &desc, out.out());
 }
 
-shd_result load_texture(shd_context* context, const std::string& folder, const TextureSource& source,
-                        shd_load_desc desc, Texture& out) {
+/// Loads a texture of a file of its own; `path` becomes that of the file that was read.
+shd_result load_named(shd_context* context, HostFiles& files, const TextureSource& source, const shd_load_desc& desc,
+                      Texture& out, std::string& path) {
+  Opened opened;
+  std::string why = std::strerror(ENOENT), reason;
+  path = source.name;
+  if (!files.locate(source.folder, source.name, &opened, &reason)) {
+    if (!reason.empty()) why = reason;
+    return extension::fail(SHD_ERROR_NOT_FOUND, "cannot open \"%s\": %s", text_of(source.name).c_str(), why.c_str());
+  }
+  if (opened.bytes.data) {
+    const shd_result result = shd_texture_load_memory(context, opened.bytes.data, opened.bytes.size, &desc, out.out());
+    const std::string text = shd_last_error();
+    return result == SHD_OK ? result : extension::fail(result, "\"%s\": %s", text_of(path).c_str(), text.c_str());
+  }
+  path = opened.path;
+  return shd_texture_load(context, path.c_str(), &desc, out.out());
+}
+
+shd_result load_texture(shd_context* context, HostFiles& files, const TextureSource& source, shd_load_desc desc,
+                        Texture& out, std::string& path) {
+  path = source.name;
   if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
   if (!source.file.empty()) {
     return shd_texture_load_memory(context, source.file.data(), source.file.size(), &desc, out.out());
   }
   if (!source.rgba.empty()) return create_texture(context, source, desc.tables, out);
-  const std::string path = find_file(folder + source.folder, source.name);
-  return shd_texture_load(context, path.empty() ? source.name.c_str() : path.c_str(), &desc, out.out());
+  return load_named(context, files, source, desc, out, path);
 }
 
 /// The message for a texture that failed. Messages about files contain the name already.
 std::string message_of(const TextureSource& source) {
   const std::string text = shd_last_error();
-  return source.file.empty() && source.rgba.empty() ? text : source.name + ": " + text;
+  return source.file.empty() && source.rgba.empty() ? text : text_of(source.name) + ": " + text;
 }
 
 /// Textures whose alpha blends a surface: colours of invisible texels must not bleed into visible ones.
@@ -51,9 +72,10 @@ std::set<int32_t> blended_textures(const Model& model) {
 
 }  // namespace
 
-std::vector<Texture> load_textures(shd_context* context, const std::string& folder, const Model& model,
+std::vector<Texture> load_textures(shd_context* context, HostFiles& files, const Model& model,
                                    const shd_load_desc& load, bool all_required, const Limits& limits,
-                                   const Deadline& deadline, std::vector<std::string>* warnings) {
+                                   const Deadline& deadline, std::vector<std::string>* names,
+                                   std::vector<std::string>* warnings) {
   std::vector<Texture> textures;
   uint64_t bytes = 0;
   const std::set<int32_t> blended = blended_textures(model);
@@ -64,13 +86,15 @@ std::vector<Texture> load_textures(shd_context* context, const std::string& fold
     const double left = std::max(deadline.seconds_left(), 1e-3);
     desc.time_limit = desc.time_limit > 0 ? std::min(desc.time_limit, left) : left;
     Texture texture;
-    const shd_result result = load_texture(context, folder, source, desc, texture);
+    std::string path;
+    const shd_result result = load_texture(context, files, source, desc, texture, path);
     if (result == SHD_ERROR_OUT_OF_MEMORY || (result != SHD_OK && all_required)) {
       core::refuse(result, "%s", message_of(source).c_str());
     }
     if (result != SHD_OK) warnings->push_back(message_of(source) + "; its material is plain");
     if (texture.get()) {
       shd_texture_info info = shd_texture_info_default();
+      names->push_back(text_of(path));
       require(shd_texture_get_info(texture.get(), &info));
       bytes += info.byte_size;
       check_limit("bytes of textures", bytes, "max_texture_bytes", limits.texture_bytes);

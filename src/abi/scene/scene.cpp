@@ -7,9 +7,10 @@
 
 #include "extension/desc.h"
 #include "extension/guard.h"
+#include "scene/callback_files.h"
 #include "scene/disk_files.h"
 #include "scene/objects.h"
-#include "scene/read/read.h"
+#include "scene/reading.h"
 #include "scene/text.h"
 
 namespace {
@@ -42,6 +43,8 @@ const Body& require_body(const shd_scene* handle) {
 struct Request {
   scene::ObjectOptions options;
   scene::Limits limits;
+  shd_scene_desc desc = shd_scene_desc_default();
+  bool in_process = false, any_folder = false;
 };
 
 void set_budget(uint64_t value, uint64_t* limit) {
@@ -54,6 +57,7 @@ void read_limits(const shd_scene_desc& desc, scene::Limits* limits) {
   set_budget(desc.max_triangles, &limits->triangles);
   set_budget(desc.max_nodes, &limits->nodes);
   set_budget(desc.max_instances, &limits->instances);
+  set_budget(desc.max_reader_bytes, &limits->reader_bytes);
   set_budget(desc.max_texture_bytes, &limits->texture_bytes);
   if (limits->instances > kMaxInstances) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.max_instances: %llu is not in 0..%llu",
@@ -79,11 +83,14 @@ void check_parts(shd_context* context, const scene::ObjectOptions& options) {
 Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   shd_scene_desc desc = shd_scene_desc_default();
   read_desc("scene", in, &desc);
-  constexpr uint32_t kKnown = SHD_SCENE_REQUIRE_TEXTURES | SHD_SCENE_HOST_FILTERS;
+  constexpr uint32_t kKnown =
+      SHD_SCENE_REQUIRE_TEXTURES | SHD_SCENE_HOST_FILTERS | SHD_SCENE_IN_PROCESS | SHD_SCENE_ANY_FOLDER;
   if (desc.flags & ~kKnown) {
     refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known", desc.flags & ~kKnown);
   }
-  Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false, false}, {}};
+  Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false, false}, {}, desc};
+  request.in_process = (desc.flags & SHD_SCENE_IN_PROCESS) != 0;
+  request.any_folder = (desc.flags & SHD_SCENE_ANY_FOLDER) != 0;
   read_desc("scene.sampler", desc.sampler, &request.options.sampler);
   read_desc("scene.texture", desc.texture, &request.options.load);
   if (!desc.sampler) request.options.sampler.filter = SHD_FILTER_TRILINEAR;
@@ -96,22 +103,43 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
 }
 
 /// Reads the model. Messages name its file.
-scene::Model read(scene::DiskFiles& files, const char* path, const scene::Limits& limits,
-                  const scene::Deadline& deadline) {
+scene::Model read(scene::HostFiles& files, const char* path, const Request& request, const scene::Deadline& deadline) {
   try {
-    return scene::read_model({files.model(), files.name(), files, limits, deadline});
+    scene::Model model = request.in_process
+                             ? scene::read_in_process(files, request.limits, deadline)
+                             : scene::read_by_worker(files, request.options.load.worker_path, request.limits, deadline);
+    for (const std::string& text : files.refused()) model.warnings.push_back(text);
+    return model;
   } catch (const Failure& failure) {
-    refuse(failure.code, "\"%s\": %s", scene::text_of(path).c_str(), failure.what());
+    const std::string why = files.refused().empty() ? "" : "; " + files.refused().back();
+    refuse(failure.code, "\"%s\": %s%s", scene::text_of(path).c_str(), failure.what(), why.c_str());
   }
+}
+
+std::unique_ptr<Body> make_body(shd_context* context, scene::HostFiles& files, const char* path, const Request& request,
+                                const scene::Deadline& deadline) {
+  auto body = std::make_unique<Body>();
+  scene::make_objects(context, files, read(files, path, request, deadline), request.options, request.limits, deadline,
+                      body.get());
+  return body;
 }
 
 std::unique_ptr<Body> load(shd_context* context, const char* path, const Request& request) {
   const scene::Deadline deadline(request.limits.seconds);
-  auto body = std::make_unique<Body>();
-  scene::DiskFiles files(path, request.limits, deadline);
-  scene::make_objects(context, files.folder(), read(files, path, request.limits, deadline), request.options,
-                      request.limits, deadline, body.get());
-  return body;
+  scene::DiskFiles disk(path, request.any_folder, request.limits, deadline);
+  if (!request.desc.find) return make_body(context, disk, path, request, deadline);
+  scene::CallbackFiles files(disk.model(), disk.name(), request.desc, request.limits, deadline);
+  return make_body(context, files, path, request, deadline);
+}
+
+std::unique_ptr<Body> load_memory(shd_context* context, const void* bytes, size_t size, const char* name,
+                                  const Request& request) {
+  const scene::Deadline deadline(request.limits.seconds);
+  scene::Opened model;
+  model.bytes = {static_cast<const unsigned char*>(bytes), size};
+  model.size = size;
+  scene::CallbackFiles files(std::move(model), name, request.desc, request.limits, deadline);
+  return make_body(context, files, name, request, deadline);
 }
 
 const std::vector<std::string>* names_of(const Body& body, shd_scene_part part) {
@@ -205,6 +233,20 @@ shd_result shd_scene_load(shd_context* context, const char* path, const shd_scen
     std::unique_ptr<Body> body = load(context, path, read_scene_desc(context, desc));
     log_warnings(context, *body, 0);
     create_handle(context, std::move(body), out_scene);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_scene_load_memory(shd_context* context, const void* bytes, size_t size, const char* name,
+                                 const shd_scene_desc* desc, shd_scene** out_scene) {
+  return guard([&]() -> shd_result {
+    if (!out_scene) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_scene: NULL");
+    *out_scene = nullptr;
+    require_context(context);
+    if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
+    if (size == 0) refuse(SHD_ERROR_CORRUPT, "size: 0 bytes are no model");
+    create_handle(context, load_memory(context, bytes, size, name ? name : "", read_scene_desc(context, desc)),
+                  out_scene);
     return SHD_OK;
   });
 }

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// A module in a child of the worker: see shd/worker.h. What it gets and sends is opaque here.
+#include "io/worker_module.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <shd/worker.h>
+
+#include "core/regular_file.h"
+#include "io/packet.h"
+#include "io/printable.h"
+#include "io/worker_confine.h"
+#include "io/worker_memory.h"
+#include "io/worker_send.h"
+
+namespace shd::io {
+
+namespace {
+
+/// Bytes from this size on are lent to the pipe, not copied.
+constexpr size_t kLentSize = size_t{1} << 16;
+
+int g_pipe, g_questions;
+std::vector<unsigned char> g_pending;  // small pieces that have not been sent
+
+void flush() {
+  if (g_pending.empty()) return;
+  const uint64_t size = g_pending.size();
+  require_sent(send_all(g_pipe, &size, sizeof size) && send_all(g_pipe, g_pending.data(), g_pending.size()));
+  g_pending.clear();
+}
+
+void send(const void* bytes, size_t size) {
+  const auto* first = static_cast<const unsigned char*>(bytes);
+  if (size < kLentSize) {
+    g_pending.insert(g_pending.end(), first, first + size);
+    if (g_pending.size() >= kLentSize) flush();
+    return;
+  }
+  flush();
+  const uint64_t piece = size;
+  require_sent(send_all(g_pipe, &piece, sizeof piece) && lend_all(g_pipe, bytes, size));
+}
+
+/// The host answers until its deadline, after which it kills this process.
+shd_result find(const char* name, const void** out_bytes, size_t* out_size) {
+  WorkerQuestion question = {kWorkerMagic, ""};
+  const size_t length = std::strlen(name);
+  if (length >= sizeof question.name) return SHD_ERROR_NOT_FOUND;
+  std::memcpy(question.name, name, length);
+  const Deadline never(1e9);
+  WorkerAnswer answer = {};
+  FileDescriptor file;
+  require_sent(send_packet(g_questions, &question, sizeof question, nullptr, 0, never) == Stream::kDone);
+  require_sent(receive_packet(g_questions, &answer, sizeof answer, &file, 1, never) == Stream::kDone);
+  if (!answer.found || file.fd < 0 || answer.size > SIZE_MAX / 2) return SHD_ERROR_NOT_FOUND;
+  const auto size = static_cast<size_t>(answer.size);
+  void* const bytes = kWorkerMemory.allocate(nullptr, std::max(size, size_t{1}));
+  if (!bytes) return SHD_ERROR_OUT_OF_MEMORY;
+  int error = 0;
+  if (core::read_at(file.fd, 0, size, bytes, &error) < size) return SHD_ERROR_NOT_FOUND;
+  *out_bytes = bytes;
+  *out_size = size;
+  return SHD_OK;
+}
+
+shd_result run(const WorkerRequest& request, char* message, size_t message_size) {
+  void* const module = ::dlopen(request.module, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  void* const entry = module ? ::dlsym(module, "shd_worker_entry") : nullptr;
+  if (!entry) {
+    const char* const reason = ::dlerror();
+    std::strncpy(message, ("cannot open a module: " + printable(reason ? reason : request.module)).c_str(),
+                 message_size - 1);
+    return SHD_ERROR_NOT_FOUND;
+  }
+  const shd_worker_call call = {request.module_request, request.module_request_size, find, send, message, message_size};
+  return reinterpret_cast<shd_worker_entry_fn>(entry)(&call);
+}
+
+}  // namespace
+
+bool open_for_children(const WorkerRequest& request) {
+  if (std::memchr(request.module, 0, sizeof request.module) == nullptr) return false;
+  void* const known = ::dlopen(request.module, RTLD_NOW | RTLD_NOLOAD);
+  if (known) {
+    (void)::dlclose(known);
+    return false;
+  }
+  return ::dlopen(request.module, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) != nullptr;
+}
+
+void run_module(const WorkerRequest& request, int pipe, int questions) {
+  g_pipe = pipe;
+  g_questions = questions;
+  confine(Confinement{request.limits.bytes, 0, request.limits.seconds});
+  static WorkerReply reply = {};
+  reply.magic = kWorkerMagic;
+  reply.code = static_cast<uint32_t>(run(request, reply.message, sizeof reply.message));
+  flush();
+  constexpr uint64_t kEnd = 0;
+  require_sent(send_all(g_pipe, &kEnd, sizeof kEnd) && send_all(g_pipe, &reply, sizeof reply));
+  _exit(0);
+}
+
+}  // namespace shd::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/read/read.h"
+
+namespace shd::scene {
+
+/// What the module of the readers exports to a host that reads in its own process, beside shd_worker_entry(). Both
+/// ends are of one build. No exception leaves it: a failure is a result and a text of core::kErrorTextSize bytes.
+struct ReadersModule {
+  const char* version;
+  shd_result (*read)(const Source& source, Model* out, char* text);
+};
+
+/// Name of the exported variable, of type ReadersModule.
+constexpr const char* kReadersSymbol = "shd_scene_readers";
+
+}  // namespace shd::scene
