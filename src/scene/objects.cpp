@@ -215,7 +215,11 @@ void add_instances(const Parts& parts, const std::vector<Placed>& placed, Object
     out->instances.push_back(instance);
     out->draws.push_back(draw);
   }
-  if (lost > 0) out->warnings.push_back("instances whose matrices are not finite as floats: " + std::to_string(lost));
+  if (lost == 0) return;
+  out->warnings.push_back("instances whose matrices are not finite as floats: " + std::to_string(lost));
+  if (out->instances.empty()) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it: %s", out->warnings.back().c_str());
+  }
 }
 
 /// Everything of a scene that a pose changes. Sets the origin of the parts with `choose`.

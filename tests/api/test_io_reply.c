@@ -109,7 +109,7 @@ static shd_result load_grid(const shd_load_desc *desc)
     shd_texture_info size = shd_texture_info_default();
     shd_texture *texture = NULL;
     shd_result result;
-    io_write(path, "any", 3);
+    io_write(path, " BDV\0\0\0\0", 8); /* the first bytes of OpenVDB */
     result = load_vdb(g_context, path, NULL, desc, &info, &texture);
     assert_true((texture != NULL) == (result == SHD_OK));
     if (result != SHD_OK) return result;

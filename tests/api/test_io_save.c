@@ -40,7 +40,7 @@ static const struct image_case k_images[] = {
     {"i_half.tif", SHD_FORMAT_RGBA16F, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, "cannot be stored in .tif", 0, 0},
     {"i_float.tif", SHD_FORMAT_RGBA32F, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_RGBA32F, "Linear Rec.709", 4, 0},
     {"i_8.tga", SHD_FORMAT_RGBA8, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_RGBA8_SRGB, "sRGB", 4, 0},
-    {"i_8.bmp", SHD_FORMAT_RGBA8, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_RGBA8_SRGB, "sRGB", 4, 0},
+    {"i_8.bmp", SHD_FORMAT_RGBA8, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_RGBA8_SRGB, "sRGB", 3, 0},
     {"i_float.png", SHD_FORMAT_RGBA32F, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, "cannot be stored in .png", 0, 0},
     {"i_8.exr", SHD_FORMAT_RGBA8, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, "cannot be stored in .exr", 0, 0},
     {"i_16.hdr", SHD_FORMAT_RGBA16, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, "cannot be stored in .hdr", 0, 0},

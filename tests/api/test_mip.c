@@ -59,7 +59,7 @@ static void edit_base_huge(struct arguments *a) { a->base.width = a->base.height
 static void edit_size(struct arguments *a) { a->desc.struct_size = 4; }
 static void edit_kernel(struct arguments *a) { a->desc.kernel = (shd_mip_kernel)4; }
 static void edit_source(struct arguments *a) { a->desc.source = (shd_mip_source)2; }
-static void edit_content(struct arguments *a) { a->desc.content = (shd_texel_content)5; }
+static void edit_content(struct arguments *a) { a->desc.content = (shd_texel_content)6; }
 static void edit_wrap_u(struct arguments *a) { a->desc.wrap_u = (shd_wrap)5; }
 static void edit_wrap_v(struct arguments *a) { a->desc.wrap_v = (shd_wrap)-1; }
 static void edit_cutoff(struct arguments *a) { a->desc.alpha_cutoff = 1.5f; }
@@ -94,7 +94,7 @@ static const struct mip_case k_cases[] = {
     {"struct_size", edit_size, SHD_ERROR_INVALID_ARGUMENT, "mip.struct_size: 4"},
     {"kernel", edit_kernel, SHD_ERROR_INVALID_ARGUMENT, "mip.kernel: 4 is not in 0..3"},
     {"source", edit_source, SHD_ERROR_INVALID_ARGUMENT, "mip.source: 2 is not in 0..1"},
-    {"content", edit_content, SHD_ERROR_INVALID_ARGUMENT, "mip.content: 5 is not in 0..4"},
+    {"content", edit_content, SHD_ERROR_INVALID_ARGUMENT, "mip.content: 6 is not in 0..5"},
     {"wrap_u", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "mip.wrap_u: 5 is not in 0..4"},
     {"wrap_v", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "mip.wrap_v: 4294967295"},
     {"cutoff_1.5", edit_cutoff, SHD_ERROR_INVALID_ARGUMENT, "mip.alpha_cutoff: 1.5 is not in 0..1"},
