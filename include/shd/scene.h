@@ -52,7 +52,7 @@ typedef struct shd_scene_desc {
     shd_scene_flags flags;           /**< default none */
     shd_mesh_flags mesh_flags;       /**< flags of all meshes; meshes with uv always have tangents; default none */
     const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file, and
-                                          its filter and magnification where the file asks for nearest texels or
+                                          its filter and magnification where the file has nearest texels or
                                           levels. Borrowed for the call; NULL = trilinear */
     const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
                                           ignored; worker_path is that of the model, too. Borrowed for the call; NULL = defaults */
@@ -123,7 +123,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_load(shd_context *context, const char
  * Read a model file in memory. The files that it names come from shd_scene_desc.find.
  * @param bytes  borrowed for the call
  * @param size   [bytes]
- * @param name   of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for the
+ * @param name   name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for the
  *               call
  * @return as shd_scene_load()
  * @since 0.1
@@ -283,7 +283,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *
                                                                double *out_first, double *out_last);
 
 /**
- * Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
+ * Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets, lights
  * and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
  * shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
  * instances, lights and cameras whose numbers are out of range in the pose, which give a warning.

@@ -5,7 +5,7 @@
  *
  * A process has one worker, the program shd-io-worker of shd/io.h. It opens a module, which is a shared object with the
  * function shd_worker_entry(), once, and calls that function in a fresh child of each run. The child has a limit of
- * memory and of time, and opens no file: it asks the host for files by their names. Its crash is SHD_ERROR_CORRUPT in
+ * memory and of time, and opens no file: the host opens files for it by their names. Its crash is SHD_ERROR_CORRUPT in
  * the host and names the signal. The host treats every byte of the reply as untrusted.
  *
  * Linux alone has a worker: elsewhere shd_worker_run() is SHD_ERROR_UNSUPPORTED.
@@ -40,7 +40,7 @@ typedef struct shd_worker_task {
     double time_limit;       /**< 0 = 60 [s] */
     /**
      * Answers a question of the child, at most 65536 in a run. `name` has below 4096 untrusted bytes. SHD_OK answers with
-     * `out_file`, SHD_ERROR_NOT_FOUND tells the child that there is no such file, and any other result ends the run
+     * `out_file`, SHD_ERROR_NOT_FOUND means that there is no such file, and any other result ends the run
      * with this result and the text of shd_last_error(). NULL = no files.
      */
     shd_result (*find)(void *user_data, const char *name, shd_worker_file *out_file);
@@ -73,9 +73,9 @@ SHD_NODISCARD SHD_API shd_result shd_worker_read(shd_worker_stream *reply, void 
  */
 SHD_NODISCARD SHD_API shd_result shd_worker_find_module(const char *file, char *out_path, size_t size);
 
-/** What a module gets in the child. All pointers are valid until the process ends. */
+/** Input of a module in the child. All pointers are valid until the process ends. */
 typedef struct shd_worker_call {
-    const void *request; /**< of shd_worker_task */
+    const void *request; /**< request of shd_worker_task */
     size_t request_size; /**< [bytes] */
     /** The whole file `name`. SHD_ERROR_NOT_FOUND if the host has none. Its bytes stay until the process ends. */
     shd_result (*find)(const char *name, const void **out_bytes, size_t *out_size);

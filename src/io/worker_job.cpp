@@ -107,7 +107,7 @@ size_t pipe_capacity(int pipe) {
   return static_cast<size_t>(size > 0 ? size : kMaxPipe);
 }
 
-/// What the pipe may refer to until the process ends.
+/// Memory that the pipe may refer to until the process ends.
 struct Lent {
   Buffer bytes;
   Bitmap bitmap;

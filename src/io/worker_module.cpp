@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A module in a child of the worker: see shd/worker.h. What it gets and sends is opaque here.
+// A module in a child of the worker: see shd/worker.h. Its request and reply are opaque here.
 #include "io/worker_module.h"
 
 #include <dlfcn.h>

@@ -11,7 +11,7 @@ inline bool names_module(const WorkerRequest& request) {
 }
 
 /// Opens the module of a request in this process, so that its children need not. Returns whether it is new; a module
-/// that cannot be opened is not, and run_module() says why.
+/// that cannot be opened is not, and run_module() has the reason.
 bool open_for_children(const WorkerRequest& request);
 
 /// Runs the module of a request in this child, and sends its reply to `pipe`. `questions` is the socket to the host.

@@ -28,7 +28,7 @@ struct WorkerHello {
 
 struct WorkerRequest {
   uint32_t magic;
-  uint32_t module_request_size;        // of module_request [bytes]
+  uint32_t module_request_size;        // size of module_request [bytes]
   char module[1024];                   // absolute path of a module, which gets the request; "" = an image
   unsigned char module_request[1024];  // limits.bytes is the memory of the child
   uint32_t formats;
@@ -49,7 +49,7 @@ struct WorkerEnded {
   int32_t status;  // status of waitpid()
 };
 
-/// A child that runs a module asks for a file.
+/// A question of a child that runs a module: the name of a file.
 struct WorkerQuestion {
   uint32_t magic;
   char name[4096];
@@ -58,7 +58,7 @@ struct WorkerQuestion {
 /// With one descriptor if `found`.
 struct WorkerAnswer {
   uint32_t found;
-  uint64_t size;  // of the file [bytes]
+  uint64_t size;  // size of the file [bytes]
 };
 
 /// The size is that of the pixels of all slices and levels in `format` [bytes]. A pixel on the pipe has `channels`

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 
-/// What a child of the worker sends.
+/// Messages of a child of the worker.
 namespace shd::io {
 
 /// Writes to a pipe that blocks.

@@ -15,7 +15,7 @@ namespace shd::scene {
 /// A file that may be read: open on disk, or bytes of the host, which stay during the load.
 struct Opened {
   core::FileDescriptor file;  // if bytes.data is null
-  std::string path;           // of `file`
+  std::string path;           // path of `file`
   Bytes bytes;
   uint64_t size = 0;
 };
@@ -35,7 +35,7 @@ class HostFiles {
   virtual bool locate(const std::string& folder, const std::string& name, Opened* out, std::string* why) = 0;
   /// As locate(), for a reader: the file counts for the budget. Throws Failure beyond it.
   bool open(const std::string& name, Opened* out);
-  /// What open() has refused, one text for each name.
+  /// Refusals of open(), one text for each name.
   const std::vector<std::string>& refused() const { return refused_; }
 
  protected:

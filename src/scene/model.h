@@ -26,7 +26,7 @@ struct MorphTarget {
 /// Normals of a geometry without a column of them.
 enum class Shading : uint32_t {
   kSmooth,  // means over the triangles around a vertex
-  kFlat,    // those of the triangles
+  kFlat,    // normals of the triangles
 };
 
 /// Triangles in object space, counter-clockwise as seen from the front. Indices are below the number of vertices.
@@ -51,14 +51,14 @@ struct Geometry {
 /// Source of a texture: a file, or bytes embedded in the model.
 struct TextureSource {
   std::string name;                 // as the model gives it, decoded and trimmed: a file, or a text for messages
-  std::string folder;               // of a file that is relative to another one: from the model's folder, "" or "a/b/"
+  std::string folder;               // folder of a file that is relative to another one: "" or "a/b/" in the model's
   std::vector<unsigned char> file;  // a whole image file in memory, or empty
   std::vector<unsigned char> rgba;  // [height][width][4], sRGB unless data, or empty
   uint32_t width = 0, height = 0;   // size of rgba
   bool data = false;                // numbers, not colours: no sRGB curve
 };
 
-/// Filter of a texture that a file asks for. kDefault is that of the host's sampler.
+/// Filter of a texture in a file. kDefault is that of the host's sampler.
 enum class Filter : uint32_t { kDefault, kNearest, kLinear };
 
 /// A texture on a surface, with the parameters of a material slot.
@@ -90,7 +90,7 @@ struct Surface {
   float bump_scale = 0.0f;  // factor of the height map [its units in world units]; 0 = no bumps
   Alpha alpha = Alpha::kOpaque;
   float opacity = 1.0f;
-  float alpha_cutoff = 0.5f;  // of kMask, at least 0; above 1 hides the surface
+  float alpha_cutoff = 0.5f;  // cutoff of kMask, at least 0; above 1 hides the surface
   bool double_sided = true;   // if not set, faces seen from behind are not drawn
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
   std::array<Map, SHD_SLOT_CLEARCOAT_NORMAL + 1> maps;  // by shd_slot_target
@@ -105,7 +105,7 @@ struct Node {
   std::array<double, 3> translation = {0, 0, 0};
   std::array<double, 4> rotation = {0, 0, 0, 1};  // quaternion x, y, z, w
   std::array<double, 3> scale = {1, 1, 1};
-  std::vector<float> weights;  // of morph targets
+  std::vector<float> weights;  // weights of morph targets
 };
 
 /// Joints that move the vertices of a geometry.

@@ -7,8 +7,8 @@
 #include <shd/scene.h>
 
 #include "scene/bounds.h"
-#include "scene/host_files.h"
 #include "scene/deform.h"
+#include "scene/host_files.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
 #include "scene/model.h"
@@ -30,7 +30,7 @@ struct Times {
   double first = 0, last = 0;
 };
 
-/// What all poses of a scene share; never changes once it is made. Members point at each other, so Parts is never moved
+/// Objects that all poses of a scene share; they never change. Members point at each other, so Parts is never moved
 /// or copied.
 struct Parts {
   shd_context* context = nullptr;  // retained by each scene

@@ -24,7 +24,7 @@ struct Pose {
 /// The channel moves its node: its values fit, and the node has the property.
 bool is_usable(const Model& model, const Channel& channel);
 
-/// The pose of the file, or the pose of an animation at a time [s]. Channels that are not usable have no effect.
+/// The pose of the file, or of an animation at `seconds`. Channels that are not usable have no effect.
 Pose pose_of(const Model& model, const Animation* animation = nullptr, double seconds = 0);
 
 /// A geometry placed in the world.

@@ -16,8 +16,8 @@
 /// | read/read.h  | a file to a Model                                     |
 /// | reading.h    | a file to a Model, by the worker or in this process   |
 /// | host_files.h | the files around a model, by the rules of the host    |
-/// | disk_files.h | those on disk, found by names of any system           |
-/// | callback_files.h | those that a callback of the host answers         |
+/// | disk_files.h | files on disk, found by names of any system           |
+/// | callback_files.h | files that a callback of the host answers         |
 /// | sample.h     | values of an animation at given seconds               |
 /// | pose.h       | the tree of a Model as matrices of a pose             |
 /// | normals.h    | flat and missing normals                              |

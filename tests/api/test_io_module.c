@@ -69,7 +69,7 @@ struct run_case {
     const char *name, *request;
     size_t wanted;
     shd_result expected;
-    const char *text; /* of the message, or the reply */
+    const char *text; /* text of the message, or the reply */
 };
 static const struct run_case k_runs[] = {
     {"run/bytes", "esmall", 3, SHD_OK, "abc"},

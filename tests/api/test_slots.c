@@ -159,7 +159,7 @@ static void test_uv_set(void **state)
     }
 }
 
-/* The tint multiplies the diffuse slot and opacity, whatever the sources of both; absent channels count as 1. */
+/* The tint multiplies the diffuse slot and opacity, for all sources of both; absent channels count as 1. */
 static void test_tint(void **state)
 {
     static const struct {

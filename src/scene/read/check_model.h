@@ -7,7 +7,7 @@
 namespace shd::scene {
 
 /// Throws Failure unless all indices are in range, all columns have the length of their geometry, all numbers are
-/// finite and the budgets are kept. What follows trusts a model that has passed.
+/// finite and the budgets are kept. All later steps trust a model that has passed.
 void check_model(const Model& model, const Limits& limits);
 
 }  // namespace shd::scene

@@ -119,8 +119,8 @@ void fields(Visitor& v, Limits& in) {
 
 /// The request to the module of the readers.
 struct ReadRequest {
-  std::string version;  // of shd: both ends are of one build
-  std::string name;     // of the model file, without folders
+  std::string version;  // version of shd: both ends are of one build
+  std::string name;     // name of the model file, without folders
   Limits limits;
 };
 

@@ -5,7 +5,7 @@
 
 namespace shd::scene {
 
-/// What the module of the readers exports to a host that reads in its own process, beside shd_worker_entry(). Both
+/// Functions that the module of the readers exports to a host that reads in its own process, beside shd_worker_entry(). Both
 /// ends are of one build. No exception leaves it: a failure is a result and a text of core::kErrorTextSize bytes.
 struct ReadersModule {
   const char* version;

@@ -24,21 +24,21 @@ struct ObjCorner {
   int32_t position = kNone, uv = kNone, normal = kNone;
 };
 
-/// How a face takes part in smoothing.
+/// Smoothing groups of faces.
 constexpr uint32_t kNoGroup = 0;        // `s off`: the normal of the face
 constexpr uint32_t kNoStatement = ~0u;  // no `s` before it: smooth
 
 struct ObjFace {
-  size_t first = 0;  // of ObjFile::corners
+  size_t first = 0;  // row of ObjFile::corners
   uint32_t count = 0;
   uint32_t part = 0;   // ObjFile::parts
-  uint32_t group = 0;  // of smoothing
+  uint32_t group = 0;  // smoothing group
 };
 
 /// The faces of one material in one object or group.
 struct ObjPart {
   std::string name;
-  int32_t material = kNone;  // of ObjFile::material_names
+  int32_t material = kNone;  // row of ObjFile::material_names
 };
 
 /// The statements of an OBJ file.
@@ -47,10 +47,10 @@ struct ObjFile {
   std::vector<float> colors;       // [position][3] as in the file, or empty
   std::vector<float> uvs;          // [uv][2], v up
   std::vector<float> normals;      // [normal][3]
-  std::vector<ObjCorner> corners;  // of all faces
+  std::vector<ObjCorner> corners;  // corners of all faces
   std::vector<ObjFace> faces;
   std::vector<ObjPart> parts;
-  std::vector<std::string> material_names;  // of usemtl
+  std::vector<std::string> material_names;  // names of usemtl
   std::vector<std::string> libraries;       // the rests of the mtllib statements
 };
 

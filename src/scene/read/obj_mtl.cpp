@@ -25,7 +25,7 @@ struct MtlMap {
 
 /// The statements of one material.
 struct Mtl {
-  std::string folder;  // of its library
+  std::string folder;  // folder of its library
   std::optional<Color> diffuse, specular, ambient, emission;
   std::optional<float> exponent, opacity, transparency, ior, roughness, metallic, clearcoat, clearcoat_roughness;
   int illum = 2;

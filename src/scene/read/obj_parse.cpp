@@ -19,7 +19,7 @@ struct Parser {
   const Limits& limits;
   Warnings& warnings;
   ObjFile file;
-  std::string name;  // of the object or group
+  std::string name;  // name of the object or group
   int32_t material = kNone;
   uint32_t group = kNoStatement;
   int32_t part = kNone;                                        // kNone = changed since the last face

@@ -5,14 +5,14 @@
 /// Input:      untrusted bytes, and the files that they name, through Files.
 /// Output:     a Model that check_model() accepts. v of texture coordinates grows downwards.
 /// Invariants: nothing of this folder opens a file, prints or calls a function of libshd, so that the worker process can
-///             run it. The content decides the format. A problem with the whole file is a Failure. Whatever a file has
-///             and the Model has not is a warning that names it, one for each name; nothing is silent.
+///             run it. The content decides the format. A problem with the whole file is a Failure. Each thing that a
+///             file has and the Model has not is a warning that names it, once for each name.
 ///
 /// | file                | contents                                                    |
 /// |---------------------|-------------------------------------------------------------|
 /// | files.h             | the files that a model names                                |
 /// | readers.cpp         | the table of readers                                        |
-/// | warnings.h          | warnings of one reader, each said once                      |
+/// | warnings.h          | warnings of one reader, each one given once                 |
 /// | check_model.h       | indices, sizes and numbers of a Model                       |
 /// | obj.cpp             | Wavefront OBJ: vertices, normals and surfaces of the faces  |
 /// | obj_parse.cpp       | the statements of an OBJ file                               |
@@ -42,7 +42,7 @@ namespace shd::scene {
 /// Input of a reader.
 struct Source {
   Bytes bytes;       // the whole model file
-  std::string name;  // of the file, without folders; may be empty
+  std::string name;  // name of the file, without folders; may be empty
   Files& files;
   const Limits& limits;
   const Deadline& deadline;

@@ -10,7 +10,7 @@
 
 namespace shd::scene {
 
-/// Warnings of a reader, each said once, up to a number that a hostile file may reach.
+/// Warnings of a reader, each one given once, up to a number that a hostile file may reach.
 class Warnings {
  public:
   explicit Warnings(Model& model) : model_(model) {}

@@ -159,7 +159,7 @@ void test_options(void**) {
 struct Library {
   const char *name, *obj;
   const char *file, *mtl;
-  const char* folder;  // of the texture; null = the material is not found
+  const char* folder;  // folder of the texture; null = the material is not found
   const char* warning;
 };
 

@@ -168,7 +168,7 @@ void test_size(void** state) {
   assert_int_equal(g.position.size(), 3 * kCount);
   assert_int_equal(g.indices.size(), 3 * (kCount - 2));
   for (size_t i = 0; i < g.position.size(); i += 3) {
-    double best = 1e300;  // of the corners: the order of the vertices is free
+    double best = 1e300;  // the nearest corner: the order of the vertices is free
     for (size_t k = 0; k < wanted.size(); k += 3) {
       double away = 0;
       for (size_t c = 0; c < 3; ++c) {

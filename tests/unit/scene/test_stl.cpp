@@ -70,7 +70,7 @@ std::string binary(const std::string& header, uint16_t first, uint16_t second) {
 struct Binary {
   const char *name, *header;
   uint16_t first, second;
-  float color[6];  // of both facets; negative = no colours
+  float color[6];  // colours of both facets; negative = no colours
 };
 
 const float kHalf = 0.2158605f;  // sRGB code 128
