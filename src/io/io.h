@@ -14,6 +14,9 @@
 /// |------------------|----------------------------------------------------------------------|
 /// | printable.h      | texts of files and of the system, made safe for messages             |
 /// | memory.h         | Buffer, memory of the host's allocator                               |
+/// | byte_reader.h    | numbers at checked places of untrusted bytes                         |
+/// | file_descriptor.h| descriptors with an owner; failures of the system                    |
+/// | memory_file.h    | an anonymous file for decoders that need a path                      |
 /// | limits.h         | budgets: checked sizes, deadline                                     |
 /// | read_file.h      | a regular file as bytes                                              |
 /// | write_file.h     | atomic writing of a file                                             |
