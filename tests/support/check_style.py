@@ -31,6 +31,9 @@ THIRD_PARTY = {
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},
+    "nlohmann/": {"src/scene/read/gltf_part.h"},
+    "draco/": {"src/scene/read/gltf_draco.cpp"},
+    "meshoptimizer.h": {"src/scene/read/gltf_meshopt.cpp"},
     "assimp/": {"src/scene/read/assimp_files.cpp", "src/scene/read/assimp_import.cpp", "src/scene/read/assimp_light.cpp",
                 "src/scene/read/assimp_parts.h", "src/scene/read/assimp_sanitize.cpp", "src/scene/read/assimp_surface.cpp"},
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -186,10 +187,8 @@ const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Mode
   require_scene(scene, importer, failure, source.deadline);
   sanitize(const_cast<aiScene&>(*scene), source.limits, model);
   // Degenerate triangles stay: shd skips them, and assimp's own check would remove all triangles of a very small model.
-  // In files of glTF 2.0 each texture has its own transform of uv, which slots apply; other formats leave it to assimp.
-  const unsigned steps = aiProcess_Triangulate | aiProcess_GenUVCoords;
+  const unsigned steps = aiProcess_Triangulate | aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
   scene = importer.ApplyPostProcessing(steps);
-  if (scene && !is_gltf2(*scene)) scene = importer.ApplyPostProcessing(aiProcess_TransformUVCoords);
   require_scene(scene, importer, failure, source.deadline);
   importer.SetIOHandler(nullptr);
   return *scene;
@@ -201,6 +200,11 @@ void remove_readers(Assimp::Importer& importer) {
   for (const char* const extension : {"ogex", "obj", "stl"}) {
     Assimp::BaseImporter* const reader = importer.GetImporter(extension);
     if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
+  }
+  for (size_t i = importer.GetImporterCount(); i-- > 0;) {  // glTF 1.0 has the extensions of glTF 2.0
+    Assimp::BaseImporter* const reader = importer.GetImporter(i);
+    const bool gltf2 = std::string_view(importer.GetImporterInfo(i)->mName).find("glTF2") == 0;
+    if (gltf2 && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
   }
 }
 

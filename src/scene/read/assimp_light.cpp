@@ -5,7 +5,6 @@
 #include <assimp/camera.h>
 #include <assimp/light.h>
 #include <assimp/scene.h>
-#include <assimp/version.h>
 
 #include "scene/read/assimp_parts.h"
 
@@ -57,8 +56,7 @@ bool kind_of(const aiLight& light, shd_light_kind* kind) {
 }
 
 /// Returns false if a number of the light is not usable.
-bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& world, double radius,
-               shd_light_desc& desc) {
+bool set_light(const aiLight& light, const aiMatrix4x4& world, double radius, shd_light_desc& desc) {
   const bool is_ambient = desc.kind == SHD_LIGHT_KIND_AMBIENT, is_far = desc.kind == SHD_LIGHT_KIND_DIRECTIONAL;
   const double strength = is_ambient || is_far ? 1.0 : strength_of(light, radius);
   const aiColor3D& color = is_ambient && light.mColorDiffuse.IsBlack() ? light.mColorAmbient : light.mColorDiffuse;
@@ -69,38 +67,25 @@ bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& worl
   }
   if (is_ambient) return true;
   if (!is_far && !copy_finite(world * light.mPosition, desc.position)) return false;
-  float range = 0.0f;
-  if (!is_far && node && node->mMetaData && node->mMetaData->Get("PBR_LightRange", range) && range > 0.0f &&
-      std::isfinite(range)) {
-    desc.range = range;
-  }
   if (desc.kind == SHD_LIGHT_KIND_POINT) return true;
   const aiVector3D direction = turned(world, light.mDirection);
   if (desc.kind == SHD_LIGHT_KIND_SPOT) set_cone(light, desc);
   return copy_finite(direction, desc.direction) && !is_zero(direction);
 }
 
-/// assimp's field of view is horizontal. For glTF 2.0, assimp before version 5.3 gives the vertical angle times the
-/// aspect.
-bool is_vertical(bool gltf2) {
-  return gltf2 && (aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3));
-}
-
 /// Vertical field of view of a camera, or 0 if it has no usable one.
-float fov_of(const aiCamera& camera, float aspect, bool gltf2) {
-  const float angle = camera.mHorizontalFOV;
-  const float fov = is_vertical(gltf2) ? angle / aspect : 2.0f * std::atan(std::tan(0.5f * angle) / aspect);
+float fov_of(const aiCamera& camera, float aspect) {
+  const float fov = 2.0f * std::atan(std::tan(0.5f * camera.mHorizontalFOV) / aspect);
   return fov > 1e-3f && fov < 3.14f ? fov : 0.0f;
 }
 
-bool set_camera(const aiCamera& from, const aiMatrix4x4& world, bool gltf2, shd_camera& camera) {
+bool set_camera(const aiCamera& from, const aiMatrix4x4& world, shd_camera& camera) {
   const float aspect = from.mAspect > 1e-3f && from.mAspect < 1e3f ? from.mAspect : 0.0f;
-  camera.fov_y = fov_of(from, aspect > 0.0f ? aspect : 1.0f, gltf2);
+  camera.fov_y = fov_of(from, aspect > 0.0f ? aspect : 1.0f);
   camera.aspect = aspect;
   camera.near_plane = std::isfinite(from.mClipPlaneNear) ? std::max(from.mClipPlaneNear, 0.0f) : 0.0f;
   camera.far_plane = std::isfinite(from.mClipPlaneFar) ? std::max(from.mClipPlaneFar, 0.0f) : 0.0f;
-  // assimp repeats the translation of a glTF 2.0 node as the camera's position.
-  const aiVector3D eye = world * (gltf2 ? aiVector3D(0, 0, 0) : from.mPosition), ahead = turned(world, from.mLookAt);
+  const aiVector3D eye = world * from.mPosition, ahead = turned(world, from.mLookAt);
   return camera.fov_y > 0.0f && !is_zero(ahead) && copy_finite(eye, camera.eye) &&
          copy_finite(eye + aiVector3D(ahead).Normalize(), camera.target) &&
          copy_finite(turned(world, from.mUp), camera.up);
@@ -108,11 +93,11 @@ bool set_camera(const aiCamera& from, const aiMatrix4x4& world, bool gltf2, shd_
 
 }  // namespace
 
-aiMatrix4x4 world_of(const aiScene& scene, const std::string& name, const aiNode** node) {
-  *node = scene.mRootNode->FindNode(name.c_str());
+aiMatrix4x4 world_of(const aiScene& scene, const std::string& name) {
   aiMatrix4x4 world;
   int depth = 0;
-  for (const aiNode* at = *node; at && depth < kMaxParents; at = at->mParent, ++depth) {
+  for (const aiNode* at = scene.mRootNode->FindNode(name.c_str()); at && depth < kMaxParents;
+       at = at->mParent, ++depth) {
     world = at->mTransformation * world;
   }
   return world;
@@ -121,12 +106,11 @@ aiMatrix4x4 world_of(const aiScene& scene, const std::string& name, const aiNode
 void add_lights(const aiScene& scene, double radius, Model& model) {
   for (unsigned i = 0; i < scene.mNumLights; ++i) {
     const aiLight& light = *scene.mLights[i];
-    const aiNode* node = nullptr;
-    const aiMatrix4x4 world = world_of(scene, light.mName.C_Str(), &node);
+    const aiMatrix4x4 world = world_of(scene, light.mName.C_Str());
     NamedLight made = {text_of(light.mName.C_Str()), shd_light_desc_default()};
     if (!kind_of(light, &made.desc.kind)) {
       model.warnings.push_back("light \"" + made.name + "\": its kind is not supported");
-    } else if (!set_light(light, node, world, radius, made.desc)) {
+    } else if (!set_light(light, world, radius, made.desc)) {
       model.warnings.push_back("light \"" + made.name + "\": its numbers are out of range");
     } else {
       model.lights.push_back(std::move(made));
@@ -137,12 +121,11 @@ void add_lights(const aiScene& scene, double radius, Model& model) {
 void add_cameras(const aiScene& scene, Model& model) {
   for (unsigned i = 0; i < scene.mNumCameras; ++i) {
     const aiCamera& camera = *scene.mCameras[i];
-    const aiNode* node = nullptr;
-    const aiMatrix4x4 world = world_of(scene, camera.mName.C_Str(), &node);
+    const aiMatrix4x4 world = world_of(scene, camera.mName.C_Str());
     NamedCamera made = {text_of(camera.mName.C_Str()), shd_camera_default()};
     if (camera.mHorizontalFOV == 0.0f && camera.mOrthographicWidth != 0.0f) {
       model.warnings.push_back("camera \"" + made.name + "\": it has no perspective");
-    } else if (!set_camera(camera, world, is_gltf2(scene), made.camera)) {
+    } else if (!set_camera(camera, world, made.camera)) {
       model.warnings.push_back("camera \"" + made.name + "\": its numbers are out of range");
     } else {
       model.cameras.push_back(std::move(made));

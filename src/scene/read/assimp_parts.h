@@ -12,7 +12,6 @@
 #include "scene/read/warnings.h"
 #include "scene/text.h"
 
-struct aiNode;
 struct aiScene;
 
 /// Declarations that the assimp_*.cpp files share.
@@ -30,14 +29,11 @@ void sanitize(aiScene& scene, const Limits& limits, Model& model);
 /// Name of the format, as assimp's readers call it.
 std::string format_of(const aiScene& scene);
 
-/// Whether the scene comes from glTF 2.0.
-bool is_gltf2(const aiScene& scene);
-
 /// Reads the materials of a scene, and the textures that they name.
 void add_surfaces(const aiScene& scene, Model& model);
 
 /// The world matrix of the node with this name; identity if there is no such node.
-aiMatrix4x4 world_of(const aiScene& scene, const std::string& name, const aiNode** node);
+aiMatrix4x4 world_of(const aiScene& scene, const std::string& name);
 
 /// Reads lights and cameras. `radius` is the radius of the model: lights that do not decrease with the square of the
 /// distance keep their strength at this distance.

@@ -3,7 +3,6 @@
 #include <map>
 #include <utility>
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
@@ -19,7 +18,6 @@ namespace {
 /// State that the materials of one scene share.
 struct Materials {
   const aiScene& scene;
-  bool gltf2 = false;
   bool texture_replaces_color = false;                     // Collada: a texture replaces the colour
   std::map<std::pair<std::string, bool>, int> texture_of;  // key: name in the model, and whether it is data
   Model& model;
@@ -86,15 +84,6 @@ bool read_number(const aiMaterial& material, const char* key, unsigned type, uns
   return true;
 }
 
-/// KHR_texture_transform in the form of a slot. assimp converts glTF's offset, rotation and scale about the upper left
-/// corner to a transform about the middle of a texture whose v grows upwards; this function reverses the conversion.
-std::array<float, 6> uv_transform_of(const aiUVTransform& t) {
-  const float sx = t.mScaling.x, sy = t.mScaling.y, c = std::cos(-t.mRotation), s = std::sin(-t.mRotation);
-  const float x = t.mTranslation.x - 0.5f * sx * (1.0f - c + s);
-  const float y = 0.5f * sy * (s + c - 1.0f) + 1.0f - sy - t.mTranslation.y;
-  return {sx * c, sy * s, x, -sx * s, sy * c, y};
-}
-
 /// Reads a texture of a type, unless `map` already has a texture.
 void read_map(Materials& materials, const aiMaterial& material, aiTextureType type, bool data, Map& map,
               unsigned index = 0) {
@@ -114,29 +103,13 @@ void read_map(Materials& materials, const aiMaterial& material, aiTextureType ty
   map.uv_set = uv_set;
   map.wrap_u = wrap_of(modes[0]);
   map.wrap_v = wrap_of(modes[1]);
-  aiUVTransform transform;
-  if (materials.gltf2 && material.Get(AI_MATKEY_UVTRANSFORM(type, index), transform) == AI_SUCCESS) {
-    map.uv_transform = uv_transform_of(transform);
-  }
-  for (float& c : map.uv_transform) c = std::isfinite(c) ? c : 0.0f;
-}
-
-/// The extension KHR_materials_clearcoat of glTF.
-void read_clear_coat(Materials& materials, const aiMaterial& material, Surface& surface) {
-  if (!read_number(material, AI_MATKEY_CLEARCOAT_FACTOR, 0.0f, 1.0f, surface.clearcoat)) return;
-  read_number(material, AI_MATKEY_CLEARCOAT_ROUGHNESS_FACTOR, 0.0f, 1.0f, surface.clearcoat_roughness);
-  Map* const maps = surface.maps.data();
-  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT], 0);
-  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT_ROUGHNESS], 1);
-  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT_NORMAL], 2);
-  maps[SHD_SLOT_CLEARCOAT_ROUGHNESS].channel = 1;
 }
 
 void read_metallic_roughness(Materials& materials, const aiMaterial& material, Surface& surface) {
   surface.metallic_roughness = true;
   read_number(material, AI_MATKEY_METALLIC_FACTOR, 0.0f, 1.0f, surface.metallic);
   Map& roughness = surface.maps[SHD_SLOT_ROUGHNESS];
-  read_map(materials, material, aiTextureType_UNKNOWN, true, roughness);  // assimp stores glTF's texture here
+  read_map(materials, material, aiTextureType_UNKNOWN, true, roughness);
   roughness.channel = 1;
   surface.maps[SHD_SLOT_METALLIC] = roughness;
   surface.maps[SHD_SLOT_METALLIC].channel = 2;
@@ -144,21 +117,6 @@ void read_metallic_roughness(Materials& materials, const aiMaterial& material, S
   read_map(materials, material, aiTextureType_LIGHTMAP, true, surface.maps[SHD_SLOT_OCCLUSION]);
   read_map(materials, material, aiTextureType_EMISSIVE, false, surface.maps[SHD_SLOT_EMISSION]);
   read_color(material, AI_MATKEY_COLOR_EMISSIVE, surface.emission);
-  read_number(material, AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), -1e3f, 1e3f, surface.normal_scale);
-  read_number(material, AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), 0.0f, 1.0f,
-              surface.occlusion_strength);
-  read_clear_coat(materials, material, surface);
-}
-
-void read_alpha(const aiMaterial& material, Surface& surface) {
-  aiString mode;
-  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS) return;
-  surface.alpha = mode == aiString("BLEND") ? Alpha::kBlend : mode == aiString("MASK") ? Alpha::kMask : Alpha::kOpaque;
-  read_number(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.0f, 1.0f, surface.alpha_cutoff);
-  aiColor4D color;
-  if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS && color.a >= 0.0f && color.a <= 1.0f) {
-    surface.opacity = color.a;
-  }
 }
 
 /// Reads the coefficients besides colour of materials that are not metallic-roughness.
@@ -199,7 +157,6 @@ Surface surface_of(Materials& materials, const aiMaterial& material) {
   } else {
     read_classic(materials, material, surface);
   }
-  read_alpha(material, surface);
   return surface;
 }
 
@@ -211,12 +168,8 @@ std::string format_of(const aiScene& scene) {
   return format.C_Str();
 }
 
-bool is_gltf2(const aiScene& scene) {
-  return format_of(scene).find("glTF2") != std::string::npos;
-}
-
 void add_surfaces(const aiScene& scene, Model& model) {
-  Materials materials{scene, is_gltf2(scene), format_of(scene).find("Collada") != std::string::npos, {}, model};
+  Materials materials{scene, format_of(scene).find("Collada") != std::string::npos, {}, model};
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     model.surfaces.push_back(surface_of(materials, *scene.mMaterials[i]));
   }

@@ -14,6 +14,16 @@
 /// | readers.cpp         | the table of readers                                        |
 /// | warnings.h          | warnings of one reader, each one given once                 |
 /// | check_model.h       | indices, sizes and numbers of a Model                       |
+/// | gltf.cpp            | glTF 2.0: containers, extensions                            |
+/// | gltf_document.h     | a glTF file in memory, and what its readers share           |
+/// | gltf_part.h         | values of the JSON text, with their places                  |
+/// | gltf_buffer.cpp     | URIs, buffers and buffer views                              |
+/// | gltf_accessor.cpp   | accessors, sparse ones too                                  |
+/// | gltf_decode.h       | compressed geometry: Draco, meshoptimizer                   |
+/// | gltf_mesh.cpp       | primitives of meshes                                        |
+/// | gltf_material.cpp   | materials, textures and samplers                            |
+/// | gltf_node.cpp       | nodes, skins and instances                                  |
+/// | gltf_stage.cpp      | lights, cameras and animations                              |
 /// | obj.cpp             | Wavefront OBJ: vertices, normals and surfaces of the faces  |
 /// | obj_parse.cpp       | the statements of an OBJ file                               |
 /// | obj_mtl.cpp         | MTL: materials of OBJ files                                 |
@@ -52,6 +62,8 @@ struct Source {
 Model read_model(const Source& source);
 
 /// The readers. Each is a row of readers.cpp.
+bool is_gltf(const Source& source);
+Model read_gltf(const Source& source);
 bool is_obj(const Source& source);
 Model read_obj(const Source& source);
 bool is_stl(const Source& source);
