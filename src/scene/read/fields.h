@@ -84,6 +84,7 @@ template <class Visitor>
 void fields(Visitor& v, shd_light_desc& in) {
   auto& [struct_size, kind, intensity, position, direction, range, inner_angle, outer_angle, up, extent, texture,
          sampler] = in;
+  struct_size = sizeof in;
   visit_each(v, kind, intensity, position, direction, range, inner_angle, outer_angle, up, extent);
 }
 
@@ -96,6 +97,7 @@ void fields(Visitor& v, NamedLight& in) {
 template <class Visitor>
 void fields(Visitor& v, shd_camera& in) {
   auto& [struct_size, eye, target, up, fov_y, aspect, near_plane, far_plane] = in;
+  struct_size = sizeof in;
   visit_each(v, eye, target, up, fov_y, aspect, near_plane, far_plane);
 }
 
