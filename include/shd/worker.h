@@ -19,10 +19,9 @@
 
 SHD_BEGIN_DECLS
 
-/** A file for the child: an open regular file, which it reads from the start, or bytes. */
+/** A file for the child: an open regular file, which it reads from the start, or bytes. Frozen. */
 typedef struct shd_worker_file {
-    int32_t descriptor; /**< owned, shd_worker_run() closes it; default -1 = `bytes` */
-    uint32_t reserved;  /**< 0 */
+    int64_t descriptor; /**< owned, shd_worker_run() closes it; default -1 = `bytes` */
     const void *bytes;  /**< borrowed until the next call of `find`, or the end of the run */
     uint64_t size;      /**< [bytes] */
 } shd_worker_file;
@@ -30,7 +29,10 @@ typedef struct shd_worker_file {
 /** The reply of a child, while it arrives. */
 typedef struct shd_worker_stream shd_worker_stream;
 
-/** Work for a child; zero is the default of each field. Callbacks run on the thread of shd_worker_run(); they must not throw or longjmp. */
+/**
+ * Work for a child; zero is the default of each field. Callbacks run on the thread of shd_worker_run(); they must not
+ * throw or longjmp. Frozen.
+ */
 typedef struct shd_worker_task {
     const char *module;      /**< absolute path of the module, below 1024 bytes; borrowed for the call */
     const char *worker_path; /**< as in shd_load_desc; default NULL; borrowed for the call */

@@ -63,10 +63,10 @@ This package has libshd_io. It loads and saves images, textures and volumes.
 Files can be decoded in a process of its own." shd)
 endif()
 if(TARGET shd_scene)
-  shd_deb(shd_scene libshd-scene${soname_version} libs "model files for shd, by assimp
+  shd_deb(shd_scene libshd-scene${soname_version} libs "model files for shd
 ${about}
 This package has libshd_scene. It loads meshes, materials, lights and
-cameras from files of models." shd_io shd)
+cameras from files of models, each in a process of its own." shd_io shd)
 endif()
 if(TARGET shd_embree)
   shd_deb(shd_embree libshd-embree${soname_version} libs "ray tracer for shd, by Embree

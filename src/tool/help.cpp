@@ -87,6 +87,7 @@ Shape
   --shape S             teapot, sphere, plane, box, torus, instead of a model
   --tessellation N      divisions of each of the teapot's 32 patches, of other shapes' sides (default 16)
   --floor               a floor under the model
+  --any-folder          files that the model names may lie outside its folder
   --height FILE         heights 0..1 on everything, for the following
   --bump FORM           tilt normals by it: gradient, texel (default none)
   --bump-scale S        height 1 in world units; with texel, factor on differences (default 1)

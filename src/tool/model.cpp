@@ -34,6 +34,7 @@ Scene load_scene(shd_context* context, const Options& options) {
   desc.sampler = &sampler;
   desc.texture = &texture;
   if (options.has_filter) desc.flags |= SHD_SCENE_HOST_FILTERS;
+  if (options.any_folder) desc.flags |= SHD_SCENE_ANY_FOLDER;
   if (options.line_width > 0.0f) desc.mesh_flags |= SHD_MESH_ADJACENCY;
   Scene scene;
   if (shd_scene_load(context, options.model.c_str(), &desc, scene.out()) != SHD_OK) {

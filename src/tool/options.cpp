@@ -211,6 +211,7 @@ bool set_switch(const std::string& name, Options& out) {
   if (name == "--version") return out.version = true;
   if (name == "--sample-shading") return out.sample_shading = true;
   if (name == "--teapot") return out.model.clear(), true;
+  if (name == "--any-folder") return out.any_folder = true;
   if (name == "--floor") return out.floor = true;
   if (name == "--no-color") return out.color = false, true;
   if (name == "--aov") return out.aovs |= SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE, true;

@@ -49,7 +49,8 @@ OPENERS = {
     r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},
     r"\bReadFile\s*\(": {"src/scene/read/assimp_import.cpp"},
     r"\bCreateFrom(?:File|Env)\s*\(": set(),
-    r"\bdlopen\s*\(": {"src/io/module.cpp", "src/io/silence.cpp"},
+    r"\bdlopen\s*\(": {"src/io/module.cpp", "src/io/silence.cpp", "src/io/worker_module.cpp",
+                         "src/scene/reading.cpp"},
 }
 OPENERS_OF_THEIR_OWN = "src/tool/maketx/"
 FORBIDDEN_CALLS = re.compile(

@@ -77,9 +77,9 @@ io::WorkerRequest request_of(const shd_worker_task& task) {
 bool find(void* owner, const char* name, io::Given* out) {
   const auto& task = *static_cast<const shd_worker_task*>(owner);
   if (!task.find) return false;
-  shd_worker_file file = {-1, 0, nullptr, 0};
+  shd_worker_file file = {-1, nullptr, 0};
   const shd_result result = task.find(task.user_data, name, &file);
-  out->file.fd = file.descriptor;
+  out->file.fd = static_cast<int>(file.descriptor);
   out->bytes = file.bytes;
   out->size = file.size;
   if (result != SHD_ERROR_NOT_FOUND) require(result);

@@ -25,6 +25,12 @@ bool fits(const std::vector<Number>& column, size_t count, size_t width) {
   return column.empty() || column.size() == count * width;
 }
 
+/// An enum of a stream can have any bits.
+template <class Enum>
+bool is_one_of(Enum value, Enum last) {
+  return static_cast<uint32_t>(value) <= static_cast<uint32_t>(last);
+}
+
 void check_geometry(const Model& model, size_t index) {
   const Geometry& g = model.geometries[index];
   const size_t count = g.position.size() / 3;
@@ -38,6 +44,7 @@ void check_geometry(const Model& model, size_t index) {
   }
   if (!good) refuse_part("geometry", index, "its columns have different lengths");
   if (!are_finite(g.position) || !are_finite(g.origin)) refuse_part("geometry", index, "a position is not finite");
+  if (!is_one_of(g.shading, Shading::kFlat)) refuse_part("geometry", index, "its shading is not known");
   for (const uint32_t vertex : g.indices) {
     if (vertex >= count) refuse_part("geometry", index, "an index is out of range");
   }
@@ -47,16 +54,26 @@ void check_surface(const Model& model, size_t index) {
   const Surface& s = model.surfaces[index];
   for (const Map& map : s.maps) {
     if (map.texture >= static_cast<int64_t>(model.textures.size()) || map.uv_set > 1 || map.channel > 3 ||
-        !are_finite(map.uv_transform)) {
+        !are_finite(map.uv_transform) || map.wrap_u < 0 || map.wrap_u > SHD_WRAP_MIRROR_ONCE || map.wrap_v < 0 ||
+        map.wrap_v > SHD_WRAP_MIRROR_ONCE || !is_one_of(map.magnify, Filter::kLinear) ||
+        !is_one_of(map.minify, Filter::kLinear) || !is_one_of(map.mip, Filter::kLinear)) {
       refuse_part("surface", index, "a map is out of range");
     }
   }
+  if (!is_one_of(s.alpha, Alpha::kBlend)) refuse_part("surface", index, "its alpha is not known");
   const float numbers[] = {s.exponent,     s.metallic,     s.roughness,  s.ior,
                            s.transmission, s.normal_scale, s.bump_scale, s.occlusion_strength,
                            s.opacity,      s.alpha_cutoff, s.clearcoat,  s.clearcoat_roughness};
   if (!are_finite(numbers) || !are_finite(s.diffuse) || !are_finite(s.specular) || !are_finite(s.emission)) {
     refuse_part("surface", index, "a number is not finite");
   }
+}
+
+void check_texture(const Model& model, size_t index) {
+  const TextureSource& t = model.textures[index];
+  const bool good = t.rgba.empty() || (t.width > 0 && t.height > 0 && t.rgba.size() % 4 == 0 &&
+                                       t.rgba.size() / 4 == uint64_t{t.width} * t.height);
+  if (!good) refuse_part("texture", index, "its texels do not fit its size");
 }
 
 void check_nodes(const Model& model) {
@@ -97,8 +114,9 @@ void check_animations(const Model& model) {
     for (const Channel& channel : model.animations[i].channels) {
       const size_t each = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
       const size_t keys = channel.times.size() * each;
-      if (channel.node >= model.nodes.size() || keys == 0 || channel.values.size() % keys != 0 ||
-          !are_finite(channel.times) || !are_finite(channel.values)) {
+      if (!is_one_of(channel.target, Target::kWeights) ||
+          !is_one_of(channel.interpolation, Interpolation::kCubicSpline) || channel.node >= model.nodes.size() ||
+          keys == 0 || channel.values.size() % keys != 0 || !are_finite(channel.times) || !are_finite(channel.values)) {
         refuse_part("animation", i, "a channel is out of range");
       }
     }
@@ -125,6 +143,7 @@ void check_model(const Model& model, const Limits& limits) {
   check_limit("triangles", triangles, "max_triangles", limits.triangles);
   check_limit("nodes", model.nodes.size(), "max_nodes", limits.nodes);
   for (size_t i = 0; i < model.surfaces.size(); ++i) check_surface(model, i);
+  for (size_t i = 0; i < model.textures.size(); ++i) check_texture(model, i);
   check_nodes(model);
   check_placements(model, limits);
   check_animations(model);
