@@ -12,7 +12,7 @@ packages=(
   libtbb-dev                                    # threads
   libopenimageio-dev                            # image files
   libopencolorio-dev                            # colour management
-  libassimp-dev assimp-testmodels               # 3D models: the importer, and the duck and the spider
+  libassimp-dev nlohmann-json3-dev assimp-testmodels  # 3D models: the importer, and the duck and the spider
 )
 
 install_packages "${packages[@]}"

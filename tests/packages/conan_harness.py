@@ -24,7 +24,8 @@ from conan.errors import ConanInvalidConfiguration
 
 # Where a requirement is on this system: a name of pkg-config.
 SYSTEM = {"highway::highway": "libhwy", "onetbb::onetbb": "tbb", "opencolorio::opencolorio": "OpenColorIO",
-          "openimageio::openimageio": "OpenImageIO", "assimp::assimp": "assimp"}
+          "openimageio::openimageio": "OpenImageIO", "assimp::assimp": "assimp",
+          "nlohmann_json::nlohmann_json": "nlohmann_json"}
 
 
 def load(path):

@@ -36,7 +36,7 @@ class GltfFile
 {
    public:
     std::string members;  // further members of the file, each with a comma before it
-    std::string uri;      // of the buffer; empty: a URI "data:"
+    std::string uri;      // URI of the buffer; an empty one becomes "data:"
 
     int view(const std::string &bytes, const std::string &more = "")
     {
@@ -76,8 +76,8 @@ class GltfFile
             bytes.append(stride - size, '\x7f');
         }
         const std::string more = stride == size ? "" : ",\"byteStride\":" + std::to_string(stride);
-        return accessor(view(bytes, more), gltf_type(T()), numbers.size() / width, width == 16 ? "MAT4" : k_types[width],
-                        normalized ? ",\"normalized\":true" : "");
+        return accessor(view(bytes, more), gltf_type(T()), numbers.size() / width,
+                        width == 16 ? "MAT4" : k_types[width], normalized ? ",\"normalized\":true" : "");
     }
     /// Corners (0 0), (1 0), (1 1), (0 1) in the plane z = 0.
     int square() { return column<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3); }
@@ -87,15 +87,20 @@ class GltfFile
     std::string text() const
     {
         return "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":" + std::to_string(bytes_.size()) +
-               (uri == "none" ? "" : ",\"uri\":\"" +
-               (uri.empty() ? "data:application/octet-stream;base64," + base64(bytes_) : uri) + "\"") +
-               "}" + more_buffers + "],\"bufferViews\":[" + views_ + "],\"accessors\":[" + accessors_ + "]" + members + "}";
+               (uri == "none"
+                    ? ""
+                    : ",\"uri\":\"" + (uri.empty() ? "data:application/octet-stream;base64," + base64(bytes_) : uri) +
+                          "\"") +
+               "}" + more_buffers + "],\"bufferViews\":[" + views_ + "],\"accessors\":[" + accessors_ + "]" + members +
+               "}";
     }
     /// A file of one mesh at a node, whose primitive has these members.
     std::string with_primitive(const std::string &primitive, const std::string &more = "")
     {
-        members += ",\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"name\":\"m\","
-                   "\"primitives\":[{" + primitive + "}]}]" + more;
+        members +=
+            ",\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"name\":\"m\","
+            "\"primitives\":[{" +
+            primitive + "}]}]" + more;
         return text();
     }
     std::string glb()

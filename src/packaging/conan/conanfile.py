@@ -58,6 +58,7 @@ class ShdConan(ConanFile):
             self.requires("openimageio/[>=2.4 <3]")
         if self.options.with_scene:
             self.requires("assimp/[>=5.2 <6]")
+            self.requires("nlohmann_json/[>=3.9 <4]")
 
     def source(self):
         get(self, **self.conan_data["sources"][self.version], strip_root=True)
@@ -116,7 +117,7 @@ class ShdConan(ConanFile):
             self._component("io", "shd_io", ["shd", "openimageio::openimageio"])
             self.cpp_info.components["io"].system_libs = ["dl"]
         if self.options.with_scene:
-            self._component("scene", "shd_scene", ["io", "assimp::assimp"])
+            self._component("scene", "shd_scene", ["io", "assimp::assimp", "nlohmann_json::nlohmann_json"])
 
     def _component(self, name, library, requires):
         component = self.cpp_info.components[name]

@@ -14,7 +14,8 @@ constexpr int kMaxJsonDepth = 128;
 constexpr uint64_t kMaxJsonValues = uint64_t{1} << 23;
 constexpr uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
-/// Extensions that the reader honours, whole or as far as a warning says. KHR_texture_basisu is not among them.
+/// Extensions that the reader honours. Warnings name the members of them that it leaves out.
+/// KHR_texture_basisu is not among them.
 constexpr const char* kHonoured[] = {
     "EXT_mesh_gpu_instancing",
     "EXT_texture_webp",
@@ -49,7 +50,7 @@ std::string_view text_of_bytes(Bytes bytes) {
   return start == std::string_view::npos ? std::string_view() : text.substr(start);
 }
 
-/// Whether the object "asset" of a text says a version 1. The text is not parsed yet.
+/// Whether the object "asset" has a version 1. Its text is not parsed yet.
 bool is_version_1(std::string_view asset) {
   asset = asset.substr(0, asset.find('}'));
   const size_t name = asset.find("\"version\"");
@@ -80,7 +81,7 @@ std::string_view split_binary(Document& document) {
   return json;
 }
 
-/// Parses within budgets of depth and values: a value takes up to a hundred bytes, whatever its text.
+/// Parses within budgets of depth and values: a value takes up to a hundred bytes, even if its text has two.
 Json parse(std::string_view text, const Deadline& deadline) {
   uint64_t values = 0;
   const auto count = [&](int depth, Json::parse_event_t, Json&) {

@@ -79,7 +79,7 @@ Bytes load_buffer(Document& document, const Part& buffer, uint32_t index) {
   return *bytes;
 }
 
-/// The bytes of a buffer, at most as many as it says.
+/// The bytes of a buffer, at most byteLength.
 Bytes buffer_bytes(Document& document, uint32_t index) {
   const Part buffers = document.root["buffers"];
   if (document.buffers.empty()) document.buffers.resize(buffers.size());

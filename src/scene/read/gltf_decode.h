@@ -24,7 +24,7 @@ constexpr bool kHasMeshopt = false;
 /// An attribute of a Draco mesh, in the component type that glTF's accessor gives.
 struct DracoColumn {
   uint32_t id;              // unique id of the attribute
-  uint32_t component_type;  // of glTF
+  uint32_t component_type;  // number in glTF
   uint32_t components;
   std::vector<unsigned char> bytes;  // [point][component]
 };

@@ -25,7 +25,7 @@ struct Document {
   Bytes binary;  // chunk BIN of a GLB, or empty
   Model model;
   Warnings warnings;
-  std::vector<std::optional<Bytes>> buffers, views;  // those that are known
+  std::vector<std::optional<Bytes>> buffers, views;  // read ones have a value
   std::deque<std::vector<unsigned char>> made;       // decoded bytes
   uint64_t made_bytes = 0, vertices = 0, triangles = 0, instances = 0;
 };
@@ -99,7 +99,8 @@ struct MeshPart {
 };
 /// The primitives of a mesh that can be drawn.
 std::vector<MeshPart> add_mesh(Document& document, uint32_t mesh);
-/// All nodes, and what stands at those of the default scene. Returns the Model's node of each node; -1 = none.
+/// Adds all nodes, and the meshes, cameras and lights below the default scene. Returns the Model's node of each node, -1 if
+/// there is none.
 std::vector<int32_t> add_nodes(Document& document);
 void add_light(Document& document, const Part& light, uint32_t node);
 void add_camera(Document& document, const Part& camera, uint32_t node);

@@ -74,7 +74,7 @@ std::vector<float> read_column(Primitive& p, const Part& attributes, const char*
       attributes[name].refuse("its elements have " + std::to_string(accessor->components) + " components, not " +
                               std::to_string(width));
     }
-    // Integers of colours and weights are normalised, even if a writer forgot to say it (section 3.7.2.1).
+    // Integers of colours and weights are normalised, with or without the flag (section 3.7.2.1).
     if (color || name[0] == 'W') accessor->normalized = accessor->component_type != kFloat;
     out = read_floats(*accessor, &p.rows);
   });
@@ -122,15 +122,29 @@ size_t drop_triangles(std::vector<uint32_t>& corners, Good is_good) {
   return dropped;
 }
 
-/// Numbers the vertices of `corners` anew, in their order. Returns the old numbers. The cost does not depend on the
-/// number of vertices that others use.
-std::vector<uint32_t> compact(std::vector<uint32_t>& corners) {
-  std::vector<uint32_t> used = corners;
+/// The different numbers of `corners`, in their order. Many vertices that others use cost nothing.
+std::vector<uint32_t> used_vertices(const std::vector<uint32_t>& corners) {
+  std::vector<uint32_t> used;
+  const auto last = std::max_element(corners.begin(), corners.end());
+  if (last != corners.end() && *last / 8 < corners.size()) {
+    std::vector<bool> is_used(size_t{*last} + 1);
+    for (const uint32_t corner : corners) is_used[corner] = true;
+    for (uint32_t i = 0; i <= *last; ++i) {
+      if (is_used[i]) used.push_back(i);
+    }
+    return used;
+  }
+  used = corners;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  const bool dense = !used.empty() && used.size() == size_t{used.back()} + 1;
+  return used;
+}
+
+/// Numbers the vertices of `corners` anew, in their order. Returns the old numbers.
+std::vector<uint32_t> compact(std::vector<uint32_t>& corners) {
+  std::vector<uint32_t> used = used_vertices(corners);
+  if (used.empty() || used.size() == size_t{used.back()} + 1) return used;
   for (uint32_t& corner : corners) {
-    if (dense) break;
     corner = static_cast<uint32_t>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
   }
   return used;

@@ -227,7 +227,7 @@ void place_mesh(Tree& tree, const Part& from, uint32_t node, uint32_t mesh) {
   }
 }
 
-/// What stands at a node of the scene.
+/// Adds mesh, camera and light of a node of the scene.
 void fill_node(Tree& tree, size_t index) {
   Document& document = tree.document;
   const Part from = tree.nodes.at(index);

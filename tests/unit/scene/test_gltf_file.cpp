@@ -216,7 +216,7 @@ void test_budget(void** state) {
   fail_msg("%s: was read", row.name);
 }
 
-/// Reads whatever it is. A Failure is good, anything else that leaves read_text() ends the test.
+/// Reads good and bad files. A Failure is good, anything else that leaves read_text() ends the test.
 bool survive(const std::string& text) {
   Limits limits;
   limits.file_bytes = 1 << 22;
@@ -328,7 +328,7 @@ void test_meshopt(void**) {
 #endif
 
 #if defined(SHD_HAS_DRACO)
-/// KHR_draco_mesh_compression: a square with texture coordinates. `faces` and `points` are what the accessors say.
+/// KHR_draco_mesh_compression: a square with texture coordinates. `faces` and `points` are the counts of the accessors.
 std::string draco_square(size_t faces, size_t points, int method, GltfFile& file) {
   const float corner[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, uv[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   const unsigned indices[2][3] = {{0, 1, 2}, {0, 2, 3}};
