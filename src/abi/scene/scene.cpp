@@ -102,26 +102,26 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   return request;
 }
 
-/// Reads the model. Messages name its file.
-scene::Model read(scene::HostFiles& files, const char* path, const Request& request, const scene::Deadline& deadline) {
+scene::Model read(scene::HostFiles& files, const Request& request, const scene::Deadline& deadline) {
+  scene::Model model = request.in_process
+                           ? scene::read_in_process(files, request.limits, deadline)
+                           : scene::read_by_worker(files, request.options.load.worker_path, request.limits, deadline);
+  for (const std::string& text : files.refused()) model.warnings.push_back(text);
+  return model;
+}
+
+/// Reads the model and makes its objects. Messages name its file.
+std::unique_ptr<Body> make_body(shd_context* context, scene::HostFiles& files, const char* path, const Request& request,
+                                const scene::Deadline& deadline) {
   try {
-    scene::Model model = request.in_process
-                             ? scene::read_in_process(files, request.limits, deadline)
-                             : scene::read_by_worker(files, request.options.load.worker_path, request.limits, deadline);
-    for (const std::string& text : files.refused()) model.warnings.push_back(text);
-    return model;
+    auto body = std::make_unique<Body>();
+    scene::make_objects(context, files, read(files, request, deadline), request.options, request.limits, deadline,
+                        body.get());
+    return body;
   } catch (const Failure& failure) {
     const std::string why = files.refused().empty() ? "" : "; " + files.refused().back();
     refuse(failure.code, "\"%s\": %s%s", scene::text_of(path).c_str(), failure.what(), why.c_str());
   }
-}
-
-std::unique_ptr<Body> make_body(shd_context* context, scene::HostFiles& files, const char* path, const Request& request,
-                                const scene::Deadline& deadline) {
-  auto body = std::make_unique<Body>();
-  scene::make_objects(context, files, read(files, path, request, deadline), request.options, request.limits, deadline,
-                      body.get());
-  return body;
 }
 
 std::unique_ptr<Body> load(shd_context* context, const char* path, const Request& request) {
