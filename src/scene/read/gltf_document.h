@@ -99,8 +99,8 @@ struct MeshPart {
 };
 /// The primitives of a mesh that can be drawn.
 std::vector<MeshPart> add_mesh(Document& document, uint32_t mesh);
-/// Adds all nodes, and the meshes, cameras and lights below the default scene. Returns the Model's node of each node, -1
-/// if there is none.
+/// Adds all nodes, and the meshes, cameras and lights below the default scene. Returns the Model's node of each node;
+/// -1 means none.
 std::vector<int32_t> add_nodes(Document& document);
 void add_light(Document& document, const Part& light, uint32_t node);
 void add_camera(Document& document, const Part& camera, uint32_t node);
