@@ -55,7 +55,8 @@ typedef struct shd_scene_desc {
                                           its filter and magnification where the file has nearest texels or
                                           levels. Borrowed for the call; NULL = trilinear */
     const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
-                                          ignored; worker_path is that of the model, too. Borrowed for the call; NULL = defaults */
+                                          ignored; worker_path is that of the model,
+                                          too. Borrowed for the call; NULL = defaults */
     uint64_t max_file_bytes;         /**< sum of the model and the files that are read with it; 0 = 2^30 */
     uint64_t max_vertices;           /**< sum over all meshes; 0 = 2^26 */
     uint64_t max_triangles;          /**< sum over all meshes; 0 = 2^26 */
@@ -123,8 +124,8 @@ SHD_NODISCARD SHD_API shd_result shd_scene_load(shd_context *context, const char
  * Read a model file in memory. The files that it names come from shd_scene_desc.find.
  * @param bytes  borrowed for the call
  * @param size   [bytes]
- * @param name   name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for the
- *               call
+ * @param name   name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for
+ *               the call
  * @return as shd_scene_load()
  * @since 0.1
  */

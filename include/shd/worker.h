@@ -41,8 +41,8 @@ typedef struct shd_worker_task {
     uint64_t max_bytes;      /**< memory of the child; 0 = 2^32 [bytes] */
     double time_limit;       /**< 0 = 60 [s] */
     /**
-     * Answers a question of the child, at most 65536 in a run. `name` has below 4096 untrusted bytes. SHD_OK answers with
-     * `out_file`, SHD_ERROR_NOT_FOUND means that there is no such file, and any other result ends the run
+     * Answers a question of the child, at most 65536 in a run. `name` has below 4096 untrusted bytes. SHD_OK answers
+     * with `out_file`, SHD_ERROR_NOT_FOUND means that there is no such file, and any other result ends the run
      * with this result and the text of shd_last_error(). NULL = no files.
      */
     shd_result (*find)(void *user_data, const char *name, shd_worker_file *out_file);
@@ -75,7 +75,7 @@ SHD_NODISCARD SHD_API shd_result shd_worker_read(shd_worker_stream *reply, void 
  */
 SHD_NODISCARD SHD_API shd_result shd_worker_find_module(const char *file, char *out_path, size_t size);
 
-/** Input of a module in the child. All pointers are valid until the process ends. */
+/** Input of a module in the child. All pointers are valid until the process ends. Frozen. */
 typedef struct shd_worker_call {
     const void *request; /**< request of shd_worker_task */
     size_t request_size; /**< [bytes] */

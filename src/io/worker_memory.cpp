@@ -2,11 +2,17 @@
 #include "io/worker_memory.h"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace shd::io {
 
@@ -43,6 +49,24 @@ void plain_free(void*, void* memory, size_t size) {
 }  // namespace
 
 const Memory kWorkerMemory = {nullptr, plain_allocate, plain_free, true};
+
+void prepare_heap(size_t size) {
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+  size = std::min(size, size_t{1} << 30);
+  const auto first = reinterpret_cast<uintptr_t>(::sbrk(0));
+  (void)::mallopt(M_MMAP_MAX, 0);
+  (void)::mallopt(M_TRIM_THRESHOLD, -1);
+  (void)::mallopt(M_TOP_PAD, static_cast<int>(size));
+  void* volatile grown = std::malloc(kHugePage);  // the heap grows by the pad; a compiler may leave out a plain pair
+  std::free(grown);
+  const auto last = reinterpret_cast<uintptr_t>(::sbrk(0));
+  (void)::mallopt(M_TOP_PAD, static_cast<int>(kHugePage));
+  const uintptr_t start = (first + kHugePage - 1) / kHugePage * kHugePage;
+  if (last > start) (void)::madvise(reinterpret_cast<void*>(start), last - start, MADV_HUGEPAGE);
+#else
+  (void)size;
+#endif
+}
 
 // The bytes that the pipe refers to end at next_. They reach back at most capacity_ bytes and the unused end of the
 // last lap, which is less than largest_. The ring has room for them and for another largest_ bytes.

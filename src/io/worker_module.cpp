@@ -27,7 +27,13 @@ namespace {
 /// Bytes from this size on are lent to the pipe, not copied.
 constexpr size_t kLentSize = size_t{1} << 16;
 
+/// A file from this size on gets a heap of its size times kHeapOfFile, within half of the memory [bytes].
+constexpr size_t kLargeFile = size_t{1} << 20;
+constexpr uint64_t kHeapOfFile = 12;
+
 int g_pipe, g_questions;
+uint64_t g_memory;  // limit of this process [bytes]
+bool g_heap_is_ready = false;
 std::vector<unsigned char> g_pending;  // small pieces that have not been sent
 
 void flush() {
@@ -62,6 +68,10 @@ shd_result find(const char* name, const void** out_bytes, size_t* out_size) {
   require_sent(receive_packet(g_questions, &answer, sizeof answer, &file, 1, never) == Stream::kDone);
   if (!answer.found || file.fd < 0 || answer.size > SIZE_MAX / 2) return SHD_ERROR_NOT_FOUND;
   const auto size = static_cast<size_t>(answer.size);
+  if (!g_heap_is_ready && size >= kLargeFile) {
+    g_heap_is_ready = true;
+    prepare_heap(static_cast<size_t>(std::min(kHeapOfFile * answer.size, g_memory / 2)));
+  }
   void* const bytes = kWorkerMemory.allocate(nullptr, std::max(size, size_t{1}));
   if (!bytes) return SHD_ERROR_OUT_OF_MEMORY;
   int error = 0;
@@ -99,6 +109,7 @@ bool open_for_children(const WorkerRequest& request) {
 void run_module(const WorkerRequest& request, int pipe, int questions) {
   g_pipe = pipe;
   g_questions = questions;
+  g_memory = request.limits.bytes;
   confine(Confinement{request.limits.bytes, 0, request.limits.seconds});
   static WorkerReply reply = {};
   reply.magic = kWorkerMagic;

@@ -71,7 +71,7 @@ shd_result receive(void* user, shd_worker_stream* reply) {
   return extension::guard([&]() -> shd_result {
     auto& reading = *static_cast<Reading*>(user);
     FieldReader reader([reply](void* bytes, size_t size) { require(shd_worker_read(reply, bytes, size)); },
-                  reading.limits.reader_bytes);
+                       reading.limits.reader_bytes);
     reader(reading.model);
     return SHD_OK;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The module libshd_scene_readers: all readers, for children of the worker and for hosts that read in their own process.
+// The module libshd_scene_readers: all readers, for children of the worker and for hosts that read by themselves.
 #include "scene/read/module.h"
 
 #include <cstdio>
