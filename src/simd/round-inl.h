@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Targets that have no instruction to round: Highway 1.2 gives +0 for -0 and for -0.3. The bit is HWY_SSE2, which
+// Targets that have no instruction to round: Highway (1.0.3 and 1.2) gives +0 for -0 there. The bit is HWY_SSE2, which
 // is new after Highway 1.0.3.
 constexpr bool kLosesSign =
     HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SSSE3 || HWY_TARGET == (1LL << 14);

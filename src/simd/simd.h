@@ -5,7 +5,8 @@
 /// Input and output: Highway vectors; every lane is computed only from its own inputs.
 /// Invariants: only operations that IEEE 754 rounds correctly (add, multiply, divide, square root) and exact integer
 ///             operations, so that every target gives the same bits: no fused multiply-add, no approximate reciprocal,
-///             no libm. Min and Max never receive a NaN, because targets differ there.
+///             no libm. Min and Max never receive a NaN, because targets differ there. round-inl.h is the
+///             place of Highway's Floor, Ceil and Round, which lose the sign of a zero on some targets.
 ///
 /// | file           | contents                                             | error                            |
 /// |----------------|------------------------------------------------------|----------------------------------|
@@ -17,5 +18,6 @@
 /// | hash-inl.h     | hashes of 32-bit words                               | exact                            |
 /// | gather-inl.h   | pairs of adjacent 32-bit words at an index           | exact                            |
 /// | integer-inl.h  | products of 16-bit integers                          | exact                            |
+/// | round-inl.h    | nearest whole numbers, and those below and above     | exact, with the sign of a zero   |
 /// | tail-inl.h     | stores of the first lanes                            | exact                            |
 #pragma once

@@ -29,7 +29,8 @@ using Color = Owned<shd_color, shd_color_release>;
 
 void check_output_name(const Options& options) {
   const std::string name = output_of(options);
-  if (name.empty() && !options.aovs) return;
+  if (name.empty() && options.aovs) throw Failure(kExitUsage, "--hash: --aov and --aovs need -o FILE.exr");
+  if (name.empty()) return;
   for (const char* end : {".png", ".tif", ".tiff", ".exr"}) {
     if (ends_with(name, end) && !(options.aovs && !ends_with(name, ".exr"))) return;
   }

@@ -9,19 +9,11 @@
 
 #include "ref/unit_filter_ref.h"
 #include "support/check.h"
+#include "support/context.h"
 #include "support/random.h"
 
 namespace shd::tests
 {
-
-/// The context of a test program's scenes, from set_up to tear_down.
-inline shd_context *g_context;
-inline int set_up(void **) { return shd_context_create(nullptr, &g_context) != SHD_OK; }
-inline int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
-}
 
 /// Contents of a texture: noise about a colour of each level and layer; ramps; these colours alone; or few white
 /// texels, which show reads of texels that a lookup must not read.

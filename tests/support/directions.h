@@ -10,6 +10,7 @@
 
 #include "ref/projection_ref.h"
 #include "support/check.h"
+#include "support/context.h"
 #include "support/random.h"
 
 namespace shd::tests
@@ -29,20 +30,6 @@ inline void random_direction(Random *random, double *n)
 {
     const double z = random->in(-1.0, 1.0), a = random->in(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
     n[0] = r * std::cos(a), n[1] = z, n[2] = r * std::sin(a);
-}
-
-/// The context of all tests of a file.
-inline shd_context *g_context;
-
-inline int set_up(void **)
-{
-    shd_assert_ok(shd_context_create(nullptr, &g_context));
-    return 0;
-}
-inline int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
 }
 
 /// Texels [face][height][width] of one channel.

@@ -8,24 +8,12 @@
 
 #include "ref/ray_ref.h"
 #include "support/check.h"
+#include "support/context.h"
 
 namespace shd::tests
 {
 
 using ref::Vec3;
-
-inline shd_context *g_context;
-
-inline int set_up(void **)
-{
-    shd_assert_ok(shd_context_create(nullptr, &g_context));
-    return 0;
-}
-inline int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
-}
 
 /// A mesh with the triangles of an oracle.
 struct Solid {

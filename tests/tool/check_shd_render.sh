@@ -79,7 +79,7 @@ same --threads 1 --simd baseline -- --threads 5
 expect 0 "" --size 64x64 --hash --turntable 2 -o hashed.png
 [ "$(grep -cxE '[0-9a-f]{16}' said.txt)" = 2 ] || failed=1
 written hashed-0002.png 89504e47
-expect 2 "does not end in .exr" --aov --hash
+expect 2 "need -o FILE.exr" --aov --hash
 
 # Effects of options, tested on pairs of pictures.
 models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)

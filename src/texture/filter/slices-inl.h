@@ -11,8 +11,6 @@
 
 #include <hwy/highway.h>
 
-#include "simd/round-inl.h"
-
 // The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
 // clang-format off
 #include "texture/footprint/places-inl.h"
@@ -20,6 +18,7 @@
 #include "texture/filter/prefetch.h"
 #include "texture/filter/runner-inl.h"
 // clang-format on
+#include "simd/round-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

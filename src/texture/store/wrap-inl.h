@@ -11,11 +11,10 @@
 
 #include <hwy/highway.h>
 
-#include "simd/round-inl.h"
-
 #include <shd/wrap.h>
 
 #include "simd/integer-inl.h"
+#include "simd/round-inl.h"
 #include "texture/kernel_part.h"
 
 HWY_BEFORE_NAMESPACE();
