@@ -108,11 +108,12 @@ typedef enum shd_load_flag {
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     /**
      * Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
-     * written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
-     * If the file has none, shd builds all of them. Level l must be max(1, size >> l) wide and high: OpenEXR files of
-     * rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED, and so are levels of a file whose data
-     * window is not its display window. A damaged level is SHD_ERROR_CORRUPT; with SHD_LOAD_PARTIAL it and all smaller
-     * levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have no levels.
+     * written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1,
+     * the mipmap of the texture ends there, too. If the file has none, shd builds all of them. Level l must be max(1,
+     * size >> l) wide and high: OpenEXR files of rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED,
+     * and so are levels of a file whose data window is not its display window. A damaged level is SHD_ERROR_CORRUPT;
+     * with SHD_LOAD_PARTIAL it and all smaller levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have
+     * no levels.
      */
     SHD_LOAD_FILE_LEVELS = 8,
     /**

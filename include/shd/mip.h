@@ -62,8 +62,8 @@ typedef enum shd_texel_content {
      */
     SHD_TEXEL_CONTENT_ALPHA_COVERAGE = 4,
     /**
-     * Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages of
-     * premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+     * Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages
+     * of premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
      * 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
      */
     SHD_TEXEL_CONTENT_ALPHA_WEIGHTED = 5,

@@ -284,10 +284,10 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *
                                                                double *out_first, double *out_last);
 
 /**
- * Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets, lights
- * and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
- * shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
- * instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+ * Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
+ * lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
+ * `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
+ * indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
  * @param animation  index, below shd_scene_info.animation_count
  * @param seconds    finite; clamped to the times of each property
  * @param out_scene  owned; NULL on failure

@@ -77,18 +77,18 @@ typedef enum shd_place_space {
 
 /**
  * A function that gives the values of a slot: writes in->count values to each column.
- * @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
- *             scalars; the others are NULL
+ * @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one
+ *             for scalars; the others are NULL
  */
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *user_data);
 
 /**
  * A source for a coefficient. Required: target, and the fields that the source uses.
  *
- * Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
- * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
- * those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
- * vertex, on level 0.
+ * Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
+ * up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
+ * and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
+ * or vertex, on level 0.
  *
  * Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
  * shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes

@@ -68,8 +68,8 @@ struct Objects {
   Bounds bounds;                                  // without Parts::origin
 };
 
-/// Makes all objects in the pose of the file; `files` are those around the model. Throws Failure; all objects made before
-/// are then released.
+/// Makes all objects in the pose of the file; `files` are those around the model. Throws Failure; all objects made
+/// before are then released.
 void make_objects(shd_context* context, HostFiles& files, Model&& model, const ObjectOptions& options,
                   const Limits& limits, const Deadline& deadline, Objects* out);
 

@@ -90,7 +90,8 @@ Bytes make_hdr(const Order &order)
             const int x = order.columns ? line : i, y = order.columns ? i : line;
             const int u = order.mirror_x ? 4 - x : x, v = order.mirror_y ? 2 - y : y;
             const unsigned char exponent = 128 + 3; /* value = mantissa / 256 * 8 */
-            for (const int mantissa : {(u + 1) * 32, (v + 1) * 32, 16}) file.push_back(static_cast<unsigned char>(mantissa));
+            for (const int mantissa : {(u + 1) * 32, (v + 1) * 32, 16})
+                file.push_back(static_cast<unsigned char>(mantissa));
             file.push_back(exponent);
         }
     }

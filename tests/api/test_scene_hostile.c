@@ -204,7 +204,8 @@ static void test_wild_matrix(void **state)
              "\"nodes\":[{\"scale\":[1e30,1,1],\"children\":[1]},{\"scale\":[1e30,1,1],\"mesh\":0}],"
              "\"materials\":[{}]," ROOM_BUFFERS "\"samplers\":[]}");
     scene_write_text("wild.gltf", text);
-    shd_assert_result("wild", survive("wild.gltf"), SHD_ERROR_UNSUPPORTED, "no triangles in it: instances whose matrices");
+    shd_assert_result("wild", survive("wild.gltf"), SHD_ERROR_UNSUPPORTED,
+                      "no triangles in it: instances whose matrices");
 }
 
 /* Valid files, truncated at every byte, and with changed bytes. */

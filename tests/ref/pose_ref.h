@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Animations, morph targets and skins of glTF 2.0 in double, as the specification states them: interpolation in appendix
-// C, morph targets in 3.7.2.2, skins in 3.7.3.3. Matrices are [row][column].
+// Animations, morph targets and skins of glTF 2.0 in double, as the specification states them: interpolation in
+// appendix C, morph targets in 3.7.2.2, skins in 3.7.3.3. Matrices are [row][column].
 #pragma once
 
 #include <array>

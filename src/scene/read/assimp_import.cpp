@@ -16,7 +16,6 @@
 #include "scene/read/colors.h"
 #include "scene/read/join.h"
 #include "scene/read/positions.h"
-#include "scene/read/text_lines.h"
 
 namespace shd::scene {
 namespace {
@@ -194,10 +193,10 @@ const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Mode
   return *scene;
 }
 
-/// Removes the readers of formats that have one of their own, and the one of OpenGEX, which writes about damaged files to
-/// stderr.
+/// Removes the readers of formats that have one of their own, and the one of OpenGEX, which writes about damaged files
+/// to stderr.
 void remove_readers(Assimp::Importer& importer) {
-  for (const char* const extension : {"ogex", "obj", "stl"}) {
+  for (const char* const extension : {"ogex", "obj", "ply", "stl"}) {
     Assimp::BaseImporter* const reader = importer.GetImporter(extension);
     if (reader && importer.UnregisterLoader(reader) == aiReturn_SUCCESS) delete reader;
   }
@@ -208,22 +207,6 @@ void remove_readers(Assimp::Importer& importer) {
   }
 }
 
-/// assimp reads no colours of the faces of a PLY file.
-void warn_of_face_colors(const Source& source, Model& model) {
-  const std::string text = utf8_of(source.bytes, size_t{1} << 16);
-  TextLines lines(text);
-  std::string_view statement;
-  if (!lines.next(&statement) || statement != "ply") return;
-  bool in_faces = false;
-  while (lines.next(&statement) && statement != "end_header") {
-    const std::string_view word = take_word(&statement);
-    if (word == "element") in_faces = take_word(&statement) == "face";
-    if (word != "property" || !in_faces || statement.size() < 4) continue;
-    if (statement.substr(statement.size() - 4) == " red")
-      model.warnings.push_back("PLY: colours of faces are left out");
-  }
-}
-
 }  // namespace
 
 Model read_by_assimp(const Source& source) {
@@ -231,7 +214,6 @@ Model read_by_assimp(const Source& source) {
   remove_readers(importer);
   importer.SetProgressHandler(new Stopwatch(source.deadline));
   Model model;
-  warn_of_face_colors(source, model);
   const aiScene& scene = read_scene(importer, source, model);
   Import import = {scene, source.limits, {}, std::move(model)};
   add_surfaces(import.scene, import.model);

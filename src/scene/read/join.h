@@ -5,8 +5,8 @@
 
 namespace shd::scene {
 
-/// Makes one vertex of those whose numbers are all equal, and removes vertices without triangles. No vertices are moved:
-/// a tolerance in the units of the file would change small models. Without skins and morph targets.
+/// Makes one vertex of those whose numbers are all equal, and removes vertices without triangles. No vertices are
+/// moved: a tolerance in the units of the file would change small models. Without skins and morph targets.
 void join_identical(Geometry& geometry);
 
 }  // namespace shd::scene

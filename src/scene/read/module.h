@@ -5,8 +5,8 @@
 
 namespace shd::scene {
 
-/// Functions of the module of the readers for a host that reads in its own process, beside shd_worker_entry(). Both ends
-/// are of one build. No exception leaves them: a failure is a result and a text of core::kErrorTextSize bytes.
+/// Functions of the module of the readers for a host that reads in its own process, beside shd_worker_entry(). Both
+/// ends are of one build. No exception leaves them: a failure is a result and a text of core::kErrorTextSize bytes.
 struct ReadersModule {
   const char* version;
   shd_result (*read)(const Source& source, Model* out, char* text);

@@ -57,8 +57,8 @@ struct ObjFile {
 /// Reads the statements. Faces with corners that do not exist are left out.
 ObjFile parse_obj(const Source& source, const std::string& text, Warnings& warnings);
 
-/// Reads all material libraries and appends their materials to the model, those with these names first. Returns a surface
-/// for each name, kNone if there is no such material.
+/// Reads all material libraries and appends their materials to the model, those with these names first. Returns a
+/// surface for each name, kNone if there is no such material.
 std::vector<int32_t> add_mtl_surfaces(const Source& source, const std::vector<std::string>& libraries,
                                       const std::vector<std::string>& names, Model& model, Warnings& warnings);
 

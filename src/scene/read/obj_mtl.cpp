@@ -286,7 +286,8 @@ const MtlMap* set_map(Mtls& mtls, const Mtl& material, std::initializer_list<con
   return nullptr;
 }
 
-/// Kd, Ks, Ns, illum. 0: Kd without light; 1: no highlight; 3 and more: with reflections and refraction of other things.
+/// Kd, Ks, Ns, illum. 0: Kd without light; 1: no highlight; 3 and more: with reflections and refraction of other
+/// things.
 void set_classic(Mtls& mtls, const Mtl& material, Surface& surface) {
   const bool has_ns = material.exponent.has_value();
   if (material.specular || has_ns) surface.specular = material.specular.value_or(Color{0, 0, 0});

@@ -4,9 +4,9 @@
 ///
 /// Input:      untrusted bytes, and the files that they name, through Files.
 /// Output:     a Model that check_model() accepts. v of texture coordinates grows downwards.
-/// Invariants: nothing of this folder opens a file, prints or calls a function of libshd, so that the worker process can
-///             run it. The content decides the format. A problem with the whole file is a Failure. Each thing that a
-///             file has and the Model has not is a warning that names it, once for each name.
+/// Invariants: nothing of this folder opens a file, prints or calls a function of libshd, so that the worker process
+///             can run it. The content decides the format. A problem with the whole file is a Failure. Each thing that
+///             a file has and the Model has not is a warning that names it, once for each name.
 ///
 /// | file                | contents                                                    |
 /// |---------------------|-------------------------------------------------------------|
@@ -27,6 +27,8 @@
 /// | obj.cpp             | Wavefront OBJ: vertices, normals and surfaces of the faces  |
 /// | obj_parse.cpp       | the statements of an OBJ file                               |
 /// | obj_mtl.cpp         | MTL: materials of OBJ files                                 |
+/// | ply.cpp             | PLY: polygons, strips, colours and textures                 |
+/// | ply_file.cpp        | the header and the rows of a PLY file                       |
 /// | stl.cpp             | STL, text and binary, with colours of facets                |
 /// | text_lines.h        | statements, words and numbers of text files                 |
 /// | polygon.h           | polygons to triangles                                       |
@@ -66,6 +68,8 @@ bool is_gltf(const Source& source);
 Model read_gltf(const Source& source);
 bool is_obj(const Source& source);
 Model read_obj(const Source& source);
+bool is_ply(const Source& source);
+Model read_ply(const Source& source);
 bool is_stl(const Source& source);
 Model read_stl(const Source& source);
 Model read_by_assimp(const Source& source);

@@ -14,6 +14,7 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {is_gltf, read_gltf},
     {is_obj, read_obj},
+    {is_ply, read_ply},
     {is_stl, read_stl},
     {[](const Source&) { return true; }, read_by_assimp},
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// STL (3D Systems, "StereoLithography Interface Specification", 1989), text and binary, with the colours that VisCAM and
-// Materialise Magics store in the attribute bytes of binary facets. assimp 5.2 takes VisCAM's colours for Magics' and the
-// reverse.
+// STL (3D Systems, "StereoLithography Interface Specification", 1989), text and binary, with the colours that VisCAM
+// and Materialise Magics store in the attribute bytes of binary facets. assimp 5.2 takes VisCAM's colours for Magics'
+// and the reverse.
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -129,8 +129,8 @@ StlColors colors_of(const Bytes& bytes, size_t facets) {
   return colors;
 }
 
-/// Appends the linear colour of a facet for its three vertices. Five bits a channel: Magics begins with red, VisCAM with
-/// blue.
+/// Appends the linear colour of a facet for its three vertices. Five bits a channel: Magics begins with red, VisCAM
+/// with blue.
 void append_facet_color(const StlColors& colors, uint32_t attribute, std::vector<float>& out) {
   float rgb[3] = {kGrey, kGrey, kGrey};
   const bool own = ((attribute & 0x8000) != 0) != colors.magics;

@@ -57,8 +57,8 @@ class FieldWriter {
   Send send_;
 };
 
-/// Reads untrusted values by `receive`, void receive(void* bytes, size_t size). All vectors and strings together have at
-/// most `budget` bytes. Throws Failure.
+/// Reads untrusted values by `receive`, void receive(void* bytes, size_t size). All vectors and strings together have
+/// at most `budget` bytes. Throws Failure.
 template <class Receive>
 class FieldReader {
  public:

@@ -86,7 +86,7 @@ bool TextLines::next(std::string_view* statement) {
   while (place_ < text_.size()) {
     std::string_view line = take_line();
     first_line_ = line_;
-    if (is_continued(line)) {
+    if (continued_ && is_continued(line)) {
       joined_.clear();
       for (; is_continued(line); line = place_ < text_.size() ? take_line() : std::string_view()) {
         joined_.append(line.substr(0, line.size() - 1)).push_back(' ');

@@ -13,12 +13,13 @@ namespace shd::scene {
 /// read. Text without a byte order mark is taken as it is.
 std::string utf8_of(const Bytes& bytes, size_t size = SIZE_MAX);
 
-/// Statements of a text: lines that do not begin with #. A backslash at the end continues a line. Lines end with LF, CR
-/// or both.
+/// Statements of a text: lines that do not begin with #. Lines end with LF, CR or both.
 class TextLines {
  public:
-  explicit TextLines(const std::string& text) : text_(text) {}
-  /// The next statement that is not empty, without the blanks around it. It stays until the next call. False at the end.
+  /// With `continued`, a backslash at the end continues a line.
+  explicit TextLines(const std::string& text, bool continued = true) : text_(text), continued_(continued) {}
+  /// The next statement that is not empty, without the blanks around it. It stays until the next call. False at the
+  /// end.
   bool next(std::string_view* statement);
   /// Number of the line at which the statement begins, from 1.
   uint64_t line() const { return first_line_; }
@@ -27,6 +28,7 @@ class TextLines {
   std::string_view take_line();
 
   const std::string& text_;
+  bool continued_;
   std::string joined_;
   size_t place_ = 0;
   uint64_t line_ = 0, first_line_ = 0;
