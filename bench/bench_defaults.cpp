@@ -198,7 +198,7 @@ void add(const Candidate& candidate) {
       ->Unit(benchmark::kMillisecond);
 }
 
-const Filter& filter_named(const std::string& name) {
+const Filter& filter_named(const char* name) {
   for (const Filter& filter : kFilters) {
     if (filter.name == name) return filter;
   }

@@ -79,6 +79,38 @@ std::string reason(Decoder& d) {
   core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.file.format), action, reason(d).c_str());
 }
 
+/// Checks every field of the spec before it is used, and refuses images that this library does not support.
+void check_spec(const Decoder& d) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const Limits& limits = d.options.limits;
+  if (spec.deep) core::refuse(SHD_ERROR_UNSUPPORTED, "deep images are not supported");
+  if (spec.depth > 1 || spec.full_depth > 1) core::refuse(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
+  if (spec.nchannels < 1) core::refuse(SHD_ERROR_CORRUPT, "%d channels", spec.nchannels);
+  if (spec.nchannels > kMaxChannels)
+    core::refuse(SHD_ERROR_LIMIT, "%d channels are above %d", spec.nchannels, kMaxChannels);
+  const auto side = [](int value) { return static_cast<uint64_t>(value < 0 ? 0 : value); };
+  check_extent(limits, "image", side(spec.width), side(spec.height));
+  check_extent(limits, "display window", side(spec.full_width), side(spec.full_height));
+  if (spec.tile_width < 0 || spec.tile_height < 0 || spec.tile_depth > 1)
+    core::refuse(SHD_ERROR_CORRUPT, "bad tile size");
+  const uint64_t tile = side(spec.tile_width) * side(spec.tile_height);
+  const uint64_t row = std::max(tile, side(spec.width)) * side(spec.nchannels) * 8;
+  if (tile > limits.pixels || row > std::max(limits.bytes, uint64_t{1} << 26)) {
+    core::refuse(SHD_ERROR_LIMIT, "a tile or row of the file is above load.max_bytes");
+  }
+}
+
+/// OpenImageIO 2.5 compares the size in some headers with its own limits, which limit_process() sets.
+[[noreturn]] void refuse_open(Decoder& d) {
+  const std::string why = reason(d);
+  if (why.find("\"limits:") != std::string::npos) {
+    d.spec = d.input.handle->spec();
+    check_spec(d);
+    core::refuse(SHD_ERROR_LIMIT, "%s: the image is above load.max_bytes", format_name(d.file.format));
+  }
+  core::refuse(SHD_ERROR_CORRUPT, "%s: cannot open: %s", format_name(d.file.format), why.c_str());
+}
+
 void open_input(Decoder& d) {
   const core::ForkGate::Scope inside(g_image_files);
   silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
@@ -99,28 +131,7 @@ void open_input(Decoder& d) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.file.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
-}
-
-/// Checks every field of the spec before it is used, and refuses images that this library does not support.
-void check_spec(const Decoder& d) {
-  const OIIO::ImageSpec& spec = d.spec;
-  const Limits& limits = d.options.limits;
-  if (spec.deep) core::refuse(SHD_ERROR_UNSUPPORTED, "deep images are not supported");
-  if (spec.depth > 1 || spec.full_depth > 1) core::refuse(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
-  if (spec.nchannels < 1) core::refuse(SHD_ERROR_CORRUPT, "%d channels", spec.nchannels);
-  if (spec.nchannels > kMaxChannels)
-    core::refuse(SHD_ERROR_LIMIT, "%d channels are above %d", spec.nchannels, kMaxChannels);
-  const auto side = [](int value) { return static_cast<uint64_t>(value < 0 ? 0 : value); };
-  check_extent(limits, "image", side(spec.width), side(spec.height));
-  check_extent(limits, "display window", side(spec.full_width), side(spec.full_height));
-  if (spec.tile_width < 0 || spec.tile_height < 0 || spec.tile_depth > 1)
-    core::refuse(SHD_ERROR_CORRUPT, "bad tile size");
-  const uint64_t tile = side(spec.tile_width) * side(spec.tile_height);
-  const uint64_t row = std::max(tile, side(spec.width)) * side(spec.nchannels) * 8;
-  if (tile > limits.pixels || row > std::max(limits.bytes, uint64_t{1} << 26)) {
-    core::refuse(SHD_ERROR_LIMIT, "a tile or row of the file is above load.max_bytes");
-  }
+  if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_open(d);
 }
 
 void choose_channels(Decoder& d) {

@@ -226,13 +226,25 @@ static void close_place(struct place *p)
     shd_material_release(p->material);
 }
 
+/* An allocator that stops one call at one of its allocations, until the main thread has forked. */
+static struct stop {
+    pthread_mutex_t mutex;
+    size_t calls, at;      /* the number of the allocation; 0 = none */
+    size_t at_size;        /* the first allocation that is as large; 0 = none */
+    int is_stopped, forks; /* forks: the allocation itself forks */
+    sem_t reached, go_on;
+} g_stop = {.mutex = PTHREAD_MUTEX_INITIALIZER};
+
 /* Forks. The child makes calls of every kind, releases its objects, and ends. Returns 0 if the child did. */
 static int fork_and_use(struct place *p, const char *during)
 {
     int status = 0;
     pid_t child;
     fflush(NULL);
+    pthread_mutex_lock(&g_stop.mutex);
+    g_stop.at = g_stop.at_size = 0; /* a call that ended before its stop must not leave it to the child */
     child = fork();
+    pthread_mutex_unlock(&g_stop.mutex);
     if (child == 0) {
         size_t k;
         alarm(60); /* a hang ends by signal */
@@ -250,15 +262,6 @@ static int fork_and_use(struct place *p, const char *during)
         print_error("fork during %s: %s failed in the child\n", during, k_kinds[WEXITSTATUS(status) - 1].name);
     return 1;
 }
-
-/* An allocator that stops one call at one of its allocations, until the main thread has forked. */
-static struct stop {
-    pthread_mutex_t mutex;
-    size_t calls, at;      /* the number of the allocation; 0 = none */
-    size_t at_size;        /* the first allocation that is as large; 0 = none */
-    int is_stopped, forks; /* forks: the allocation itself forks */
-    sem_t reached, go_on;
-} g_stop = {.mutex = PTHREAD_MUTEX_INITIALIZER};
 
 static void reach(void)
 {

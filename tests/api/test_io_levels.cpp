@@ -112,7 +112,8 @@ std::string write_file(const File &file, int first)
     const auto out = OIIO::ImageOutput::create(path);
     assert_true(out != nullptr);
     for (int l = first; l < first + file.levels; ++l) {
-        const OIIO::ImageSpec spec = spec_of(file, l);
+        OIIO::ImageSpec spec = spec_of(file, l);
+        if (!out->supports("tiles")) spec.tile_width = spec.tile_height = 0;
         // OpenImageIO's writer of TIFF appends pages; its reader takes the pages of a tagged file as levels.
         const auto append = kind == "exr" ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
         const auto mode = l > first ? append : OIIO::ImageOutput::Create;
