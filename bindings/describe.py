@@ -25,6 +25,7 @@ SKIPPED = 77
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 OUTPUT = HERE / "shd.json"
+HEADERS_OF_C = {"worker"}  # for libraries in C that run code in the worker
 SIZES = {"float": 4, "double": 8, "size_t": 8, "int32_t": 4, "uint8_t": 1, "uint16_t": 2, "uint32_t": 4, "uint64_t": 8,
          "int": 4, "char": 1, "int64_t": 8}
 ARRAY = re.compile(r"(.*?)((?:\[\d+\])+)$")
@@ -236,7 +237,7 @@ def libraries():
 
 def describe(clang):
     include = ROOT / "include"
-    headers = sorted(p.stem for p in (include / "shd").glob("*.h"))
+    headers = sorted(p.stem for p in (include / "shd").glob("*.h") if p.stem not in HEADERS_OF_C)
     description = Description(include, headers, libraries())
     for header, node in syntax_tree(clang, include, headers):
         description.add(header, node)

@@ -287,7 +287,21 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
-/// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets,
+/// Read a model file in memory. The files that it names come from shd_scene_desc.find. See shd_scene_load_memory().
+[[nodiscard]] inline shd_result scene_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const char* name,
+    const shd_scene_desc* desc,
+    shd::scene& out_scene) noexcept {
+  shd_scene* handle = nullptr;
+  const shd_result result = shd_scene_load_memory(context_, bytes, size, name, desc, &handle);
+  out_scene.reset(handle);
+  return result;
+}
+
+/// Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
 /// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
 /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
 /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning. See
@@ -873,6 +887,18 @@ inline shd::scene scene_load(shd_context* context_, const char* path, const shd_
   return made;
 }
 
+/// Read a model file in memory. The files that it names come from shd_scene_desc.find. See shd_scene_load_memory().
+inline shd::scene scene_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const char* name,
+    const shd_scene_desc* desc) {
+  shd::scene made;
+  check(scene_load_memory(context_, bytes, size, name, desc, made));
+  return made;
+}
+
 /// Counts and bounds of a scene. See shd_scene_get_info().
 inline shd_scene_info scene_get_info(const shd_scene* scene_) {
   shd_scene_info made = shd_scene_info_default();
@@ -926,7 +952,7 @@ inline void scene_get_animation_times(
   check(shd_scene_get_animation_times(scene_, index, out_first, out_last));
 }
 
-/// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets,
+/// Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
 /// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
 /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
 /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning. See

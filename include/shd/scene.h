@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Model files: meshes, materials, textures, lights, cameras and instances, ready to render (libshd_scene, over
- *        assimp).
+ * @brief Model files: meshes, materials, textures, lights, cameras and instances, ready to render (libshd_scene).
  *
- * A shd_scene holds the contents of a file of any format that assimp reads (glTF, OBJ, Collada, FBX, PLY, STL ...), as
- * ordinary handles that the caller may use with or without the scene. World space is the space of the file; glTF uses
- * the same conventions as shd.
+ * A shd_scene holds the contents of a file as ordinary handles, which the caller may use with or without the scene. The
+ * library reads glTF 2.0, OBJ, PLY and STL, and other formats by assimp (Collada, FBX, glTF 1.0 ...). World space is
+ * the space of the file; glTF uses the same conventions as shd.
  *
  * Files are untrusted. Sizes, counts and time have budgets. The load drops triangles with indices out of range or
  * positions that are not finite, instances whose matrices are not finite, and slots whose textures cannot be read, and
@@ -113,7 +112,7 @@ static inline shd_scene_desc shd_scene_desc_default(void)
  * @param path       UTF-8 or any bytes the system accepts; a regular file; borrowed for the call
  * @param desc       borrowed for the call; NULL = all defaults
  * @param out_scene  owned; NULL on failure
- * @return SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a file that assimp refuses,
+ * @return SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a damaged file,
  *         SHD_ERROR_UNSUPPORTED for an unknown format and for a file without triangles
  * @since 0.1
  */

@@ -741,8 +741,8 @@ export type MipSource =
  * reach `alpha_cutoff` is the share of the base (Castano, "Computing Alpha Mipmaps", 2010). The share is exact to
  * the nearest texel, except where texels of equal alpha lie at the cutoff.
  * - `alpha_weighted`: Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by
- * alpha, as averages of
- * premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+ * alpha, as averages
+ * of premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
  * 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
  */
 export type TexelContent =
@@ -2923,12 +2923,12 @@ export interface ShapeColumns {
  * A source for a coefficient. Required: target, and the fields that the source uses.
  *
  * Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are
- * looked up for
- * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
- * and
- * those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
- * or
- * vertex, on level 0.
+ * looked
+ * up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed,
+ * height
+ * and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the
+ * centroid
+ * or vertex, on level 0.
  *
  * Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
  * shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN

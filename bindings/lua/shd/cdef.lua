@@ -573,6 +573,8 @@ typedef enum shd_scene_flag {
   SHD_SCENE_NONE = 0,
   SHD_SCENE_REQUIRE_TEXTURES = 1,
   SHD_SCENE_HOST_FILTERS = 2,
+  SHD_SCENE_IN_PROCESS = 4,
+  SHD_SCENE_ANY_FOLDER = 8,
   SHD_SCENE_FLAG_MAX_ENUM = 2147483647
 } shd_scene_flag;
 typedef enum shd_scene_part {
@@ -893,6 +895,7 @@ typedef shd_result (*shd_display_apply_fn)(void *user_data, const shd_framebuffe
 typedef void (*shd_trace_fn)(const shd_rays *rays, uint32_t *blocked, void *user_data);
 typedef shd_result (*shd_present_tile_fn)(void *user_data, const shd_present_tile *tile);
 typedef int32_t (*shd_progress_report_fn)(void *user_data, float fraction);
+typedef shd_result (*shd_scene_desc_find_fn)(void *user_data, const char *name, const void **out_bytes, size_t *out_size);
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const *out, void *user_data);
 typedef shd_result (*shd_load_tiles_fn)(void *user_data, const shd_tile *tiles, size_t count);
 typedef void (*shd_tile_source_release_fn)(void *user_data);
@@ -1569,6 +1572,9 @@ struct shd_scene_desc {
   uint64_t max_instances;
   uint64_t max_texture_bytes;
   double time_limit;
+  uint64_t max_reader_bytes;
+  shd_scene_desc_find_fn find;
+  void *find_user_data;
 };
 struct shd_scene_info {
   uint32_t struct_size;
@@ -2041,6 +2047,7 @@ shd_result shd_sampler_create(shd_context *context, const shd_sampler_desc *desc
 void shd_sampler_retain(shd_sampler *sampler);
 void shd_sampler_release(shd_sampler *sampler);
 shd_result shd_scene_load(shd_context *context, const char *path, const shd_scene_desc *desc, shd_scene **out_scene);
+shd_result shd_scene_load_memory(shd_context *context, const void *bytes, size_t size, const char *name, const shd_scene_desc *desc, shd_scene **out_scene);
 void shd_scene_retain(shd_scene *scene);
 void shd_scene_release(shd_scene *scene);
 shd_result shd_scene_get_info(const shd_scene *scene, shd_scene_info *out_info);

@@ -532,6 +532,8 @@ class SceneFlag(enum.IntFlag):
     NONE = 0
     REQUIRE_TEXTURES = 1
     HOST_FILTERS = 2
+    IN_PROCESS = 4
+    ANY_FOLDER = 8
 
 class ScenePart(enum.IntEnum):
     MESH = 0
@@ -1919,6 +1921,9 @@ class SceneDesc(Desc):
     max_instances: int
     max_texture_bytes: int
     time_limit: float
+    max_reader_bytes: int
+    find: Callable[..., object]
+    find_user_data: _Array
     def __init__(self, *,
                  flags: Union[int, str] = ...,
                  mesh_flags: Union[int, str] = ...,
@@ -1931,6 +1936,9 @@ class SceneDesc(Desc):
                  max_instances: int = ...,
                  max_texture_bytes: int = ...,
                  time_limit: float = ...,
+                 max_reader_bytes: int = ...,
+                 find: Callable[..., object] = ...,
+                 find_user_data: _Array = ...,
                  ) -> None: ...
 
 class SceneInfo(Desc):

@@ -1745,16 +1745,17 @@ namespace Shd
         public MeshFlags MeshFlags { get { return Fields.MeshFlags; } set { Fields.MeshFlags = value; } }
         /// <summary>
         /// sampler of all textures; its wraps are replaced by those of the file, and
-        /// its filter and magnification where the file asks for nearest texels or
+        /// its filter and magnification where the file has nearest texels or
         /// levels. Borrowed for the call; NULL = trilinear
         /// </summary>
         public SamplerDesc? Sampler;
         /// <summary>
         /// formats, flags, tables and budgets of each texture file; its color_space is
-        /// ignored. Borrowed for the call; NULL = defaults
+        /// ignored; worker_path is that of the model,
+        /// too. Borrowed for the call; NULL = defaults
         /// </summary>
         public LoadDesc Texture;
-        /// <summary>sum of the model and the files that assimp reads with it; 0 = 2^30</summary>
+        /// <summary>sum of the model and the files that are read with it; 0 = 2^30</summary>
         public ulong MaxFileBytes { get { return Fields.MaxFileBytes; } set { Fields.MaxFileBytes = value; } }
         /// <summary>sum over all meshes; 0 = 2^26</summary>
         public ulong MaxVertices { get { return Fields.MaxVertices; } set { Fields.MaxVertices = value; } }
@@ -1766,8 +1767,22 @@ namespace Shd
         public ulong MaxInstances { get { return Fields.MaxInstances; } set { Fields.MaxInstances = value; } }
         /// <summary>all textures with their mip levels; 0 = 2^32</summary>
         public ulong MaxTextureBytes { get { return Fields.MaxTextureBytes; } set { Fields.MaxTextureBytes = value; } }
-        /// <summary>[s] 0 = 60. Checked between the steps of assimp, meshes and textures</summary>
+        /// <summary>
+        /// [s] 0 = 60. Ends the process that reads; with SceneFlags.InProcess checked
+        /// between the steps of a reader
+        /// </summary>
         public double TimeLimit { get { return Fields.TimeLimit; } set { Fields.TimeLimit = value; } }
+        /// <summary>memory of the process that reads, and of what it sends; 0 = 2^32 [bytes]</summary>
+        public ulong MaxReaderBytes { get { return Fields.MaxReaderBytes; } set { Fields.MaxReaderBytes = value; } }
+        /// <summary>
+        /// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+        /// until the load returns. Result.ErrorNotFound = no such file; any other result than Result.Ok ends the load. Runs on
+        /// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+        /// memory.
+        /// </summary>
+        public IntPtr Find { get { return Fields.Find; } set { Fields.Find = value; } }
+        /// <summary>first argument of `find`</summary>
+        public Void FindUserData;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SceneDesc Build(Call call, string name, long rows = -1)
@@ -1775,6 +1790,7 @@ namespace Shd
             Native.SceneDesc made = Fields;
             if (Sampler.HasValue) { made.Sampler = (global::Shd.SamplerDesc*)call.Memory(sizeof(global::Shd.SamplerDesc)); *made.Sampler = Sampler.Value; }
             if (Texture != null) made.Texture = LoadDesc.BuildAll(call, Call.Join(name, "Texture"), new LoadDesc[] { Texture });
+            if (FindUserData != null) made.FindUserData = Void.BuildAll(call, Call.Join(name, "FindUserData"), new Void[] { FindUserData });
             return made;
         }
         internal static Native.SceneDesc* BuildAll(Call call, string name, IList<SceneDesc> list)
@@ -1927,10 +1943,10 @@ namespace Shd
     /// <summary>
     /// A source for a coefficient. Required: target, and the fields that the source uses.
     ///
-    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
-    /// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
-    /// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
-    /// vertex, on level 0.
+    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
+    /// up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
+    /// and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
+    /// or vertex, on level 0.
     ///
     /// Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
     /// RenderStats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes

@@ -536,11 +536,12 @@ namespace Shd
         FlipV = 4,
         /// <summary>
         /// Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
-        /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
-        /// If the file has none, shd builds all of them. Level l must be max(1, size &gt;&gt; l) wide and high: OpenEXR files of
-        /// rounding mode ROUND_UP whose sizes differ are Result.ErrorUnsupported, and so are levels of a file whose data
-        /// window is not its display window. A damaged level is Result.ErrorCorrupt; with LoadFlags.Partial it and all smaller
-        /// levels count as absent. Needs TableFlags.Mipmap in `tables`. Bitmaps have no levels.
+        /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1,
+        /// the mipmap of the texture ends there, too. If the file has none, shd builds all of them. Level l must be max(1,
+        /// size &gt;&gt; l) wide and high: OpenEXR files of rounding mode ROUND_UP whose sizes differ are Result.ErrorUnsupported,
+        /// and so are levels of a file whose data window is not its display window. A damaged level is Result.ErrorCorrupt;
+        /// with LoadFlags.Partial it and all smaller levels count as absent. Needs TableFlags.Mipmap in `tables`. Bitmaps have
+        /// no levels.
         /// </summary>
         FileLevels = 8,
         /// <summary>
@@ -886,8 +887,8 @@ namespace Shd
         /// </summary>
         AlphaCoverage = 4,
         /// <summary>
-        /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages of
-        /// premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+        /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages
+        /// of premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
         /// 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
         /// </summary>
         AlphaWeighted = 5,
@@ -1312,6 +1313,10 @@ namespace Shd
         RequireTextures = 1,
         /// <summary>textures have the filters of SceneDesc.sampler, not those of the file</summary>
         HostFilters = 2,
+        /// <summary>reads the model in this process: faster start, and the file must be trusted</summary>
+        InProcess = 4,
+        /// <summary>names of the model may leave its folder: by `..`, absolute paths and links</summary>
+        AnyFolder = 8,
     }
 
     /// <summary>Kinds of parts that have names.</summary>

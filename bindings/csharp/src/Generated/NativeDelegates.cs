@@ -80,9 +80,18 @@ namespace Shd.Native
     public unsafe delegate int ProgressReportFn(void* userData, float fraction);
 
     /// <summary>
+    /// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+    /// until the load returns. Result.ErrorNotFound = no such file; any other result than Result.Ok ends the load. Runs on
+    /// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+    /// memory.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate Result SceneDescFindFn(void* userData, byte* name, void** outBytes, UIntPtr* outSize);
+
+    /// <summary>
     /// A function that gives the values of a slot: writes in-&gt;count values to each column.
-    /// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
-    ///             scalars; the others are NULL
+    /// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one
+    ///             for scalars; the others are NULL
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void SlotFn(Fragments* @in, float** @out, void* userData);

@@ -1011,6 +1011,11 @@ namespace Shd.Native
         [DllImport("shd_scene", EntryPoint = "shd_scene_load", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result SceneLoad(IntPtr context, byte* path, SceneDesc* desc, IntPtr* outScene);
 
+        /// <summary>Read a model file in memory. The files that it names come from SceneDesc.find.</summary>
+        [DllImport("shd_scene", EntryPoint = "shd_scene_load_memory", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Result SceneLoadMemory(
+            IntPtr context, void* bytes, UIntPtr size, byte* name, SceneDesc* desc, IntPtr* outScene);
+
         /// <summary>Add a reference; NULL is ignored. Any thread.</summary>
         [DllImport("shd_scene", EntryPoint = "shd_scene_retain", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void SceneRetain(IntPtr scene);
@@ -1083,10 +1088,10 @@ namespace Shd.Native
             IntPtr scene, uint index, double* outFirst, double* outLast);
 
         /// <summary>
-        /// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
-        /// and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
-        /// shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
-        /// instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+        /// Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
+        /// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
+        /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
+        /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
         /// </summary>
         [DllImport("shd_scene", EntryPoint = "shd_scene_pose", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result ScenePose(IntPtr scene, uint animation, double seconds, IntPtr* outScene);

@@ -1854,16 +1854,17 @@ namespace Shd.Native
         public MeshFlags MeshFlags;
         /// <summary>
         /// sampler of all textures; its wraps are replaced by those of the file, and
-        /// its filter and magnification where the file asks for nearest texels or
+        /// its filter and magnification where the file has nearest texels or
         /// levels. Borrowed for the call; NULL = trilinear
         /// </summary>
         public SamplerDesc* Sampler;
         /// <summary>
         /// formats, flags, tables and budgets of each texture file; its color_space is
-        /// ignored. Borrowed for the call; NULL = defaults
+        /// ignored; worker_path is that of the model,
+        /// too. Borrowed for the call; NULL = defaults
         /// </summary>
         public LoadDesc* Texture;
-        /// <summary>sum of the model and the files that assimp reads with it; 0 = 2^30</summary>
+        /// <summary>sum of the model and the files that are read with it; 0 = 2^30</summary>
         public ulong MaxFileBytes;
         /// <summary>sum over all meshes; 0 = 2^26</summary>
         public ulong MaxVertices;
@@ -1875,8 +1876,22 @@ namespace Shd.Native
         public ulong MaxInstances;
         /// <summary>all textures with their mip levels; 0 = 2^32</summary>
         public ulong MaxTextureBytes;
-        /// <summary>[s] 0 = 60. Checked between the steps of assimp, meshes and textures</summary>
+        /// <summary>
+        /// [s] 0 = 60. Ends the process that reads; with SceneFlags.InProcess checked
+        /// between the steps of a reader
+        /// </summary>
         public double TimeLimit;
+        /// <summary>memory of the process that reads, and of what it sends; 0 = 2^32 [bytes]</summary>
+        public ulong MaxReaderBytes;
+        /// <summary>
+        /// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+        /// until the load returns. Result.ErrorNotFound = no such file; any other result than Result.Ok ends the load. Runs on
+        /// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+        /// memory.
+        /// </summary>
+        public IntPtr Find;
+        /// <summary>first argument of `find`</summary>
+        public void* FindUserData;
 
         /// <summary>The defaults of the library.</summary>
         public static SceneDesc Default
@@ -2000,10 +2015,10 @@ namespace Shd.Native
     /// <summary>
     /// A source for a coefficient. Required: target, and the fields that the source uses.
     ///
-    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
-    /// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
-    /// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
-    /// vertex, on level 0.
+    /// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
+    /// up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
+    /// and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
+    /// or vertex, on level 0.
     ///
     /// Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
     /// RenderStats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes

@@ -806,11 +806,12 @@ impl shd_load_flag {
     /// bottom row first
     pub const FLIP_V: Self = Self(4);
     /// Textures: take the mip levels of an image file, unchanged, instead of averages of its base. OpenEXR, and TIFF as
-    /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1, the mipmap of the texture ends there, too.
-    /// If the file has none, shd builds all of them. Level l must be max(1, size >> l) wide and high: OpenEXR files of
-    /// rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED, and so are levels of a file whose data
-    /// window is not its display window. A damaged level is SHD_ERROR_CORRUPT; with SHD_LOAD_PARTIAL it and all smaller
-    /// levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have no levels.
+    /// written by maketx (`.tx`), can have levels; KTX2 and DDS give theirs without the flag. If they end before 1 x 1,
+    /// the mipmap of the texture ends there, too. If the file has none, shd builds all of them. Level l must be max(1,
+    /// size >> l) wide and high: OpenEXR files of rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED,
+    /// and so are levels of a file whose data window is not its display window. A damaged level is SHD_ERROR_CORRUPT;
+    /// with SHD_LOAD_PARTIAL it and all smaller levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have
+    /// no levels.
     pub const FILE_LEVELS: Self = Self(8);
     /// Bitmaps: colour becomes linear light by its colour space, as an image that is a light needs it. RGBA8_SRGB, whose
     /// format has the curve, linear 8-bit, half and float pixels stay as they are; all others become RGBA32F, and
@@ -1212,8 +1213,8 @@ impl shd_texel_content {
     /// reach `alpha_cutoff` is the share of the base (Castano, "Computing Alpha Mipmaps", 2010). The share is exact to
     /// the nearest texel, except where texels of equal alpha lie at the cutoff.
     pub const ALPHA_COVERAGE: Self = Self(4);
-    /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages of
-    /// premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
+    /// Colour with straight alpha, in four channels. r, g and b of a level are averages weighted by alpha, as averages
+    /// of premultiplied colour: transparent texels do not shine through (Porter and Duff, "Compositing Digital Images",
     /// 1984). The weight of a texel is max(alpha, 0) + 2^-20, so that colours under alpha 0 alone are averaged, too.
     pub const ALPHA_WEIGHTED: Self = Self(5);
 }
@@ -1753,10 +1754,16 @@ impl shd_scene_flag {
     pub const REQUIRE_TEXTURES: Self = Self(1);
     /// textures have the filters of shd_scene_desc.sampler, not those of the file
     pub const HOST_FILTERS: Self = Self(2);
+    /// reads the model in this process: faster start, and the file must be trusted
+    pub const IN_PROCESS: Self = Self(4);
+    /// names of the model may leave its folder: by `..`, absolute paths and links
+    pub const ANY_FOLDER: Self = Self(8);
 }
 pub const SHD_SCENE_NONE: shd_scene_flag = shd_scene_flag::NONE;
 pub const SHD_SCENE_REQUIRE_TEXTURES: shd_scene_flag = shd_scene_flag::REQUIRE_TEXTURES;
 pub const SHD_SCENE_HOST_FILTERS: shd_scene_flag = shd_scene_flag::HOST_FILTERS;
+pub const SHD_SCENE_IN_PROCESS: shd_scene_flag = shd_scene_flag::IN_PROCESS;
+pub const SHD_SCENE_ANY_FOLDER: shd_scene_flag = shd_scene_flag::ANY_FOLDER;
 flags!(shd_scene_flag);
 
 /// Kinds of parts that have names.
@@ -2530,9 +2537,15 @@ pub type shd_present_tile_fn = Option<unsafe extern "C" fn(user_data: *mut c_voi
 /// SHD_ERROR_CANCELLED and the framebuffer holds a part of the frame.
 pub type shd_progress_report_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, fraction: f32) -> i32>;
 
+/// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+/// until the load returns. SHD_ERROR_NOT_FOUND = no such file; any other result than SHD_OK ends the load. Runs on
+/// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+/// memory.
+pub type shd_scene_desc_find_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, name: *const c_char, out_bytes: *mut *const c_void, out_size: *mut usize) -> shd_result>;
+
 /// A function that gives the values of a slot: writes in->count values to each column.
-/// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one for
-/// scalars; the others are NULL
+/// @param out  packed columns, initially 1: three for colours, four for the diffuse slot, the tint and for normals, one
+/// for scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
 /// Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
@@ -4520,13 +4533,14 @@ pub struct shd_scene_desc {
     /// flags of all meshes; meshes with uv always have tangents; default none
     pub mesh_flags: shd_mesh_flags,
     /// sampler of all textures; its wraps are replaced by those of the file, and
-    /// its filter and magnification where the file asks for nearest texels or
+    /// its filter and magnification where the file has nearest texels or
     /// levels. Borrowed for the call; NULL = trilinear
     pub sampler: *const shd_sampler_desc,
     /// formats, flags, tables and budgets of each texture file; its color_space is
-    /// ignored. Borrowed for the call; NULL = defaults
+    /// ignored; worker_path is that of the model,
+    /// too. Borrowed for the call; NULL = defaults
     pub texture: *const shd_load_desc,
-    /// sum of the model and the files that assimp reads with it; 0 = 2^30
+    /// sum of the model and the files that are read with it; 0 = 2^30
     pub max_file_bytes: u64,
     /// sum over all meshes; 0 = 2^26
     pub max_vertices: u64,
@@ -4538,11 +4552,21 @@ pub struct shd_scene_desc {
     pub max_instances: u64,
     /// all textures with their mip levels; 0 = 2^32
     pub max_texture_bytes: u64,
-    /// \[s\] 0 = 60. Checked between the steps of assimp, meshes and textures
+    /// \[s\] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked
+    /// between the steps of a reader
     pub time_limit: f64,
+    /// memory of the process that reads, and of what it sends; 0 = 2^32 \[bytes\]
+    pub max_reader_bytes: u64,
+    /// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
+    /// until the load returns. SHD_ERROR_NOT_FOUND = no such file; any other result than SHD_OK ends the load. Runs on
+    /// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
+    /// memory.
+    pub find: shd_scene_desc_find_fn,
+    /// first argument of `find`
+    pub find_user_data: *mut c_void,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_scene_desc>() == 88);
+const _: () = assert!(core::mem::size_of::<shd_scene_desc>() == 112);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_scene_desc>() == 8);
 init!(shd_scene_desc, SHD_DESC_KIND_SCENE_DESC);
@@ -4762,10 +4786,10 @@ init!(shd_shape_columns, SHD_DESC_KIND_SHAPE_COLUMNS);
 
 /// A source for a coefficient. Required: target, and the fields that the source uses.
 ///
-/// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
-/// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
-/// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
-/// vertex, on level 0.
+/// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
+/// up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
+/// and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
+/// or vertex, on level 0.
 ///
 /// Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
 /// shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes
@@ -6539,7 +6563,7 @@ extern "C" {
     /// A model whose centre is more than 1024 radii away from 0 is moved to 0, because floats would lose its details:
     /// shd_scene_info.origin.
     ///
-    /// SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a file that assimp refuses,
+    /// SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a damaged file,
     /// SHD_ERROR_UNSUPPORTED for an unknown format and for a file without triangles
     ///
     /// - `context`: retained
@@ -6547,6 +6571,15 @@ extern "C" {
     /// - `desc`: borrowed for the call; NULL = all defaults
     /// - `out_scene`: owned; NULL on failure
     pub fn shd_scene_load(context: *mut shd_context, path: *const c_char, desc: *const shd_scene_desc, out_scene: *mut *mut shd_scene) -> shd_result;
+    /// Read a model file in memory. The files that it names come from shd_scene_desc.find.
+    ///
+    /// as shd_scene_load()
+    ///
+    /// - `bytes`: borrowed for the call
+    /// - `size`: \[bytes\]
+    /// - `name`: name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for
+    /// the call
+    pub fn shd_scene_load_memory(context: *mut shd_context, bytes: *const c_void, size: usize, name: *const c_char, desc: *const shd_scene_desc, out_scene: *mut *mut shd_scene) -> shd_result;
     /// Add a reference; NULL is ignored. Any thread.
     pub fn shd_scene_retain(scene: *mut shd_scene);
     /// Drop a reference; NULL is ignored. Handles that the caller retained stay. Any thread.
@@ -6602,10 +6635,10 @@ extern "C" {
     /// - `out_first`: written; 0 on failure
     /// - `out_last`: written; 0 on failure
     pub fn shd_scene_get_animation_times(scene: *const shd_scene, index: u32, out_first: *mut f64, out_last: *mut f64) -> shd_result;
-    /// Make a scene of the file at a time of an animation, with all that nodes move: instances, skins, morph targets, lights
-    /// and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of `scene`. It
-    /// shares materials, textures and all meshes without skins and morph targets with it; parts keep their indices, except
-    /// instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+    /// Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
+    /// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
+    /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
+    /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
     ///
     /// - `animation`: index, below shd_scene_info.animation_count
     /// - `seconds`: finite; clamped to the times of each property

@@ -816,6 +816,9 @@ fn shd_scene_desc_offsets() {
     offset!(shd_scene_desc, max_instances, 64);
     offset!(shd_scene_desc, max_texture_bytes, 72);
     offset!(shd_scene_desc, time_limit, 80);
+    offset!(shd_scene_desc, max_reader_bytes, 88);
+    offset!(shd_scene_desc, find, 96);
+    offset!(shd_scene_desc, find_user_data, 104);
 }
 
 #[test]

@@ -638,10 +638,10 @@ impl Default for LightDesc {
 
 /// A source for a coefficient. Required: target, and the fields that the source uses.
 ///
-/// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
-/// every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
-/// those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
-/// vertex, on level 0.
+/// Slots that scale light (diffuse, tint, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked
+/// up for every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height
+/// and those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid
+/// or vertex, on level 0.
 ///
 /// Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
 /// shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes
