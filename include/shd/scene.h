@@ -277,6 +277,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_fill_render(const shd_scene *scene, s
  * @param index  below shd_scene_info.animation_count
  * @param out_first  written; 0 on failure
  * @param out_last   written; 0 on failure
+ * @return SHD_ERROR_NOT_FOUND if there is no such animation
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *scene, uint32_t index,
@@ -290,6 +291,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *
  * @param animation  index, below shd_scene_info.animation_count
  * @param seconds    finite; clamped to the times of each property
  * @param out_scene  owned; NULL on failure
+ * @return SHD_ERROR_NOT_FOUND if there is no such animation
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_pose(const shd_scene *scene, uint32_t animation, double seconds,

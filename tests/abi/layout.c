@@ -9,6 +9,7 @@
 #include <shd/texture_file.h>
 #include <shd/tile_file.h>
 #include <shd/volume_file.h>
+#include <shd/worker.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>
 #endif

@@ -16,7 +16,7 @@ import tempfile
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 STRUCT = re.compile(r"typedef struct (\w+) \{(.*?)\n\} \1;", re.S)
 DECLARATOR = re.compile(r"\(\*(\w+)\)|(\w+)(?:\[\w+\])*$")
-HEADERS = {"color": ["color"], "io": ["io", "texture_file", "tile_file", "volume_file"], "scene": ["scene"]}
+HEADERS = {"color": ["color"], "io": ["io", "texture_file", "tile_file", "volume_file", "worker"], "scene": ["scene"]}
 TITLE = {
     "shd": "The public structs of libshd on LP64: members in order. Padding is a row of its own; it is never given to a "
            "member.",

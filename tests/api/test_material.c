@@ -274,18 +274,18 @@ static void edit_slots_missing(shd_material_desc *d) { d->slot_count = 1; }
 static void edit_slots_all(shd_material_desc *d)
 {
     int target;
-    for (target = SHD_SLOT_CLEARCOAT_NORMAL; target >= 0; --target)
+    for (target = SHD_SLOT_TINT; target >= 0; --target)
         add_slot(d, shd_slot_default((shd_slot_target)target));
 }
 static void edit_clearcoat_2(shd_material_desc *d) { d->clearcoat = 2.0f; }
 static void edit_clearcoat_nan(shd_material_desc *d) { d->clearcoat = (float)NAN; }
 static void edit_clearcoat_roughness(shd_material_desc *d) { d->clearcoat_roughness = -0.1f; }
-static void edit_slots_17(shd_material_desc *d)
+static void edit_slots_18(shd_material_desc *d)
 {
     edit_slots_all(d);
-    d->slot_count = 17;
+    d->slot_count = 18;
 }
-static void edit_slot_target_16(shd_material_desc *d) { add_texture(d, (shd_slot_target)16); }
+static void edit_slot_target_17(shd_material_desc *d) { add_texture(d, (shd_slot_target)17); }
 static void edit_slot_target_twice(shd_material_desc *d)
 {
     add_texture(d, SHD_SLOT_DIFFUSE);
@@ -435,8 +435,8 @@ static const struct create_case k_create[] = {
     {"create/clearcoat_2", edit_clearcoat_2, BAD, "material.clearcoat: 2 is not in 0..1"},
     {"create/clearcoat_nan", edit_clearcoat_nan, BAD, "material.clearcoat: "},
     {"create/clearcoat_roughness", edit_clearcoat_roughness, BAD, "material.clearcoat_roughness: -0.1 is not in 0..1"},
-    {"create/slots_17", edit_slots_17, BAD, "material.slot_count: 17 is not in 0..16"},
-    {"create/slot_target_16", edit_slot_target_16, BAD, "material.slots[1].target: 16 is not in 0..15"},
+    {"create/slots_18", edit_slots_18, BAD, "material.slot_count: 18 is not in 0..17"},
+    {"create/slot_target_17", edit_slot_target_17, BAD, "material.slots[1].target: 17 is not in 0..16"},
     {"create/slot_target_twice", edit_slot_target_twice, BAD,
      "material.slots[2].target: 0 is that of material.slots[1] too"},
     {"create/slot_size_0", edit_slot_size_0, BAD, "material.slots[0].struct_size: 0 is below"},

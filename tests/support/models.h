@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/host_files.h"
 #include "scene/objects.h"
 
 namespace shd::test
@@ -56,11 +57,22 @@ inline scene::ObjectOptions default_options()
     return {shd_sampler_desc_default(), shd_load_desc_default(), 0, false, false};
 }
 
+/// No files around a model.
+class NoFiles : public scene::HostFiles
+{
+   public:
+    using HostFiles::HostFiles;
+    scene::Opened model() override { return scene::Opened(); }
+    std::string name() const override { return ""; }
+    bool locate(const std::string &, const std::string &, scene::Opened *, std::string *) override { return false; }
+};
+
 inline void make_scene(shd_context *context, scene::Model model, scene::Objects *out)
 {
     const scene::Limits limits;
     const scene::Deadline deadline(60);
-    scene::make_objects(context, "", std::move(model), default_options(), limits, deadline, out);
+    NoFiles files(limits, deadline);
+    scene::make_objects(context, files, std::move(model), default_options(), limits, deadline, out);
 }
 
 /// Positions of a mesh, [vertex][3].

@@ -5,7 +5,7 @@
 
 #include <shd/material.h>
 
-enum { SHD_TEST_SLOTS = 16 };
+enum { SHD_TEST_SLOTS = 17 };
 
 /** Slots of one material. Zero is none. */
 typedef struct shd_slot_list {

@@ -151,13 +151,61 @@ other --shape sphere --height checker -- --shape sphere --height checker --displ
 
 expect 0 "" --size 64x32 --background 0.2,0.4,0.8 -o around.exr
 other -- --environment around.exr
-expect 0 "" --size 32x32 -o probe.exr
-expect 0 "probe.exr: 32 x 32 pixels, taken as lat-long (--environment-projection)" --size 8x8 --environment probe.exr
-expect 0 "" --size 8x8 --environment probe.exr --environment-projection lat-long
+# Six faces of 4 x 4 texels in all layouts give one picture. A square with a blank border is a probe.
+python3 - <<'PYTHON'
+import struct
+import zlib
+
+
+def png(path, width, height, texel):
+    rows = b"".join(b"\0" + b"".join(bytes(texel(x, y)) for x in range(width)) for y in range(height))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+                   chunk(b"sRGB", b"\0") + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def face(f, x, y):
+    return 40 * f + 10, 60 * x + 15, 60 * y + 15
+
+
+def layout(path, columns, rows, places, turned=None):
+    def texel(x, y):
+        for f, place in enumerate(places):
+            if place == (x // 4, y // 4):
+                return face(f, 3 - x % 4, 3 - y % 4) if f == turned else face(f, x % 4, y % 4)
+        return 0, 0, 0
+    png(path, 4 * columns, 4 * rows, texel)
+
+
+layout("strip.png", 1, 6, [(0, f) for f in range(6)])
+layout("row.png", 6, 1, [(f, 0) for f in range(6)])
+layout("cross.png", 4, 3, [(2, 1), (0, 1), (1, 0), (1, 2), (1, 1), (3, 1)])
+layout("tall.png", 3, 4, [(2, 1), (0, 1), (1, 0), (1, 2), (1, 1), (1, 3)], turned=5)
+png("square.png", 32, 32, lambda x, y: (x * 8, y * 8, 99))
+png("ball.png", 64, 64, lambda x, y: (x * 4, y * 4, 99) if (x - 31.5) ** 2 + (y - 31.5) ** 2 < 1024 else (0, 0, 0))
+head = [124, 0x100f, 4, 4, 16, 0, 0] + [0] * 11 + [32, 0x41, 0, 32, 0xff, 0xff00, 0xff0000, 0xff000000, 0x1008, 0xfe00]
+with open("cube.dds", "wb") as file:
+    file.write(b"DDS " + struct.pack("<31I", *head, 0, 0, 0))
+    file.write(b"".join(bytes((*face(f, x, y), 255)) for f in range(6) for y in range(4) for x in range(4)))
+PYTHON
+expect 0 "square.png: 32 x 32 pixels, taken as lat-long (--environment-projection)" --size 8x8 --environment square.png
+expect 0 "" --size 8x8 --environment square.png --environment-projection lat-long
 grep "^shd-render:" said.txt && failed=1
-other --environment probe.exr -- --environment probe.exr --environment-projection angular
-other --environment probe.exr --environment-projection mirror-ball -- \
-  --environment probe.exr --environment-projection octahedral
+other --environment square.png -- --environment square.png --environment-projection angular
+other --environment square.png --environment-projection mirror-ball -- \
+  --environment square.png --environment-projection octahedral
+for file in row.png cross.png tall.png cube.dds; do
+  same --environment strip.png -- --environment $file
+  grep "^shd-render:" said.txt && failed=1
+done
+other --environment strip.png -- --environment strip.png --environment-projection lat-long
+same --environment ball.png -- --environment ball.png --environment-projection angular
+expect 0 "ball.png: 64 x 64 pixels, taken as an angular probe, not a mirror-ball" --size 8x8 --environment ball.png
+expect 2 "cube.dds is a cube map: --environment-projection cube" --environment cube.dds \
+  --environment-projection lat-long
+expect 3 "64 x 32 pixels are no cube map: a strip of 1:6 or 6:1, or a cross of 4:3 or 3:4" \
+  --environment around.exr --environment-projection cube
 other --environment around.exr -- --environment around.exr --environment-turn 90
 other --environment around.exr -- --environment around.exr --environment-blur 0.6
 other --environment around.exr -- --environment around.exr --background 0
@@ -243,7 +291,6 @@ expect 3 "no-such-heights.png" --height no-such-heights.png
 expect 3 "no-such-sky.hdr" --environment no-such-sky.hdr
 expect 2 "-360..360" --environment-turn 400
 expect 2 "one of lat-long mirror-ball angular cube octahedral" --environment-projection round
-expect 3 "environment.image.height" --environment around.exr --environment-projection cube
 expect 2 "0..1" --environment-blur 2
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
 expect 2 "one of nearest bilinear trilinear" --filter best

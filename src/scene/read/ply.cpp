@@ -15,6 +15,7 @@
 #include "scene/text.h"
 
 namespace shd::scene {
+namespace ply {
 namespace {
 
 constexpr uint32_t kNoRow = ~0u;
@@ -302,6 +303,7 @@ void add_parts(Build& build, Model& model) {
 }
 
 }  // namespace
+}  // namespace ply
 
 bool is_ply(const Source& source) {
   const std::string text = utf8_of(source.bytes, 4);
@@ -312,16 +314,16 @@ Model read_ply(const Source& source) {
   Model model;
   Warnings warnings(model);
   PlyFile file = parse_ply_header(source);
-  const Wanted wanted = want_properties(file, warnings);
+  const ply::Wanted wanted = ply::want_properties(file, warnings);
   check_limit("vertices", wanted.vertex_count, "max_vertices", source.limits.vertices);
   if (!wanted.position[0] || !wanted.position[1] || !wanted.position[2]) {
     core::refuse(SHD_ERROR_CORRUPT, "PLY: element \"vertex\" with x, y and z is missing");
   }
   read_ply_rows(source, file, warnings);
-  Build build{source, wanted, warnings, {}, 0, 0};
+  ply::Build build{source, wanted, warnings, {}, 0, 0};
   build.parts.resize(wanted.texture_numbers ? std::max<size_t>(file.textures.size(), 1) : 1);
-  if (wanted.polygons) collect_polygons(build);
-  if (wanted.strips) collect_strips(build);
+  if (wanted.polygons) ply::collect_polygons(build);
+  if (wanted.strips) ply::collect_strips(build);
   if (!wanted.polygons && !wanted.strips) {
     warnings.add("mesh \"" + text_of(source.name) + "\": it has points and no faces");
   }
@@ -341,7 +343,7 @@ Model read_ply(const Source& source) {
       warnings.add("PLY: texture \"" + text_of(file.textures[i]) + "\" is left out: no face names it");
     }
   }
-  add_parts(build, model);
+  ply::add_parts(build, model);
   return model;
 }
 

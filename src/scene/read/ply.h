@@ -22,7 +22,7 @@ struct PlyProperty {
   PlyType type = PlyType::kFloat, count_type = PlyType::kUint8;
   bool list = false;
   bool wanted = false;         // otherwise values and ends stay empty
-  std::vector<double> values;  // those of all rows
+  std::vector<double> values;  // one row after another
   std::vector<uint64_t> ends;  // list: end of each row's values
 };
 

@@ -9,6 +9,7 @@
 #include "scene/text.h"
 
 namespace shd::scene {
+namespace ply {
 namespace {
 
 struct TypeRow {
@@ -191,6 +192,7 @@ void read_rows(const Source& source, Rows rows, PlyFile& file, Warnings& warning
 }
 
 }  // namespace
+}  // namespace ply
 
 PlyProperty* PlyElement::want(std::initializer_list<std::string_view> names, bool list) {
   for (PlyProperty& property : properties) {
@@ -208,21 +210,21 @@ PlyElement* PlyFile::element(std::string_view name) {
 }
 
 double ply_scale(PlyType type) {
-  return row_of(type).scale;
+  return ply::row_of(type).scale;
 }
 
 PlyFile parse_ply_header(const Source& source) {
   PlyFile file;
-  file.data = end_of_header(source.bytes);
+  file.data = ply::end_of_header(source.bytes);
   if (file.data == 0) core::refuse(SHD_ERROR_CORRUPT, "PLY: the header has no end");
   const std::string text = utf8_of(source.bytes, file.data);
   TextLines lines(text, false);
   std::string_view rest;
   while (lines.next(&rest)) {
     const std::string_view word = take_word(&rest);
-    if (word == "format") set_format(rest, file);
-    if (word == "element") add_element(rest, file);
-    if (word == "property") add_property(rest, file);
+    if (word == "format") ply::set_format(rest, file);
+    if (word == "element") ply::add_element(rest, file);
+    if (word == "property") ply::add_property(rest, file);
     if (word == "comment" && take_word(&rest) == "TextureFile" && !rest.empty()) file.textures.emplace_back(rest);
   }
   return file;
@@ -233,9 +235,9 @@ void read_ply_rows(const Source& source, PlyFile& file, Warnings& warnings) {
   const size_t size = source.bytes.size - file.data;
   if (file.format == PlyFile::Format::kText) {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    read_rows(source, TextRows(text), file, warnings);
+    ply::read_rows(source, ply::TextRows(text), file, warnings);
   } else {
-    read_rows(source, BinaryRows(data, size, file.format == PlyFile::Format::kBigEndian), file, warnings);
+    ply::read_rows(source, ply::BinaryRows(data, size, file.format == PlyFile::Format::kBigEndian), file, warnings);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "support/model_mutants.h"
 #include "support/rows.h"
 #include "support/scene_model.h"
 
@@ -281,6 +282,12 @@ void test_star(void**) {
   shd_assert_close("star", 0, absolute, kCount * 0.5 * 0.5 * std::sin(2 * M_PI / kCount), 1e-5, 0);
 }
 
+void test_mutants(void**) {
+  assert_mutants_end("o a\nvt 0 0\nvn 0 0 1\ns 1\n" SQUARE
+                     "g b\nusemtl m\nf 1/1/1 2/1/1 3/1/1 4/1/1\nl 1 2\nf -1 -2 -3\n",
+                     "m.obj", 0);
+}
+
 }  // namespace
 
 int main() {
@@ -294,5 +301,6 @@ int main() {
   add("parts", test_parts, nullptr);
   add("utf16", test_utf16, nullptr);
   add("star", test_star, nullptr);
+  add("mutants", test_mutants, nullptr);
   return _cmocka_run_group_tests("unit.scene.obj", g_tests, g_count, nullptr, nullptr);
 }

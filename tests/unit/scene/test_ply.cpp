@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/failure.h"
+#include "support/model_mutants.h"
 #include "support/rows.h"
 #include "support/scene_model.h"
 
@@ -41,7 +42,7 @@ const Text kTexts[] = {
     {"text/line_ends",
      "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
      "property float z\r\nelement face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n"
-     "0 0 0\r\n2 0 0\r\n2 1 0\r\n3 0 1 2\r\n",
+     "0 0 0\r\n1 0 0\r\n1 1 0\r\n3 0 1 2\r\n",
      1, ""},
     {"text/comments",
      "ply\nformat ascii 1.0\ncomment of C:\\models\\\nobj_info by hand\nelement vertex 4\n" POSITIONS FACE DATA
@@ -122,6 +123,21 @@ void test_binary(void** state) {
     assert_true(model.geometries[0].position[2] + model.geometries[0].origin[2] == 5);
     assert_true(has_warning(model, "property \"skipped\""));
   }
+}
+
+/// Text and binary, with colours of faces, texture coordinates of corners and a strip.
+void test_mutants(void**) {
+  assert_mutants_end(
+      text_of_triangle(RGB, FACE "property list uchar float texcoord\n" DATA, " 1 2 3") + "3 0 1 2 6 0 0 1 0 1 1\n",
+      "m.ply", 4);
+  std::string file = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" POSITIONS FACE RGB
+                     "element tristrips 1\nproperty list int int vertex_indices\n" DATA;
+  for (const double value : {0, 0, 0, 1, 0, 0, 1, 1, 0}) append<float>(file, value, false);
+  append<uint8_t>(file, 3, false);
+  for (const double value : {0, 1, 2}) append<int32_t>(file, value, false);
+  for (const double value : {255, 0, 9}) append<uint8_t>(file, value, false);
+  for (const double value : {4, 0, 1, 2, 0}) append<int32_t>(file, value, false);
+  assert_mutants_end(file, "m.ply", 4);
 }
 
 struct ColorRow {
@@ -285,6 +301,7 @@ int main() {
   ADD_ROWS(kTexts, test_text);
   ADD_ROWS(kTypes, test_binary);
   ADD_ROWS(kColors, test_colors);
+  add("mutants", test_mutants, nullptr);
   add("face_colors", test_face_colors, nullptr);
   add("both_colors", test_both_colors, nullptr);
   add("texture", test_texture, nullptr);

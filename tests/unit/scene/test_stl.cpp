@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "support/model_mutants.h"
 #include "support/rows.h"
 #include "support/scene_model.h"
 
@@ -114,11 +115,17 @@ void test_limits(void**) {
   assert_string_equal(message.c_str(), "2 triangles are above scene.max_triangles 1");
 }
 
+void test_mutants(void**) {
+  assert_mutants_end("solid a\n" FACET("0 0 1") "endsolid a\n", "m.stl", 6);
+  assert_mutants_end(binary("COLOR=\xff\x01\x01\xff", 0x8000, 0x7c00), "m.stl", 0);
+}
+
 }  // namespace
 
 int main() {
   ADD_ROWS(kTexts, test_text);
   ADD_ROWS(kBinaries, test_binary);
   add("limits", test_limits, nullptr);
+  add("mutants", test_mutants, nullptr);
   return _cmocka_run_group_tests("unit.scene.stl", g_tests, g_count, nullptr, nullptr);
 }

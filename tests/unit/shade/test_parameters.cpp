@@ -98,14 +98,18 @@ void test_textures(void** state) {
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) std::fill_n(g->columns.slot[i][c], kBatch, -77.0f);
       }
       shade::look_up_slots(target, {shading, g->points, g->varyings, n % 5 != 0}, wanted, &g->columns, &p);
-      for (uint32_t i = 0; i < material::kSlotCount; ++i) {
+      const bool completes_moments = encoding == SHD_NORMAL_ENCODING_MOMENTS &&
+                                     g->material.slot[SHD_SLOT_NORMAL].source == SHD_SLOT_SOURCE_TEXTURE;
+      const auto is_read = [&](uint32_t i) {
+        return g->material.slot[i].source == SHD_SLOT_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1 &&
+               (i != SHD_SLOT_NORMAL_MIXED || completes_moments);
+      };
+      const bool tinted = is_read(SHD_SLOT_TINT);
+      for (uint32_t i = material::kSlotCount; i-- > 0;) {  // the tint before the diffuse slot
         const material::Slot& slot = g->material.slot[i];
-        const bool completes_moments = encoding == SHD_NORMAL_ENCODING_MOMENTS &&
-                                       g->material.slot[SHD_SLOT_NORMAL].source == SHD_SLOT_SOURCE_TEXTURE;
-        const bool reads = slot.source == SHD_SLOT_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1 &&
-                           (i != SHD_SLOT_NORMAL_MIXED || completes_moments);
-        assert_true((p.value[i][0] != nullptr) == reads);
-        const bool lacks_alpha = i == SHD_SLOT_DIFFUSE && g->material.blend == SHD_BLEND_OPAQUE;
+        const bool is_diffuse = i == SHD_SLOT_DIFFUSE, reads = is_read(i);
+        assert_true((p.value[i][0] != nullptr) == (reads || (is_diffuse && tinted)));
+        const bool lacks_alpha = (is_diffuse || i == SHD_SLOT_TINT) && g->material.blend == SHD_BLEND_OPAQUE;
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
           const bool fills = reads && !(lacks_alpha && c == 3);
           for (size_t k = fills ? g->points.count : 0; k < kBatch; ++k) assert_true(g->columns.slot[i][c][k] == -77.0f);
@@ -114,6 +118,9 @@ void test_textures(void** state) {
         look_up_alone(target, slot, i, n % 5 != 0);
         if (lacks_alpha) assert_null(p.value[i][3]);
         for (uint32_t c = 0; c < (lacks_alpha ? 3 : material::slot_channels(i)); ++c) {
+          for (size_t k = 0; is_diffuse && tinted && k < g->points.count; ++k) {
+            g->kept.slot[i][c][k] *= g->kept.slot[SHD_SLOT_TINT][c][k];
+          }
           assert_memory_equal(p.value[i][c], g->kept.slot[i][c], g->points.count * sizeof(float));
         }
       }

@@ -6631,6 +6631,8 @@ extern "C" {
     /// The times of an animation \[s\]: its first key and its last one. Poses before and after are those of the keys. Its name
     /// is that of SHD_SCENE_PART_ANIMATION.
     ///
+    /// SHD_ERROR_NOT_FOUND if there is no such animation
+    ///
     /// - `index`: below shd_scene_info.animation_count
     /// - `out_first`: written; 0 on failure
     /// - `out_last`: written; 0 on failure
@@ -6639,6 +6641,8 @@ extern "C" {
     /// lights and cameras. Interpolation is that of glTF 2.0, appendix C. The new scene does not depend on the pose of
     /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
     /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning.
+    ///
+    /// SHD_ERROR_NOT_FOUND if there is no such animation
     ///
     /// - `animation`: index, below shd_scene_info.animation_count
     /// - `seconds`: finite; clamped to the times of each property
