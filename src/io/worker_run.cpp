@@ -19,6 +19,7 @@ namespace shd::io {
 namespace {
 
 constexpr uint32_t kMaxQuestions = 65536;
+constexpr uint64_t kSmallPiece = uint64_t{1} << 17;  // read at once; the values in it have a few bytes each
 
 /// A copy of bytes as a file, which the child reads while this process does something else.
 FileDescriptor memory_file(const Given& given) {
@@ -88,6 +89,11 @@ void ModuleRun::read_raw(void* bytes, size_t size) {
 
 void ModuleRun::next_piece() {
   read_raw(&piece_, sizeof piece_);
+  small_.clear();
+  if (piece_ != 0 && piece_ <= kSmallPiece) {
+    small_.resize(static_cast<size_t>(piece_));
+    read_raw(small_.data(), small_.size());
+  }
   if (piece_ != 0) return;
   WorkerReply reply;
   read_raw(&reply, sizeof reply);
@@ -106,7 +112,11 @@ void ModuleRun::read(void* bytes, size_t size) {
     if (piece_ == 0 && !ended_) next_piece();
     if (ended_) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a reply that ends too early");
     const auto part = static_cast<size_t>(std::min<uint64_t>(piece_, size));
-    read_raw(next, part);
+    if (small_.empty()) {
+      read_raw(next, part);
+    } else {
+      std::memcpy(next, small_.data() + small_.size() - piece_, part);
+    }
     piece_ -= part;
     next += part;
     size -= part;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "io/worker_call.h"
 
 namespace shd::io {
@@ -36,7 +38,8 @@ class ModuleRun {
   const Deadline& deadline_;
   const Finder finder_;
   Channel channel_;
-  uint64_t piece_ = 0;  // bytes of the current piece that have not been read
+  std::vector<unsigned char> small_;  // the piece, if it is small
+  uint64_t piece_ = 0;                // bytes of the current piece that have not been read
   uint32_t questions_ = 0;
   bool ended_ = false;  // the final reply has come, and has no error
 };

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Models by the worker: memory, callbacks, the rules for names, and damaged files. */
 #define _XOPEN_SOURCE 700
+#include "support/io_worker.h"
 #include "support/rows.h"
 #include "support/scene_files.h"
-
-#include <time.h>
 
 static shd_context *g_context;
 
@@ -118,6 +117,30 @@ static void test_memory_alone(void **state)
                       "bytes: NULL");
 }
 
+/* The worker of the first load serves all later ones, of models and of images. */
+static void test_one_worker(void **state)
+{
+    const char *program = io_copy_worker(SHD_IO_WORKER, "one-worker");
+    shd_load_desc texture = shd_load_desc_default();
+    shd_scene_desc desc = shd_scene_desc_default();
+    io_worker first, later;
+    (void)state;
+    texture.worker_path = program;
+    desc.texture = &texture;
+    for (int i = 0; i < 3; ++i) {
+        shd_scene *scene = NULL;
+        shd_assert_ok(shd_scene_load(g_context, io_path("tri.obj"), &desc, &scene));
+        assert_int_equal(info_of(scene).texture_count, 2);
+        shd_scene_release(scene);
+        later = io_await_worker(program, 1);
+        if (i == 0) first = later;
+        assert_int_equal(later.server, first.server);
+    }
+    kill(later.server, SIGTERM);
+    (void)io_await_worker(program, -1);
+    unlink(program);
+}
+
 static shd_result find_nothing_more(void *user, const char *name, const void **out_bytes, size_t *out_size)
 {
     (void)user, (void)name, (void)out_bytes, (void)out_size;
@@ -179,13 +202,6 @@ static void test_name(void **state)
     }
 }
 
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* Seeds of mutants. Each is small, so that most bytes matter. */
 static const char k_ply[] =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -243,9 +259,9 @@ static void test_mutants(void **state)
         uint64_t answers[2];
         for (int k = 0; k < 2; ++k) {
             shd_scene *scene = NULL;
-            const double start = seconds();
+            const double start = io_seconds();
             const shd_result result = shd_scene_load_memory(g_context, text, size, seed->file, &desc, &scene);
-            assert_true(seconds() - start < desc.time_limit + 10);
+            assert_true(io_seconds() - start < desc.time_limit + 10);
             assert_true(result != SHD_ERROR_INTERNAL);
             answers[k] =
                 result == SHD_OK ? hash_of(scene) : mix((uint64_t)result, shd_last_error(), strlen(shd_last_error()));
@@ -261,6 +277,7 @@ int main(void)
     add("one_scene", test_one_scene, NULL);
     add("memory_alone", test_memory_alone, NULL);
     add("find_refuses", test_find_refuses, NULL);
+    add("one_worker", test_one_worker, NULL);
     ADD_ROWS(k_names, test_name);
     ADD_ROWS(k_seeds, test_mutants);
     return _cmocka_run_group_tests("api.scene_worker", g_tests, g_count, set_up, tear_down);
