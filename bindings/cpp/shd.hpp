@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -175,6 +176,54 @@ texture texture_create(shd_context* context_, const shd_texture_desc* desc, shd_
   kept.release();
   return made;
 }
+
+#if __has_include(<shd/scene.h>)
+/// A load of a model whose files `find` answers: load(desc), with the callback in its desc. It throws what `find` throws.
+template <class Find, class Load>
+scene scene_load_found(const shd_scene_desc* desc, Find& find, Load load) {
+  struct Call {
+    Find& find;
+    std::exception_ptr failure;
+  } call = {find, nullptr};
+  shd_scene_desc found = desc ? *desc : shd_scene_desc_default();
+  found.find = [](void* user_data, const char* name, const void** out_bytes, std::size_t* out_size) noexcept {
+    Call& running = *static_cast<Call*>(user_data);
+    try {
+      const span<const unsigned char> bytes = running.find(name);
+      *out_bytes = bytes.data(), *out_size = bytes.size();
+      return bytes.data() ? SHD_OK : SHD_ERROR_NOT_FOUND;
+    } catch (...) {
+      running.failure = std::current_exception();
+      return SHD_ERROR_CALLBACK;
+    }
+  };
+  found.find_user_data = &call;
+  shd::scene made;
+  const shd_result result = load(found, made);
+  if (call.failure) std::rethrow_exception(call.failure);
+  check(result);
+  return made;
+}
+
+/// Read a model file. `find(const char *name)` answers the names of its files in place of its folder, with a span of
+/// their bytes; a span without data = no such file. The bytes stay until the load returns. See shd_scene_load().
+/// @param desc  its `find` is not read; NULL = all defaults
+template <class Find>
+scene scene_load(shd_context* context_, const char* path, const shd_scene_desc* desc, Find find) {
+  return scene_load_found(desc, find, [&](const shd_scene_desc& found, shd::scene& made) {
+    return scene_load(context_, path, &found, made);
+  });
+}
+
+/// Read a model file in memory; `find` as above. See shd_scene_load_memory().
+template <class Find>
+scene scene_load_memory(shd_context* context_, span<const unsigned char> bytes, const char* name,
+                        const shd_scene_desc* desc, Find find) {
+  return scene_load_found(desc, find, [&](const shd_scene_desc& found, shd::scene& made) {
+    return scene_load_memory(context_, bytes.data(), bytes.size(), name, &found, made);
+  });
+}
+#endif
 
 }  // namespace shd
 #endif

@@ -25,6 +25,11 @@ def text_bytes(value, name):
     return raw
 
 
+def is_bytes(value):
+    """Whether a value is the contents of a file, not its path."""
+    return isinstance(value, (bytes, bytearray, memoryview, np.ndarray))
+
+
 def address(array):
     return array.__array_interface__["data"][0]
 

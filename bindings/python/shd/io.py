@@ -5,7 +5,7 @@ import ctypes
 import numpy as np
 
 from . import _api
-from ._convert import text_bytes
+from ._convert import is_bytes, text_bytes
 from ._desc import read_struct
 from ._frame import Framebuffer
 from ._image import array_type, image
@@ -51,7 +51,7 @@ def load(context, source, desc=None, **values) -> Bitmap:
     keep, made = [], Bitmap.__new__(Bitmap)
     built = make_desc("shd_load_desc", desc, values).build(keep)
     handle, address = context.handle("shd_context", keep), ctypes.addressof(built)
-    if isinstance(source, (bytes, bytearray, memoryview, np.ndarray)):
+    if is_bytes(source):
         raw = np.frombuffer(source, np.uint8)
         made._adopt(keep, _api.lib.shd_bitmap_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
@@ -74,7 +74,7 @@ def load_texture(context, source=None, desc=None, **values) -> Texture:
     for name, info in infos.items():
         setattr(built, name, ctypes.addressof(info))
     handle, address = context.handle("shd_context", keep), ctypes.addressof(built)
-    if isinstance(source, (bytes, bytearray, memoryview, np.ndarray)):
+    if is_bytes(source):
         raw = np.frombuffer(source, np.uint8)
         made._adopt(keep, _api.lib.shd_texture_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
@@ -115,9 +115,13 @@ def save(picture, path, desc=None, srgb=False, **values) -> None:
     """Writes a framebuffer, or an image [height][width][channels], to the format of the extension.
 
     Options are the fields of SaveDesc: save(framebuffer, "frame.png", dither="ordered"). `srgb` marks arrays of uint8
-    as encoded.
+    as encoded. A Texture becomes a KTX2 file with all its levels, with the options of Ktx2Desc.
     """
     keep = []
+    if isinstance(picture, Texture):
+        built = _built("shd_ktx2_desc", desc, values, keep)
+        _api.check(_api.lib.shd_texture_save_ktx2(picture.handle("shd_texture", keep), text_bytes(path, "path"), built))
+        return
     built = _built("shd_save_desc", desc, values, keep)
     if isinstance(picture, Framebuffer):
         call = _api.lib.shd_framebuffer_save, picture.handle("shd_framebuffer", keep, "picture")

@@ -133,11 +133,12 @@ def _placed(parts, poses):
 
 
 class Model:
-    """The triangles of a model file, for Mesh.from_trimesh()."""
+    """The triangles of a model file, for Mesh.from_trimesh(). `warnings` are those of the file."""
 
-    def __init__(self, path, **values):
+    def __init__(self, source, **values):
         from .scene import Scene as File
-        self.parts = from_scene(_context(), File(_context(), path, **values), metallic=1.0)
+        scene = File(_context(), source, **values)
+        self.parts, self.warnings = from_scene(_context(), scene, metallic=1.0), scene.warnings
 
     bounds = property(lambda self: _bounds(self.parts))
     extents = property(lambda self: np.diff(self.bounds, axis=0).reshape(-1))
@@ -145,9 +146,9 @@ class Model:
     scale = property(lambda self: float(np.linalg.norm(self.extents)))
 
 
-def load(path, **values):
-    """A model file of any format that libshd_scene reads. Options are the fields of SceneDesc."""
-    return Model(path, **values)
+def load(source, **values):
+    """A model file of any format that libshd_scene reads, or its bytes. Options are those of shd.Scene."""
+    return Model(source, **values)
 
 
 def _corners(parts):

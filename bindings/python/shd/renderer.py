@@ -97,7 +97,8 @@ class Renderer:
         """Adds a model and returns its Item, whose pose may change between frames.
 
         add(mesh)                               an object like trimesh.Trimesh or trimesh.Scene; smooth=False for flat
-        add("model.glb")                        a file, by libshd_scene, with its lights if lights=True
+        add("model.glb")                        a file or its bytes, by libshd_scene, with its lights if lights=True
+        add(scene.pose("Walk", 0.5))            a Scene of the context of the renderer
         add(position=p, indices=i, uv=uv, texture=pixels)        arrays; also normal, color, metallic, roughness
         add(shd_mesh, material=material)        objects of shd
 
@@ -105,7 +106,7 @@ class Renderer:
         """
         scene = None
         self._require_open()
-        if isinstance(item, (str, os.PathLike)):
+        if isinstance(item, (str, bytes, os.PathLike)) or getattr(item, "_kind", None) == "shd_scene":
             scene = self._load(item, values)
             parts = from_scene(self._context, scene)
         elif item is None:
@@ -115,10 +116,10 @@ class Renderer:
         self.items.append(Item(parts, pose, scene))
         return self.items[-1]
 
-    def _load(self, path, values):
+    def _load(self, source, values):
         from .scene import Scene
         with_lights = values.pop("lights", False)
-        scene = Scene(self._context, path, **values)
+        scene = source if isinstance(source, Scene) and not values else Scene(self._context, source, **values)
         if with_lights:
             self.lights += [(light, None) for light in scene.lights]
         return scene

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Model files: meshes, materials, textures, lights and cameras. Needs the component libshd_scene."""
+import collections.abc
 import ctypes
 
 import numpy as np
 
 from . import _api
-from ._convert import enum_value, text_bytes
+from ._callback import Callback
+from ._convert import address, enum_value, is_bytes, text_bytes
 from ._desc import desc_type, read_struct
 from ._objects import Light, Material, Mesh, Object, Sampler, make_desc
 from ._texture import Texture
@@ -18,22 +20,57 @@ def _matrix(values):
     return np.array(values, np.float32).reshape(4, 4).T.copy()
 
 
+def _finder(find):
+    """The callback of C for find(name), which returns the bytes of a file or None, or for a dict of them."""
+    get, answers = find.get if isinstance(find, collections.abc.Mapping) else find, []
+    if not callable(get):
+        raise TypeError(f"scene.find: a function or a dict, not {type(find).__name__}")
+
+    def run(name, out_bytes, out_size):
+        answer = get(name)
+        if answer is None:
+            return _api.enum_type("shd_result").ERROR_NOT_FOUND
+        if not is_bytes(answer):
+            raise TypeError(f"scene.find: bytes or None for {name!r}, not {type(answer).__name__}")
+        answers.append(np.frombuffer(answer, np.uint8))  # until the load ends
+        ctypes.c_void_p.from_address(out_bytes).value = address(answers[-1])
+        ctypes.c_size_t.from_address(out_size).value = answers[-1].size
+        return 0
+
+    return run
+
+
 class Scene(Object):
-    """Scene(context, "model.glb", ...): the contents of a model file.
+    """Scene(context, "model.glb", ...): the contents of a model file, or of the bytes of one.
 
     The parts are ordinary objects and descs, which may be used longer than the scene:
 
         scene = shd.Scene(context, "model.glb")
         shd.render(context, framebuffer, scene.draws, lights=scene.lights, camera=scene.cameras[0])
+
+    Options are the fields of SceneDesc: flags="any_folder", max_triangles=10**6. `find` answers the names of the model's
+    files in place of its folder: a dict of bytes, or a function find(name) that returns bytes or None. The load raises
+    what the function raises. `name` is that of a model in memory, for formats without a mark of their own:
+
+        scene = shd.Scene(context, archive.read("a.obj"), name="a.obj", find={"a.mtl": archive.read("a.mtl")})
     """
 
     _kind = "shd_scene"
 
-    def __init__(self, context, path, desc=None, **values):
-        keep = []
-        built = make_desc("shd_scene_desc", desc, values).build(keep)
-        self._adopt(keep, _api.lib.shd_scene_load, context.handle("shd_context", keep), text_bytes(path, "path"),
-                    ctypes.addressof(built))
+    def __init__(self, context, source, desc=None, *, name=None, **values):
+        keep, made = [], make_desc("shd_scene_desc", desc, values)
+        if made._values.get("find") is not None:
+            made = made.replace(find=_finder(made.find))
+        built, handle = ctypes.addressof(made.build(keep)), context.handle("shd_context", keep)
+        if is_bytes(source):
+            raw = np.frombuffer(source, np.uint8)
+            self._adopt(keep, _api.lib.shd_scene_load_memory, handle, address(raw), raw.size, text_bytes(name, "name"),
+                        built)
+        elif name is not None:
+            raise TypeError("name: only models in memory have one")
+        else:
+            self._adopt(keep, _api.lib.shd_scene_load, handle, text_bytes(source, "path"), built)
+        self._reference.keep = [k for k in self._reference.keep if not isinstance(k, Callback)]  # find was for the load
         self._info_values = self._info("shd_scene_info")
 
     @property
