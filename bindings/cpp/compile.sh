@@ -11,7 +11,7 @@ for compiler in g++ clang++; do
     continue
   fi
   "$compiler" -std=c++17 "${options[@]}" hello.cpp
-  "$compiler" -std=c++20 "${options[@]}" test_shd_hpp.cpp
+  "$compiler" -std=c++20 "${options[@]}" -DSHD_TEST_SCENE test_shd_hpp.cpp
   "$compiler" -std=c++17 -fno-exceptions "${options[@]}" -x c++ - <<<'#include <shd.hpp>'
   count=$((count + 1))
 done

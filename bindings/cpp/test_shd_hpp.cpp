@@ -8,6 +8,7 @@
 #include <memory>
 #include <shd.hpp>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -283,6 +284,83 @@ void test_tiled_file() {
 }
 #endif
 
+#ifdef SHD_TEST_SCENE
+/// A triangle whose buffer is the file a.bin, with an animation to x = 4 in 2 s, and a texture that no file has.
+constexpr char kModel[] = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+  "textures": [{"source": 0}], "images": [{"uri": "none.png"}], "buffers": [{"uri": "a.bin", "byteLength": 68}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                  {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+    {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [2]},
+    {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+  "animations": [{"name": "Move", "samplers": [{"input": 1, "output": 2}],
+                  "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]})";
+constexpr float kBuffer[17] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 4, 0, 0};
+
+void test_scene() {
+  const shd::context context = shd::context_create(nullptr);
+  const shd::span<const unsigned char> model(reinterpret_cast<const unsigned char*>(kModel), sizeof kModel - 1);
+  const shd::span<const unsigned char> buffer(reinterpret_cast<const unsigned char*>(kBuffer), sizeof kBuffer);
+  shd_scene_desc desc = shd_scene_desc_default();
+  for (const shd_scene_flags flags : {SHD_SCENE_NONE, SHD_SCENE_IN_PROCESS}) {
+    desc.flags = flags;
+    const shd::scene scene = shd::scene_load_memory(context, model, nullptr, &desc, [&](const char* name) {
+      return std::strcmp(name, "a.bin") == 0 ? buffer : shd::span<const unsigned char>();
+    });
+    const shd_scene_info info = shd::scene_get_info(scene);
+    expect(info.triangle_count == 1 && info.animation_count == 1, "scene/info");
+    bool warned = false;
+    for (std::uint32_t i = 0; i < info.warning_count; ++i) {
+      warned = warned || std::strstr(shd_scene_warning(scene, i), "none.png");
+    }
+    expect(warned, "scene/warning");
+    double first = -1, last = -1;
+    shd::scene_get_animation_times(scene, 0, &first, &last);
+    const shd::scene pose = shd::scene_pose(scene, 0, 0.5 * (first + last));
+    expect(shd::scene_get_instance(pose, 0).object_to_world[12] == 2.0f, "scene/pose");
+    std::string problem;
+    try {
+      shd::scene_load_memory(context, model, nullptr, &desc,
+                             [](const char* name) -> shd::span<const unsigned char> { throw std::out_of_range(name); });
+    } catch (const std::out_of_range& thrown) {
+      problem = thrown.what();
+    }
+    expect(problem == "a.bin", "scene/exception of the function");
+    bool refused = false;
+    try {
+      shd::scene_load_memory(context, model.data(), model.size(), nullptr, &desc);
+    } catch (const shd::error& failure) {
+      refused = std::strstr(failure.what(), "a.bin") != nullptr;
+    }
+    expect(refused, "scene/no files");
+  }
+}
+
+/// A texture of the bytes of a DDS file of 2 x 2 texels RGBA8.
+void test_texture_memory() {
+  const shd::context context = shd::context_create(nullptr);
+  std::array<std::uint32_t, 36> file = {0x20534444, 124, 0x1007, 2, 2};
+  file[19] = 32, file[20] = 0x41, file[22] = 32, file[27] = 0x1000;
+  file[23] = 0xff, file[24] = 0xff00, file[25] = 0xff0000, file[26] = 0xff000000;
+  for (std::uint32_t i = 32; i < 36; ++i) file[i] = 0xff000000 + i;
+  shd_texture_file_info info = shd_texture_file_info_default();
+  shd_load_desc desc = shd_load_desc_default();
+  desc.info = &info;
+  const shd::texture texture = shd::texture_load_memory(context, file.data(), sizeof file, &desc);
+  expect(info.kind == SHD_TEXTURE_FILE_KIND_DDS && info.level_count == 1, "texture/info");
+  std::array<std::uint32_t, 4> texels = {};
+  shd_image image = shd_image_default();
+  image.format = shd::texture_get_info(texture).format;
+  image.width = image.height = 2;
+  image.pixels = texels.data();
+  shd::texture_read_level(texture, 0, 0, &image);
+  expect(std::memcmp(texels.data(), file.data() + 32, sizeof texels) == 0, "texture/texels");
+}
+#endif
+
 }  // namespace
 
 int main() {
@@ -290,6 +368,10 @@ int main() {
   test_tiles();
 #ifdef SHD_TEST_TILED_FILE
   test_tiled_file();
+#endif
+#ifdef SHD_TEST_SCENE
+  test_scene();
+  test_texture_memory();
 #endif
   test_ownership();
   test_errors();
