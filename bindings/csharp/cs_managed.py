@@ -9,7 +9,8 @@ BY_HAND = {("shd_texture_desc", "tiles"), ("shd_context_desc", "allocator"), ("s
            ("shd_image", "pixels"), ("shd_draw", "uniforms"), ("shd_slot", "procedure"), ("shd_slot", "user_data"),
            ("shd_material_desc", "program"), ("shd_render_desc", "stats"), ("shd_render_desc", "progress"),
            ("shd_render_desc", "present"), ("shd_save_desc", "display"), ("shd_occlusion_desc", "tracer"),
-           ("shd_bake_desc", "stats"), ("shd_occlusion_atlas", "stats")}
+           ("shd_bake_desc", "stats"), ("shd_occlusion_atlas", "stats"), ("shd_scene_desc", "find"),
+           ("shd_scene_desc", "find_user_data")}
 # The field with the number of rows of the columns.
 ROWS = {"shd_mesh_desc": "vertex_count", "shd_volume_desc": "point_count", "shd_polygon_desc": "vertex_count",
         "shd_shape_columns": "vertex_count"}

@@ -25,6 +25,25 @@ namespace Shd
     /// </summary>
     public delegate void TileLoader(TextureTiles tiles);
 
+    /// <summary>
+    /// The bytes of a file that a model names, or null if there is no such file. Runs on the thread of the load. What it
+    /// throws, the load throws.
+    /// </summary>
+    public delegate byte[] FileFinder(string name);
+
+    /// <summary>A FileFinder and the load that runs it.</summary>
+    internal sealed class FindCall
+    {
+        internal readonly Call Call;
+        internal readonly FileFinder Find;
+
+        internal FindCall(Call call, FileFinder find)
+        {
+            Call = call;
+            Find = find;
+        }
+    }
+
     /// <summary>The source of the tiles of a texture.</summary>
     public sealed class TileSource
     {

@@ -152,6 +152,22 @@ namespace Shd
         }
     }
 
+    public sealed unsafe partial class SceneDesc
+    {
+        /// <summary>
+        /// Answers the names of the model's files, in place of its folder; null = the folder, or no file for a model in
+        /// memory.
+        /// </summary>
+        public FileFinder Find;
+
+        partial void More(Call call, string name, ref Native.SceneDesc made)
+        {
+            if (Find == null) return;
+            made.Find = Thunks.Find;
+            made.FindUserData = call.Callback(new FindCall(call, Find)).UserData;
+        }
+    }
+
     public sealed unsafe partial class SaveDesc
     {
         /// <summary>The display and view of a colour config that pixels are saved for; null = as Color says.</summary>

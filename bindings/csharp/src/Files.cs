@@ -85,7 +85,7 @@ namespace Shd
 
         /// <summary>
         /// A texture of any file: an image, KTX2, DDS, OpenVDB, and with `desc` voxels or a stack of slices, which has no
-        /// path.
+        /// path. desc.Info and desc.VdbInfo, if they have a value, get the contents of the file.
         /// </summary>
         public static Texture LoadTexture(Context context, string path, LoadDesc desc = null)
         {
@@ -95,10 +95,12 @@ namespace Shd
                 Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
                 IntPtr made;
                 call.Check(Native.LibShdIo.TextureLoad(call.Use(context, "context"), call.Text(path), &built, &made));
+                Take(desc, ref built);
                 return Adopt(call, made);
             }
         }
 
+        /// <summary>A texture of a file in memory.</summary>
         public static Texture LoadTexture(Context context, byte[] file, LoadDesc desc = null)
         {
             if (file == null) throw new ArgumentNullException("file");
@@ -108,8 +110,15 @@ namespace Shd
                 IntPtr made;
                 call.Check(Native.LibShdIo.TextureLoadMemory(call.Use(context, "context"), call.Pin(file),
                                                              (UIntPtr)(uint)file.Length, &built, &made));
+                Take(desc, ref built);
                 return Adopt(call, made);
             }
+        }
+
+        private static void Take(LoadDesc desc, ref Native.LoadDesc built)
+        {
+            if (built.Info != null) desc.Info = *built.Info;
+            if (built.VdbInfo != null) desc.VdbInfo = *built.VdbInfo;
         }
 
         /// <summary>
@@ -140,6 +149,17 @@ namespace Shd
                 Native.SaveDesc built = (desc ?? new SaveDesc()).Build(call, "desc");
                 call.Check(Native.LibShdIo.FramebufferSave(call.Use(framebuffer, "framebuffer"), call.Text(path),
                                                            &built));
+            }
+        }
+
+        /// <summary>Writes all levels of a texture to a KTX2 file.</summary>
+        public static void SaveKtx2(Texture texture, string path, Ktx2Desc? desc = null)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Ktx2Desc built = desc ?? Ktx2Desc.Default;
+                call.Check(Native.LibShdIo.TextureSaveKtx2(call.Use(texture, "texture"), call.Text(path), &built));
             }
         }
 

@@ -14,8 +14,34 @@ namespace Shd
                 Native.SceneDesc built = (desc ?? new SceneDesc()).Build(call, "desc");
                 IntPtr made;
                 call.Check(Native.LibShdScene.SceneLoad(call.Use(context, "context"), call.Text(path), &built, &made));
-                Handle.Adopt(made, call.Roots);
+                Adopt(made, call);
             }
+        }
+
+        /// <summary>
+        /// A model in memory. desc.Find gives the files that it names. `name` is that of the model, for formats without a
+        /// mark of their own, such as "model.obj".
+        /// </summary>
+        public Scene(Context context, byte[] file, string name = null, SceneDesc desc = null) : base(new SceneHandle())
+        {
+            if (file == null) throw new ArgumentNullException("file");
+            using (Call call = new Call())
+            {
+                Native.SceneDesc built = (desc ?? new SceneDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdScene.SceneLoadMemory(call.Use(context, "context"), call.Pin(file),
+                                                              (UIntPtr)(uint)file.Length, call.Text(name), &built,
+                                                              &made));
+                Adopt(made, call);
+            }
+        }
+
+        private Scene() : base(new SceneHandle()) { }
+
+        /// <summary>Keeps the callbacks of the context; a FileFinder was for the load.</summary>
+        private void Adopt(IntPtr made, Call call)
+        {
+            Handle.Adopt(made, call.Roots.FindAll(root => !(root.Target is FindCall)));
         }
 
         public SceneInfo Info
@@ -31,7 +57,7 @@ namespace Shd
             }
         }
 
-        /// <summary>What the file has that the library does not use.</summary>
+        /// <summary>A part of the file that was left out or changed.</summary>
         public string Warning(int index)
         {
             Inline.Check(index, Info.WarningCount);
@@ -120,6 +146,31 @@ namespace Shd
                 call.Check(Native.LibShdScene.SceneGetInstance(call.Use(this, "scene"), checked((uint)index),
                                                                &instance));
                 return instance;
+            }
+        }
+
+        /// <summary>The times of an animation [s]: its first key and its last one.</summary>
+        public void AnimationTimes(int animation, out double first, out double last)
+        {
+            double begin = 0, end = 0;
+            using (Call call = new Call())
+                call.Check(Native.LibShdScene.SceneGetAnimationTimes(call.Use(this, "scene"), checked((uint)animation),
+                                                                     &begin, &end));
+            first = begin;
+            last = end;
+        }
+
+        /// <summary>A scene of the file at some second of an animation.</summary>
+        public Scene Pose(int animation, double seconds)
+        {
+            using (Call call = new Call())
+            {
+                IntPtr made;
+                call.Check(Native.LibShdScene.ScenePose(call.Use(this, "scene"), checked((uint)animation), seconds,
+                                                        &made));
+                Scene pose = new Scene();
+                pose.Handle.Adopt(made, call.Roots);
+                return pose;
             }
         }
 

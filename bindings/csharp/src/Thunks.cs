@@ -18,6 +18,7 @@ namespace Shd
         private static readonly Native.ProgressReportFn progress = OnProgress;
         private static readonly Native.DisplayApplyFn display = OnDisplay;
         private static readonly Native.LoadTilesFn load = OnLoad;
+        private static readonly Native.SceneDescFindFn find = OnFind;
 
         internal static readonly IntPtr Fragment = Marshal.GetFunctionPointerForDelegate(fragment);
         internal static readonly IntPtr Vertex = Marshal.GetFunctionPointerForDelegate(vertex);
@@ -27,6 +28,7 @@ namespace Shd
         internal static readonly IntPtr Progress = Marshal.GetFunctionPointerForDelegate(progress);
         internal static readonly IntPtr Display = Marshal.GetFunctionPointerForDelegate(display);
         internal static readonly IntPtr Load = Marshal.GetFunctionPointerForDelegate(load);
+        internal static readonly IntPtr Find = Marshal.GetFunctionPointerForDelegate(find);
 
         private static void OnFragment(Native.Fragments* input, Native.Radiance* output, void* userData)
         {
@@ -109,6 +111,22 @@ namespace Shd
                 return Result.Ok;
             }
             catch (Exception problem) { source.Cache.Failure.Fail(problem); }
+            return Result.ErrorCallback;
+        }
+
+        private static Result OnFind(void* userData, byte* name, void** bytes, UIntPtr* size)
+        {
+            CallbackRoot root = CallbackRoot.Of(userData);
+            try
+            {
+                FindCall load = (FindCall)root.Target;
+                byte[] found = load.Find(Utf8.Read(name));
+                if (found == null) return Result.ErrorNotFound;
+                *bytes = found.Length > 0 ? load.Call.Pin(found) : load.Call.Memory(1); // until the load ends
+                *size = (UIntPtr)(uint)found.Length;
+                return Result.Ok;
+            }
+            catch (Exception problem) { root.Fail(problem); }
             return Result.ErrorCallback;
         }
     }

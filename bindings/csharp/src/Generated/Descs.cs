@@ -1774,15 +1774,6 @@ namespace Shd
         public double TimeLimit { get { return Fields.TimeLimit; } set { Fields.TimeLimit = value; } }
         /// <summary>memory of the process that reads, and of what it sends; 0 = 2^32 [bytes]</summary>
         public ulong MaxReaderBytes { get { return Fields.MaxReaderBytes; } set { Fields.MaxReaderBytes = value; } }
-        /// <summary>
-        /// Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
-        /// until the load returns. Result.ErrorNotFound = no such file; any other result than Result.Ok ends the load. Runs on
-        /// the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
-        /// memory.
-        /// </summary>
-        public IntPtr Find { get { return Fields.Find; } set { Fields.Find = value; } }
-        /// <summary>first argument of `find`</summary>
-        public Void FindUserData;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.SceneDesc Build(Call call, string name, long rows = -1)
@@ -1790,9 +1781,10 @@ namespace Shd
             Native.SceneDesc made = Fields;
             if (Sampler.HasValue) { made.Sampler = (global::Shd.SamplerDesc*)call.Memory(sizeof(global::Shd.SamplerDesc)); *made.Sampler = Sampler.Value; }
             if (Texture != null) made.Texture = LoadDesc.BuildAll(call, Call.Join(name, "Texture"), new LoadDesc[] { Texture });
-            if (FindUserData != null) made.FindUserData = Void.BuildAll(call, Call.Join(name, "FindUserData"), new Void[] { FindUserData });
+            More(call, name, ref made);
             return made;
         }
+        partial void More(Call call, string name, ref Native.SceneDesc made);
         internal static Native.SceneDesc* BuildAll(Call call, string name, IList<SceneDesc> list)
         {
             if (list == null || list.Count == 0) return null;
