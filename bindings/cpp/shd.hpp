@@ -178,7 +178,7 @@ texture texture_create(shd_context* context_, const shd_texture_desc* desc, shd_
 }
 
 #if __has_include(<shd/scene.h>)
-/// A load of a model whose files `find` answers: load(desc), with the callback in its desc. It throws what `find` throws.
+/// A load of a model whose files `find` answers: load(desc), with the callback in its desc. Throws what `find` throws.
 template <class Find, class Load>
 scene scene_load_found(const shd_scene_desc* desc, Find& find, Load load) {
   struct Call {

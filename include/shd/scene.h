@@ -121,8 +121,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_load(shd_context *context, const char
 
 /**
  * Read a model file in memory. The files that it names come from shd_scene_desc.find.
- * @param bytes  borrowed for the call
- * @param size   [bytes]
+ * @param bytes  [size]; borrowed for the call
  * @param name   name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for
  *               the call
  * @return as shd_scene_load()

@@ -26,8 +26,8 @@ namespace Shd
     public delegate void TileLoader(TextureTiles tiles);
 
     /// <summary>
-    /// The bytes of a file that a model names, or null if there is no such file. Runs on the thread of the load. What it
-    /// throws, the load throws.
+    /// The bytes of a file that a model names, or null if there is no such file. Runs on the thread of the load. The load
+    /// throws what it throws.
     /// </summary>
     public delegate byte[] FileFinder(string name);
 

@@ -19,8 +19,8 @@ namespace Shd
         }
 
         /// <summary>
-        /// A model in memory. desc.Find gives the files that it names. `name` is that of the model, for formats without a
-        /// mark of their own, such as "model.obj".
+        /// A model in memory. desc.Find gives the files that it names. `name` is that of the model, such as "model.obj",
+        /// for formats without a mark of their own.
         /// </summary>
         public Scene(Context context, byte[] file, string name = null, SceneDesc desc = null) : base(new SceneHandle())
         {

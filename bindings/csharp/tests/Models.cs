@@ -89,7 +89,8 @@ public static class Models
                 raw.Depth = 4;
                 using (Texture volume = Files.LoadTexture(context, texels, new LoadDesc { Raw = raw }))
                     Check.Equal(4u, volume.Info.Depth, "Depth");
-                Check.Throws<ShdException>(() => Files.LoadTexture(context, texels, new LoadDesc { Vdb = new VdbDesc() }));
+                desc = new LoadDesc { Vdb = new VdbDesc() };
+                Check.Throws<ShdException>(() => Files.LoadTexture(context, texels, desc));
             }
         }
         finally { File.Delete(path); }

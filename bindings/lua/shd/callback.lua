@@ -1,11 +1,13 @@
 -- SPDX-License-Identifier: MIT
 -- Functions of Lua that the library calls.
 --
--- LuaJIT runs a callback only on the thread of its Lua state, so the context must have one worker. There is one C
+-- LuaJIT runs a callback only on the thread of its Lua state, so the context must have one worker, except for callbacks
+-- of a load, which run on the thread of the call. There is one C
 -- function for each type of callback. The user_data of C is a number that selects the function of Lua: a function that
 -- was collected is then an error and not a stale pointer. An error does not unwind through C: it is kept, and the call
 -- of the library raises it.
 local ffi = require "ffi"
+local array = require "shd.array"
 local enums = require "shd.enums"
 local library = require "shd.native"
 local tables = require "shd.tables"
@@ -13,7 +15,7 @@ local C = library.C
 
 local callback = {}
 
-local ERROR_CALLBACK = 9
+local ERROR_NOT_FOUND, ERROR_CALLBACK = 4, 9
 local USER_DATA_LAST = {shd_fragment_fn = true, shd_vertex_fn = true, shd_slot_fn = true, shd_trace_fn = true}
 local LOOKUPS = {shd_texture_sample = true, shd_solid_evaluate = true}
 -- Functions of the library that a callback may call; true = all.
@@ -32,6 +34,9 @@ local borrow  -- makes an object of a handle, for the time of a callback
 
 function callback.set_borrow(make) borrow = make end
 
+--- Callbacks that run on the thread of the call and end with it, so the context may have any number of workers.
+callback.OF_CALL = {["shd_scene_desc.find"] = true}
+
 -- The arguments of C as arguments of Lua, and the result of Lua as the result of C.
 local adapters = {
   shd_fragment_fn = function(run, input, output) run(input, output) end,
@@ -40,6 +45,12 @@ local adapters = {
   shd_trace_fn = function(run, rays, blocked) run(rays, blocked) end,
   shd_load_tiles_fn = function(run, tiles, count)
     run(tiles, tonumber(count))
+    return 0
+  end,
+  ["shd_scene_desc.find"] = function(run, name, out_bytes, out_size, entry)
+    local answer = run(ffi.string(name))
+    if answer == nil then return ERROR_NOT_FOUND end
+    out_bytes[0], out_size[0] = array.bytes(answer, nil, false, "scene.find", entry)  -- which the call keeps
     return 0
   end,
   ["shd_log.write"] = function(run, level, text)
@@ -89,7 +100,7 @@ local function dispatch(name, user_data, a, b, c)
   local before, allowed = status.restricted, ALLOWED[name] or {}
   if allowed ~= true then status.restricted = allowed end
   status.depth = status.depth + 1
-  local good, returned = pcall(adapters[name], entry[name], a, b, c)
+  local good, returned = pcall(adapters[name], entry[name], a, b, c, entry)
   status.depth = status.depth - 1
   status.restricted = before
   if not good then

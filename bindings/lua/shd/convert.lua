@@ -191,7 +191,7 @@ end
 
 -- Memory behind a pointer: texels, uniforms, matrices.
 local function data(struct, base, names, field, value, state, label)
-  if field[1] == "user_data" then
+  if field[1]:match("user_data$") then
     if type(value) ~= "cdata" or not tostring(ffi.typeof(value)):find("[%*%[]") then
       refuse("%s: a pointer of ffi, not %s", label, type(value))
     end
@@ -218,7 +218,7 @@ local function data(struct, base, names, field, value, state, label)
   return pointer
 end
 
-local function set_callback(struct, field, value, state, label)
+local function set_callback(struct, names, field, value, state, label)
   if type(value) == "cdata" then
     local ctype = tables.callbacks[field[3]].type
     if not ffi.istype(ctype, value) then refuse("%s: a function of Lua or a %s of C", label, ctype) end
@@ -227,7 +227,11 @@ local function set_callback(struct, field, value, state, label)
   end
   if type(value) ~= "function" then refuse("%s: a function, not %s", label, type(value)) end
   local run, user_data = callback.bind(field[3], value, state, label)
-  struct[field[1]], struct.user_data = run, user_data
+  struct[field[1]], struct[names.user_data and "user_data" or field[1] .. "_user_data"] = run, user_data
+  if callback.OF_CALL[field[3]] then
+    state.keep[#state.keep + 1] = state.entry
+    return
+  end
   state.callbacks = state.callbacks or label
   state.anchors[#state.anchors + 1] = state.entry
 end
@@ -314,7 +318,9 @@ function set.data(struct, base, names, field, value, state, label)
   struct[field[1]] = data(struct, base, names, field, value, state, label)
 end
 
-function set.callback(struct, _, _, field, value, state, label) set_callback(struct, field, value, state, label) end
+function set.callback(struct, _, names, field, value, state, label)
+  set_callback(struct, names, field, value, state, label)
+end
 
 -- Numbers come first: lengths and memory depend on them.
 local FIRST = {number = true, enum = true}

@@ -1673,7 +1673,7 @@ tables.functions = {
   },
   shd_scene_load_memory = {library = "shd_scene", result = {"enum", "shd_result"},
     {"context", "handle", "shd_context"},
-    {"bytes", "data", "void", const = true},
+    {"bytes", "data", "void", length = {"size"}, const = true},
     {"size", "number", "size_t"},
     {"name", "string", "char", const = true},
     {"desc", "structs", "shd_scene_desc", const = true},

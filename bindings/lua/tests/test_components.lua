@@ -93,3 +93,74 @@ case("a model file", "shd_scene", function()
   equal(frame.stats.triangles, 1)
   equal(refused("nothing.obj", shd.scene_load, context, "/nothing.obj").result, "error_not_found")
 end)
+
+-- A triangle whose buffer is the file a.bin, with an animation to x = 4 in 2 s, and a texture that no file has.
+local MODEL = [[{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+  "textures": [{"source": 0}], "images": [{"uri": "none.png"}], "buffers": [{"uri": "a.bin", "byteLength": 68}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+    {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+    {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [2]},
+    {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+  "animations": [{"name": "Move", "samplers": [{"input": 1, "output": 2}],
+    "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]}]]
+
+case("a model in memory", "shd_scene", function()
+  local buffer = floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 4, 0, 0)
+  local many = shd.context()  -- the function runs on the thread of the load
+  for _, flags in ipairs {"none", "in_process"} do
+    for _, answer in ipairs {buffer, ffi.string(buffer, 68)} do
+      local scene = shd.scene_load_memory(many, MODEL, nil, {flags = flags, find = function(name)
+        return name == "a.bin" and answer or nil
+      end})
+      collectgarbage()
+      local info = scene:get_info()
+      equal(info.triangle_count, 1)
+      local warnings = {}
+      for i = 0, info.warning_count - 1 do warnings[#warnings + 1] = scene:warning(i) end
+      assert(table.concat(warnings, "; "):find("none.png", 1, true), table.concat(warnings, "; "))
+      equal(scene:name("animation", 0), "Move")
+      local first, last = scene:get_animation_times(0)
+      equal(scene:pose(0, (first + last) / 2):get_instance(0).object_to_world[13], 2)
+      refused("animation: 1", scene.pose, scene, 1, 0)
+    end
+    local kept = {"mine"}
+    local good, problem = pcall(shd.scene_load_memory, many, MODEL, nil,
+      {flags = flags, find = function() error(kept, 0) end})
+    assert(not good and problem == kept)
+    refused("scene.find: an array of ffi, not table", shd.scene_load_memory, many, MODEL, nil,
+      {flags = flags, find = function() return {} end})
+    refused("a.bin", shd.scene_load_memory, many, MODEL, nil, {flags = flags})
+  end
+  local alive = setmetatable({}, {__mode = "v"})
+  local scene
+  do
+    local held = {bytes = buffer}
+    alive[1] = held
+    scene = shd.scene_load_memory(many, MODEL, nil, {find = function(name)
+      return name == "a.bin" and held.bytes or nil
+    end})
+  end
+  collectgarbage() collectgarbage()
+  assert(not alive[1] and scene:get_info().triangle_count == 1)
+end)
+
+case("textures in memory", "shd_io", function()
+  local path = temporary ".ktx2"
+  local texture = support.texture(context, {{1, 2}, {3, 4}})
+  texture:save_ktx2(path)
+  local file = assert(io.open(path, "rb"))
+  local bytes = file:read "*a"
+  file:close()
+  os.remove(path)
+  local info = {}
+  local loaded = shd.texture_load_memory(context, bytes, {info = info})
+  equal(info.kind, "ktx2")
+  equal(loaded:read_level(0, 0)[3], 4)
+  local volume = shd.texture_load_memory(context, "abcd", {raw = {width = 1, height = 1, depth = 4}})
+  equal(volume:get_info().depth, 4)
+  refused("", shd.texture_load_memory, context, "abcd", {vdb = {grid = "density"}})
+end)

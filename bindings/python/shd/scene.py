@@ -48,9 +48,9 @@ class Scene(Object):
         scene = shd.Scene(context, "model.glb")
         shd.render(context, framebuffer, scene.draws, lights=scene.lights, camera=scene.cameras[0])
 
-    Options are the fields of SceneDesc: flags="any_folder", max_triangles=10**6. `find` answers the names of the model's
-    files in place of its folder: a dict of bytes, or a function find(name) that returns bytes or None. The load raises
-    what the function raises. `name` is that of a model in memory, for formats without a mark of their own:
+    Options are the fields of SceneDesc: flags="any_folder", max_triangles=10**6. `find` answers the names of the
+    model's files in place of its folder: a dict of bytes, or a function find(name) that returns bytes or None. The load
+    raises what the function raises. `name` is that of a model in memory, for formats without a mark of their own:
 
         scene = shd.Scene(context, archive.read("a.obj"), name="a.obj", find={"a.mtl": archive.read("a.mtl")})
     """

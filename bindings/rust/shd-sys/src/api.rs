@@ -6575,8 +6575,7 @@ extern "C" {
     ///
     /// as shd_scene_load()
     ///
-    /// - `bytes`: borrowed for the call
-    /// - `size`: \[bytes\]
+    /// - `bytes`: \[size\]; borrowed for the call
     /// - `name`: name of the file, for formats without a mark of their own, such as "model.obj"; NULL = ""; borrowed for
     /// the call
     pub fn shd_scene_load_memory(context: *mut shd_context, bytes: *const c_void, size: usize, name: *const c_char, desc: *const shd_scene_desc, out_scene: *mut *mut shd_scene) -> shd_result;
