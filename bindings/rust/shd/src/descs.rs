@@ -1711,6 +1711,422 @@ impl Default for LoadDesc {
     }
 }
 
+/// Layout of a file of voxels. Required: width, height, depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RawDesc {
+    /// voxels along x, 1..65536; width * height * depth at most 2^28
+    pub width: u32,
+    /// voxels along y, 1..65536
+    pub height: u32,
+    /// voxels along z, 1..65536
+    pub depth: u32,
+    /// default SHD_RAW_SAMPLE_U8
+    pub sample: RawSample,
+    /// numbers of a voxel, one behind the other, 1..4; default 1
+    pub channels: u32,
+    /// default SHD_BYTE_ORDER_LITTLE
+    pub byte_order: ByteOrder,
+    /// bytes before the first voxel, or SHD_RAW_HEADER_REST; default 0
+    pub header_bytes: u64,
+}
+impl RawDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_raw_desc {
+        let mut raw = sys::shd_raw_desc::default();
+        raw.width = self.width;
+        raw.height = self.height;
+        raw.depth = self.depth;
+        raw.sample = self.sample;
+        raw.channels = self.channels;
+        raw.byte_order = self.byte_order;
+        raw.header_bytes = self.header_bytes;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_raw_desc) -> Self {
+        Self {
+            width: raw.width,
+            height: raw.height,
+            depth: raw.depth,
+            sample: raw.sample,
+            channels: raw.channels,
+            byte_order: raw.byte_order,
+            header_bytes: raw.header_bytes,
+        }
+    }
+}
+impl Default for RawDesc {
+    /// The defaults of `shd_raw_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_raw_desc::default())
+    }
+}
+
+/// Grid and box of an OpenVDB load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VdbDesc {
+    /// default none
+    pub flags: VdbFlag,
+    /// first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX
+    pub box_min: [i32; 3],
+    /// last voxel of the box, at least box_min on each axis; read with SHD_VDB_BOX
+    pub box_max: [i32; 3],
+}
+impl VdbDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_vdb_desc {
+        let mut raw = sys::shd_vdb_desc::default();
+        raw.flags = self.flags.0;
+        raw.box_min = self.box_min;
+        raw.box_max = self.box_max;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_vdb_desc) -> Self {
+        Self {
+            flags: VdbFlag(raw.flags),
+            box_min: raw.box_min,
+            box_max: raw.box_max,
+        }
+    }
+}
+impl Default for VdbDesc {
+    /// The defaults of `shd_vdb_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_vdb_desc::default())
+    }
+}
+
+/// Properties of a loaded grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VdbInfo {
+    /// as declared by the file
+    pub grid_class: VdbClass,
+    /// voxel of texel (0, 0, 0), in index space
+    pub index_min: [i32; 3],
+    /// value of all voxels that the file does not store
+    pub background: f32,
+    /// in the whole grid
+    pub active_voxels: u64,
+    /// from texture coordinates (u, v, w) to the world of the file, column-major: for
+    /// shd_volume_draw, if the box of the volume is the default box
+    pub object_to_world: [f32; 16],
+}
+impl VdbInfo {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_vdb_info {
+        let mut raw = sys::shd_vdb_info::default();
+        raw.grid_class = self.grid_class;
+        raw.index_min = self.index_min;
+        raw.background = self.background;
+        raw.active_voxels = self.active_voxels;
+        raw.object_to_world = self.object_to_world;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_vdb_info) -> Self {
+        Self {
+            grid_class: raw.grid_class,
+            index_min: raw.index_min,
+            background: raw.background,
+            active_voxels: raw.active_voxels,
+            object_to_world: raw.object_to_world,
+        }
+    }
+}
+impl Default for VdbInfo {
+    /// The defaults of `shd_vdb_info`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_vdb_info::default())
+    }
+}
+
+/// Contents of a texture file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureFileInfo {
+    /// file format
+    pub kind: TextureFileKind,
+    /// storage in the file: VkFormat of KTX2; DXGI_FORMAT of DDS, 0 without such a number
+    pub file_code: u32,
+    /// compression around the levels; NONE for DDS
+    pub supercompression: Supercompression,
+    /// properties
+    pub flags: TextureFileFlag,
+    /// storage in the texture
+    pub format: Format,
+    /// texels of level 0
+    pub width: u32,
+    /// texels of level 0; 1 for a 1D texture
+    pub height: u32,
+    /// slices of level 0; 0 = not a 3D texture
+    pub depth: u32,
+    /// images of the array, or cube maps of an array of cube maps
+    pub layers: u32,
+    /// 6 for cube maps, otherwise 1
+    pub faces: u32,
+    /// levels in the file
+    pub level_count: u32,
+}
+impl TextureFileInfo {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_texture_file_info {
+        let mut raw = sys::shd_texture_file_info::default();
+        raw.kind = self.kind;
+        raw.file_code = self.file_code;
+        raw.supercompression = self.supercompression;
+        raw.flags = self.flags.0;
+        raw.format = self.format;
+        raw.width = self.width;
+        raw.height = self.height;
+        raw.depth = self.depth;
+        raw.layers = self.layers;
+        raw.faces = self.faces;
+        raw.level_count = self.level_count;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_texture_file_info) -> Self {
+        Self {
+            kind: raw.kind,
+            file_code: raw.file_code,
+            supercompression: raw.supercompression,
+            flags: TextureFileFlag(raw.flags),
+            format: raw.format,
+            width: raw.width,
+            height: raw.height,
+            depth: raw.depth,
+            layers: raw.layers,
+            faces: raw.faces,
+            level_count: raw.level_count,
+        }
+    }
+}
+impl Default for TextureFileInfo {
+    /// The defaults of `shd_texture_file_info`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_texture_file_info::default())
+    }
+}
+
+/// Options of a KTX2 file that is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ktx2Desc {
+    /// NONE, ZSTD or ZLIB; default NONE
+    pub supercompression: Supercompression,
+    /// 1..19 for ZSTD, 1..9 for ZLIB; default 0 = that of the library
+    pub effort: i32,
+    /// 3 = write r, g and b of a texture of four channels. Textures that are made of three channels have four, and the
+    /// fourth is 0. Default 0 = all channels.
+    pub channels: u32,
+}
+impl Ktx2Desc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_ktx2_desc {
+        let mut raw = sys::shd_ktx2_desc::default();
+        raw.supercompression = self.supercompression;
+        raw.effort = self.effort;
+        raw.channels = self.channels;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_ktx2_desc) -> Self {
+        Self {
+            supercompression: raw.supercompression,
+            effort: raw.effort,
+            channels: raw.channels,
+        }
+    }
+}
+impl Default for Ktx2Desc {
+    /// The defaults of `shd_ktx2_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_ktx2_desc::default())
+    }
+}
+
+/// Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneDesc {
+    /// default none
+    pub flags: SceneFlag,
+    /// flags of all meshes; meshes with uv always have tangents; default none
+    pub mesh_flags: MeshFlag,
+    /// sum of the model and the files that are read with it; 0 = 2^30
+    pub max_file_bytes: u64,
+    /// sum over all meshes; 0 = 2^26
+    pub max_vertices: u64,
+    /// sum over all meshes; 0 = 2^26
+    pub max_triangles: u64,
+    /// 0 = 2^18; always at most 512 deep
+    pub max_nodes: u64,
+    /// up to 2^20, the maximum of a frame; 0 = 2^18
+    pub max_instances: u64,
+    /// all textures with their mip levels; 0 = 2^32
+    pub max_texture_bytes: u64,
+    /// \[s\] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked
+    /// between the steps of a reader
+    pub time_limit: f64,
+    /// memory of the process that reads, and of what it sends; 0 = 2^32 \[bytes\]
+    pub max_reader_bytes: u64,
+}
+impl SceneDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_scene_desc {
+        let mut raw = sys::shd_scene_desc::default();
+        raw.flags = self.flags.0;
+        raw.mesh_flags = self.mesh_flags.0;
+        raw.max_file_bytes = self.max_file_bytes;
+        raw.max_vertices = self.max_vertices;
+        raw.max_triangles = self.max_triangles;
+        raw.max_nodes = self.max_nodes;
+        raw.max_instances = self.max_instances;
+        raw.max_texture_bytes = self.max_texture_bytes;
+        raw.time_limit = self.time_limit;
+        raw.max_reader_bytes = self.max_reader_bytes;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_scene_desc) -> Self {
+        Self {
+            flags: SceneFlag(raw.flags),
+            mesh_flags: MeshFlag(raw.mesh_flags),
+            max_file_bytes: raw.max_file_bytes,
+            max_vertices: raw.max_vertices,
+            max_triangles: raw.max_triangles,
+            max_nodes: raw.max_nodes,
+            max_instances: raw.max_instances,
+            max_texture_bytes: raw.max_texture_bytes,
+            time_limit: raw.time_limit,
+            max_reader_bytes: raw.max_reader_bytes,
+        }
+    }
+}
+impl Default for SceneDesc {
+    /// The defaults of `shd_scene_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_scene_desc::default())
+    }
+}
+
+/// Contents of a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneInfo {
+    /// with triangles
+    pub mesh_count: u32,
+    /// at least 1
+    pub material_count: u32,
+    /// that could be read
+    pub texture_count: u32,
+    /// 0 where the file has none
+    pub light_count: u32,
+    /// 0 where the file has none
+    pub camera_count: u32,
+    /// as many as draws
+    pub instance_count: u32,
+    /// parts of the file that were left out or changed
+    pub warning_count: u32,
+    /// sum over all meshes, each counted once
+    pub vertex_count: u64,
+    /// sum over all meshes, each counted once
+    pub triangle_count: u64,
+    /// lowest x, y, z of all instances, world space
+    pub bounds_min: [f32; 3],
+    /// highest x, y, z of all instances, world space
+    pub bounds_max: [f32; 3],
+    /// a place in the world of the file is origin + the place in world space; 0 unless the
+    /// model is far away from 0. Equal in all poses
+    pub origin: [f64; 3],
+    /// 0 where the file has none
+    pub animation_count: u32,
+    /// meshes with a skin or morph targets, which each pose makes anew
+    pub deformed_mesh_count: u32,
+}
+impl SceneInfo {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_scene_info {
+        let mut raw = sys::shd_scene_info::default();
+        raw.mesh_count = self.mesh_count;
+        raw.material_count = self.material_count;
+        raw.texture_count = self.texture_count;
+        raw.light_count = self.light_count;
+        raw.camera_count = self.camera_count;
+        raw.instance_count = self.instance_count;
+        raw.warning_count = self.warning_count;
+        raw.vertex_count = self.vertex_count;
+        raw.triangle_count = self.triangle_count;
+        raw.bounds_min = self.bounds_min;
+        raw.bounds_max = self.bounds_max;
+        raw.origin = self.origin;
+        raw.animation_count = self.animation_count;
+        raw.deformed_mesh_count = self.deformed_mesh_count;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_scene_info) -> Self {
+        Self {
+            mesh_count: raw.mesh_count,
+            material_count: raw.material_count,
+            texture_count: raw.texture_count,
+            light_count: raw.light_count,
+            camera_count: raw.camera_count,
+            instance_count: raw.instance_count,
+            warning_count: raw.warning_count,
+            vertex_count: raw.vertex_count,
+            triangle_count: raw.triangle_count,
+            bounds_min: raw.bounds_min,
+            bounds_max: raw.bounds_max,
+            origin: raw.origin,
+            animation_count: raw.animation_count,
+            deformed_mesh_count: raw.deformed_mesh_count,
+        }
+    }
+}
+impl Default for SceneInfo {
+    /// The defaults of `shd_scene_info`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_scene_info::default())
+    }
+}
+
+/// A mesh placed in the world with a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneInstance {
+    /// index for shd_scene_mesh()
+    pub mesh: u32,
+    /// index for shd_scene_material()
+    pub material: u32,
+    /// affine, finite
+    pub object_to_world: [f32; 16],
+    /// faces that its draw skips: SHD_CULL_NONE for surfaces that are double-sided
+    pub cull: Cull,
+}
+impl SceneInstance {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_scene_instance {
+        let mut raw = sys::shd_scene_instance::default();
+        raw.mesh = self.mesh;
+        raw.material = self.material;
+        raw.object_to_world = self.object_to_world;
+        raw.cull = self.cull;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_scene_instance) -> Self {
+        Self {
+            mesh: raw.mesh,
+            material: raw.material,
+            object_to_world: raw.object_to_world,
+            cull: raw.cull,
+        }
+    }
+}
+impl Default for SceneInstance {
+    /// The defaults of `shd_scene_instance`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_scene_instance::default())
+    }
+}
+
 /// Options of a save.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SaveDesc {

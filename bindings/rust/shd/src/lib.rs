@@ -33,7 +33,7 @@
 //! - **Errors** have the result code and the text of the library. A panic of a closure continues in the call that ran
 //!   the closure.
 //!
-//! The features `io` and `color` add files and colour transforms, of installed component libraries.
+//! The features `io`, `scene` and `color` add files, models and colour transforms, of installed component libraries.
 //!
 //! [`sys`] has the C API for what this crate lacks; `as_raw()` gives the handle of an object.
 #![deny(unsafe_op_in_unsafe_fn)]
@@ -59,6 +59,8 @@ mod pixels;
 mod program;
 mod render;
 mod sampler;
+#[cfg(feature = "scene")]
+mod scene;
 mod shadow;
 mod texture;
 mod tile;
@@ -74,6 +76,8 @@ pub use descs::*;
 pub use environment::Environment;
 pub use error::{Error, Result};
 pub use framebuffer::{Framebuffer, PlaneView};
+#[cfg(feature = "io")]
+pub use io::{TextureFile, TextureLoader};
 pub use light::Light;
 pub use lookup::{Lookups, Texels};
 pub use material::{Material, MaterialBuilder, Slot};
@@ -82,6 +86,8 @@ pub use pixels::Plain;
 pub use program::{Fragments, Radiance, SlotValues, VertexOutputs, Vertices};
 pub use render::{Draw, Frame};
 pub use sampler::Sampler;
+#[cfg(feature = "scene")]
+pub use scene::{Found, Scene, SceneLoader};
 pub use shadow::Shadow;
 pub use texture::{Texture, TEXTURE_PADDING};
 pub use tile::Tile;

@@ -22,6 +22,12 @@ impl Light<'static> {
     pub fn new(context: &Context, desc: &LightDesc) -> Result<Self> {
         Light::create(context, desc, None)
     }
+
+    /// A light that keeps its cookie itself.
+    #[cfg(feature = "scene")]
+    pub(crate) fn of(object: Object<sys::shd_light>) -> Self {
+        Self(Arc::new(Inner { object, _cookie: None }))
+    }
 }
 
 impl<'a> Light<'a> {

@@ -106,6 +106,12 @@ impl Material<'static> {
     pub fn new(context: &Context, desc: &MaterialDesc) -> Result<Self> {
         Self::builder(*desc).build(context)
     }
+
+    /// A material without programs, which keeps its textures itself.
+    #[cfg(feature = "scene")]
+    pub(crate) fn of(object: Object<sys::shd_material>) -> Self {
+        Self(Arc::new(Inner { object, _programs: Arc::default(), textures: Vec::new() }))
+    }
 }
 
 impl<'a> Material<'a> {

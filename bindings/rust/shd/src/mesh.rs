@@ -144,6 +144,11 @@ impl Mesh {
         Ok(Self(Arc::new(Object::create(context, sys::shd_mesh_release, create)?)))
     }
 
+    #[cfg(feature = "scene")]
+    pub(crate) fn of(object: Object<sys::shd_mesh>) -> Self {
+        Self(Arc::new(object))
+    }
+
     /// The handle of C, borrowed from this owner.
     #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_mesh {

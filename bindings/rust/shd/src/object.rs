@@ -31,6 +31,19 @@ impl<T> Object<T> {
         Ok(Self { raw, release, context: context.clone() })
     }
 
+    /// Another reference to an object that is borrowed.
+    #[cfg(feature = "scene")]
+    pub(crate) fn share(
+        context: &Context,
+        raw: *mut T,
+        retain: unsafe extern "C" fn(*mut T),
+        release: unsafe extern "C" fn(*mut T),
+    ) -> Self {
+        unsafe { retain(raw) };
+        let raw = NonNull::new(raw).expect("the object is there");
+        Self { raw, release, context: context.clone() }
+    }
+
     pub(crate) fn raw(&self) -> *mut T {
         self.raw.as_ptr()
     }

@@ -168,8 +168,11 @@ impl<'a> Texture<'a> {
 
     /// The texture that a function of C makes.
     pub(crate) fn of(context: &Context, create: impl FnOnce(*mut *mut sys::shd_texture) -> ResultCode) -> Result<Self> {
-        let object = Object::create(context, sys::shd_texture_release, create)?;
-        Ok(Self { object: Arc::new(object), tiles: None, texels: PhantomData })
+        Ok(Self::owned(Object::create(context, sys::shd_texture_release, create)?))
+    }
+
+    pub(crate) fn owned(object: Object<sys::shd_texture>) -> Self {
+        Self { object: Arc::new(object), tiles: None, texels: PhantomData }
     }
 
     /// Makes a texture whose tiles are written by `load` when a lookup first needs them. `load` runs on any thread, also
