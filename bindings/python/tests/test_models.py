@@ -77,15 +77,15 @@ class Models(Case):
             asked.append(name)
             return memoryview(files[name])
 
-        for source in (model, bytearray(model), np.frombuffer(model, np.uint8)):
-            for values in ({"find": files}, {"find": find}, {"find": find, "flags": "in_process"},
-                           {"desc": shd.SceneDesc(find=find)}):
-                with self.subTest(type=type(source), values=list(values)):
-                    scene = self.scene(source, **values)
-                    self.assertEqual(scene.info["triangle_count"], 2)
-                    corners = np.unique(scene.meshes[0].positions, axis=0)  # faces without normals share none
-                    np.testing.assert_array_equal(corners, np.unique(SQUARE, axis=0))
-                    self.assertEqual(scene.textures[0].read_level()[1, 1, :3].tolist(), [255, 0, 0])
+        for source, values in ((model, {"find": files}), (bytearray(model), {"find": find}),
+                               (np.frombuffer(model, np.uint8), {"find": find, "flags": "in_process"}),
+                               (memoryview(model), {"desc": shd.SceneDesc(find=find)})):
+            with self.subTest(type=type(source), values=list(values)):
+                scene = self.scene(source, **values)
+                self.assertEqual(scene.info["triangle_count"], 2)
+                corners = np.unique(scene.meshes[0].positions, axis=0)  # faces without normals share none
+                np.testing.assert_array_equal(corners, np.unique(SQUARE, axis=0))
+                self.assertEqual(scene.textures[0].read_level()[1, 1, :3].tolist(), [255, 0, 0])
         self.assertEqual(set(asked), set(files))
         obj = b"mtllib sub/a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         scene = self.scene(obj, name="a.obj", find={"sub/a.mtl": b"newmtl red\nKd 1 0 0\n"})
