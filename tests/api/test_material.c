@@ -274,8 +274,7 @@ static void edit_slots_missing(shd_material_desc *d) { d->slot_count = 1; }
 static void edit_slots_all(shd_material_desc *d)
 {
     int target;
-    for (target = SHD_SLOT_TINT; target >= 0; --target)
-        add_slot(d, shd_slot_default((shd_slot_target)target));
+    for (target = SHD_SLOT_TINT; target >= 0; --target) add_slot(d, shd_slot_default((shd_slot_target)target));
 }
 static void edit_clearcoat_2(shd_material_desc *d) { d->clearcoat = 2.0f; }
 static void edit_clearcoat_nan(shd_material_desc *d) { d->clearcoat = (float)NAN; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tables of docs/scenes.md: each of their rows has an input here, and each input a row there. Drawn parts change the
-// model without a warning. Warned parts have a warning that names them. Refused ones fail.
+// The tables of docs/scenes.md: each of their rows has an input here, and each input a row there. Drawn parts change
+// the model without a warning. Warned parts have a warning that names them. Refused ones fail.
 #include <algorithm>
 #include <cstring>
 #include <fstream>
