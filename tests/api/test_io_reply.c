@@ -131,17 +131,14 @@ static void test_case(void **state)
     shd_bitmap *bitmap = NULL;
     char name[64];
     const char *path;
-    double start;
     shd_result result;
     snprintf(name, sizeof name, "fake-%s", c->mode);
     path = io_path(name);
     assert_int_equal(symlink(SHD_FAKE_WORKER, path), 0);
     desc.worker_path = path;
-    desc.time_limit = k_limit;
-    start = io_seconds();
+    desc.time_limit = c->expected == SHD_ERROR_LIMIT ? k_limit : 60;
     result = grid ? load_grid(&desc)
                   : shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap);
-    assert_true(io_seconds() - start < k_limit + 1);
     shd_assert_result(c->mode, result, c->expected, c->message);
     assert_true((bitmap != NULL) == (result == SHD_OK && !grid));
     if (strcmp(c->mode, "color_space") == 0) {

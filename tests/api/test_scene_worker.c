@@ -70,14 +70,26 @@ static uint64_t hash_of(const shd_scene *scene)
 /* One model gives one scene, read by the worker, in this process, and from memory. */
 static const char *const k_models[] = {"tri.obj", "room.gltf"};
 
+/* Files that a load borrows. */
+struct lent {
+    io_bytes file[8];
+    size_t count;
+};
+
 static shd_result find_in_folder(void *user, const char *name, const void **out_bytes, size_t *out_size)
 {
-    io_bytes *last = user;
+    struct lent *lent = user;
+    if (lent->count == sizeof lent->file / sizeof lent->file[0]) return SHD_ERROR_LIMIT;
     if (strchr(name, '/') || access(io_path(name), R_OK) != 0) return SHD_ERROR_NOT_FOUND;
-    *last = io_read(io_path(name)); /* leaks until the end of the test: the load borrows it */
-    *out_bytes = last->data;
-    *out_size = last->size;
+    lent->file[lent->count] = io_read(io_path(name));
+    *out_bytes = lent->file[lent->count].data;
+    *out_size = lent->file[lent->count++].size;
     return SHD_OK;
+}
+
+static void free_lent(struct lent *lent)
+{
+    while (lent->count > 0) free(lent->file[--lent->count].data);
 }
 
 static void test_one_scene(void **state)
@@ -85,18 +97,20 @@ static void test_one_scene(void **state)
     for (size_t i = 0; i < 2; ++i) {
         shd_scene *scene = NULL;
         shd_scene_desc desc = shd_scene_desc_default();
-        io_bytes file = io_read(io_path(k_models[i])), last = {NULL, 0};
+        io_bytes file = io_read(io_path(k_models[i]));
+        struct lent lent = {.count = 0};
         uint64_t hashes[3];
         (void)state;
         for (size_t k = 0; k < 3; ++k) {
             desc.flags = k == 1 ? SHD_SCENE_IN_PROCESS : SHD_SCENE_NONE;
             desc.find = k == 2 ? find_in_folder : NULL;
-            desc.find_user_data = &last;
+            desc.find_user_data = &lent;
             shd_assert_ok(k == 2 ? shd_scene_load_memory(g_context, file.data, file.size, k_models[i], &desc, &scene)
                                  : shd_scene_load(g_context, io_path(k_models[i]), &desc, &scene));
             hashes[k] = hash_of(scene);
             assert_int_equal(info_of(scene).texture_count, i == 0 ? 2 : 0);
             shd_scene_release(scene);
+            free_lent(&lent);
         }
         assert_true(hashes[0] == hashes[1]);
         assert_true(hashes[0] == hashes[2]);
@@ -247,12 +261,12 @@ static void test_mutants(void **state)
     const struct seed *seed = *state;
     const char *count = getenv("SHD_TEST_MUTANTS");
     char *text = malloc(strlen(seed->text) + 64);
-    io_bytes last = {NULL, 0};
+    struct lent lent = {.count = 0};
     shd_scene_desc desc = shd_scene_desc_default();
     desc.time_limit = 20;
     desc.max_reader_bytes = (uint64_t)1 << 28;
     desc.find = find_in_folder;
-    desc.find_user_data = &last;
+    desc.find_user_data = &lent;
     g_random = 1;
     for (int i = count ? atoi(count) : 12; i > 0; --i) {
         const size_t size = mutate(seed->text, text);
@@ -266,6 +280,7 @@ static void test_mutants(void **state)
             answers[k] =
                 result == SHD_OK ? hash_of(scene) : mix((uint64_t)result, shd_last_error(), strlen(shd_last_error()));
             shd_scene_release(scene);
+            free_lent(&lent);
         }
         assert_true(answers[0] == answers[1]);
     }

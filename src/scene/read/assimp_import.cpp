@@ -177,11 +177,24 @@ void require_scene(const aiScene* scene, const Assimp::Importer& importer, const
   core::refuse(SHD_ERROR_CORRUPT, "%s", reason.c_str());
 }
 
+/// The file system of an importer for the duration of a scope. Without a new one assimp forgets the old one.
+class Lent {
+ public:
+  Lent(Assimp::Importer& importer, Assimp::IOSystem& files) : importer_(importer) { importer.SetIOHandler(&files); }
+  ~Lent() { importer_.SetIOHandler(nullptr); }
+  Lent(const Lent&) = delete;
+  Lent& operator=(const Lent&) = delete;
+
+ private:
+  Assimp::Importer& importer_;
+};
+
 /// Reads the file without assimp's post-processing, removes data that the post-processing steps do not expect, and then
 /// runs these steps.
 const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Model& model) {
   std::optional<core::Failure> failure;
-  importer.SetIOHandler(make_file_system(source, failure).release());
+  const auto files = make_file_system(source, failure);
+  const Lent lent(importer, *files);
   const aiScene* scene = importer.ReadFile(source.name, 0);
   require_scene(scene, importer, failure, source.deadline);
   sanitize(const_cast<aiScene&>(*scene), source.limits, model);
@@ -189,7 +202,6 @@ const aiScene& read_scene(Assimp::Importer& importer, const Source& source, Mode
   const unsigned steps = aiProcess_Triangulate | aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
   scene = importer.ApplyPostProcessing(steps);
   require_scene(scene, importer, failure, source.deadline);
-  importer.SetIOHandler(nullptr);
   return *scene;
 }
 
