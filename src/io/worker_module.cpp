@@ -81,9 +81,28 @@ shd_result find(const char* name, const void** out_bytes, size_t* out_size) {
   return SHD_OK;
 }
 
+/// A module that this process opened, or the one that forked it. To find it once more by dlopen() would touch the names
+/// of all libraries, in hundreds of pages that a fresh child has not mapped.
+struct Module {
+  std::string path;
+  shd_worker_entry_fn entry;
+};
+std::vector<Module> g_modules;
+
+shd_worker_entry_fn find_module(const char* path) {
+  for (const Module& module : g_modules) {
+    if (module.path == path) return module.entry;
+  }
+  return nullptr;
+}
+
+shd_worker_entry_fn open_module(const char* path) {
+  void* const module = ::dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  return module ? reinterpret_cast<shd_worker_entry_fn>(::dlsym(module, "shd_worker_entry")) : nullptr;
+}
+
 shd_result run(const WorkerRequest& request, char* message, size_t message_size) {
-  void* const module = ::dlopen(request.module, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  void* const entry = module ? ::dlsym(module, "shd_worker_entry") : nullptr;
+  const shd_worker_entry_fn known = find_module(request.module), entry = known ? known : open_module(request.module);
   if (!entry) {
     const char* const reason = ::dlerror();
     std::strncpy(message, ("cannot open a module: " + printable(reason ? reason : request.module)).c_str(),
@@ -91,19 +110,16 @@ shd_result run(const WorkerRequest& request, char* message, size_t message_size)
     return SHD_ERROR_NOT_FOUND;
   }
   const shd_worker_call call = {request.module_request, request.module_request_size, find, send, message, message_size};
-  return reinterpret_cast<shd_worker_entry_fn>(entry)(&call);
+  return entry(&call);
 }
 
 }  // namespace
 
 bool open_for_children(const WorkerRequest& request) {
-  if (std::memchr(request.module, 0, sizeof request.module) == nullptr) return false;
-  void* const known = ::dlopen(request.module, RTLD_NOW | RTLD_NOLOAD);
-  if (known) {
-    (void)::dlclose(known);
-    return false;
-  }
-  return ::dlopen(request.module, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) != nullptr;
+  if (std::memchr(request.module, 0, sizeof request.module) == nullptr || find_module(request.module)) return false;
+  const shd_worker_entry_fn entry = open_module(request.module);
+  if (entry) g_modules.push_back({request.module, entry});
+  return entry != nullptr;
 }
 
 void run_module(const WorkerRequest& request, int pipe, int questions) {
