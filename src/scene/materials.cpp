@@ -68,9 +68,11 @@ float roughness_of(float exponent) {
   return std::sqrt(std::sqrt(2.0f / (exponent + 2.0f)));
 }
 
+constexpr float kGlass = 0.5f;  // least transmission of SHD_MODEL_GLASS
+
 /// SHD_MODEL_GLASS is whole: it cannot be mixed with an opaque surface, and metals transmit nothing.
 bool is_glass(const Surface& surface) {
-  return surface.transmission >= 0.5f && surface.metallic < 0.5f && !surface.unlit;
+  return surface.transmission >= kGlass && surface.metallic < 0.5f && !surface.unlit;
 }
 
 shd_model model_of(const Surface& surface) {
@@ -160,8 +162,10 @@ void make_materials(shd_context* context, const Model& model, const std::vector<
     require(shd_material_create(context, &desc, material.out()));
     out->materials.push_back(std::move(material));
     if (surface.transmission > 0.0f && desc.model != SHD_MODEL_GLASS) {
-      warnings->push_back("material \"" + surface.name + "\": its transmission " +
-                          std::to_string(surface.transmission) + " is left out; glass needs at least 0.5 and no metal");
+      const char* const why = surface.unlit                   ? "it is unlit"
+                              : surface.transmission < kGlass ? "less than half of the light passes"
+                                                              : "it is a metal";
+      warnings->push_back("material \"" + surface.name + "\": its transmission is left out: " + why);
     }
   }
 }

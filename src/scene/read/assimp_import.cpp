@@ -14,6 +14,7 @@
 #include "scene/pose.h"
 #include "scene/read/assimp_parts.h"
 #include "scene/read/colors.h"
+#include "scene/read/creases.h"
 #include "scene/read/join.h"
 #include "scene/read/positions.h"
 
@@ -26,6 +27,7 @@ constexpr size_t kNothing = ~size_t{0};
 struct Import {
   const aiScene& scene;
   const Limits& limits;
+  const Deadline& deadline;
   std::vector<size_t> geometry_of;  // aiMesh -> Model::geometries, or kNothing
   Model model;
 };
@@ -108,6 +110,7 @@ void add_geometries(Import& import) {
     warn_of_parts(mesh, warnings);
     copy_vertices(mesh, linear_colors, geometry, warnings);
     join_identical(geometry);
+    if (!mesh.HasNormals()) add_creased_normals(&geometry, 1, import.limits, import.deadline);
     import.model.geometries.push_back(std::move(geometry));
   }
 }
@@ -227,7 +230,7 @@ Model read_by_assimp(const Source& source) {
   importer.SetProgressHandler(new Stopwatch(source.deadline));
   Model model;
   const aiScene& scene = read_scene(importer, source, model);
-  Import import = {scene, source.limits, {}, std::move(model)};
+  Import import = {scene, source.limits, source.deadline, {}, std::move(model)};
   add_surfaces(import.scene, import.model);
   if (import.model.surfaces.empty()) import.model.surfaces.emplace_back();
   add_geometries(import);

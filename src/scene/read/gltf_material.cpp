@@ -146,10 +146,11 @@ float brightness_of(const Color& c) {
   return std::sqrt(0.299f * c[0] * c[0] + 0.587f * c[1] * c[1] + 0.114f * c[2] * c[2]);
 }
 
+constexpr float kDielectric = 0.04f;  // reflection at normal incidence
+
 /// The metallic-roughness material of KHR_materials_pbrSpecularGlossiness, by the conversion of its appendix. That one
 /// has the diffuse colour of glTF before 2.0.1; here base (1 - metallic) = diffuse (1 - max(specular)) (appendix B).
 void convert_specular(const Color& diffuse, const Color& specular, Surface& s) {
-  constexpr float kDielectric = 0.04f;
   const float strongest = *std::max_element(specular.begin(), specular.end()), rest = 1.0f - strongest;
   const float bright = brightness_of(specular), matt = brightness_of(diffuse) * rest;
   s.metallic = 0.0f;
@@ -173,14 +174,21 @@ void read_specular_glossiness(Palette& palette, const Part& part, Surface& s) {
   Color specular = {1, 1, 1};
   part.numbers("diffuseFactor", diffuse);
   part.numbers("specularFactor", specular);
+  float glossiness = part.number_f("glossinessFactor", 1.0f, 0.0, 1.0);
+  if (part["specularGlossinessTexture"]) {
+    palette.document.warnings.add(
+        "KHR_materials_pbrSpecularGlossiness: specularGlossinessTexture is left out; no metal of half the glossiness "
+        "is "
+        "drawn");
+    // The factors alone are 1 in most files, which is a perfect mirror.
+    for (float& c : specular) c = std::min(c, kDielectric);
+    glossiness *= 0.5f;
+  }
   for (float& c : specular) c = std::clamp(c, 0.0f, 1.0f);
   convert_specular({diffuse[0], diffuse[1], diffuse[2]}, specular, s);
   s.opacity = diffuse[3];
-  s.roughness = 1.0f - part.number_f("glossinessFactor", 1.0f, 0.0, 1.0);
+  s.roughness = 1.0f - glossiness;
   read_map(palette, part["diffuseTexture"], false, 0, s.maps[SHD_SLOT_DIFFUSE]);
-  if (part["specularGlossinessTexture"]) {
-    palette.document.warnings.add("KHR_materials_pbrSpecularGlossiness: specularGlossinessTexture is left out");
-  }
 }
 
 void read_alpha(Document& document, const Part& material, Surface& s) {

@@ -34,6 +34,12 @@ void decode_meshopt(Bytes bytes, MeshoptMode mode, MeshoptFilter filter, size_t 
       mode == MeshoptMode::kTriangles ? meshopt_decodeIndexBuffer(out, count, stride, bytes.data, bytes.size)
       : mode == MeshoptMode::kIndices ? meshopt_decodeIndexSequence(out, count, stride, bytes.data, bytes.size)
                                       : meshopt_decodeVertexBuffer(out, count, stride, bytes.data, bytes.size);
+  // A stream of vertices starts with 0xa0 + the version of its codec.
+  if (result != 0 && mode == MeshoptMode::kAttributes && bytes.size > 0 && bytes.data[0] > 0xa0 &&
+      bytes.data[0] <= 0xaf) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "this build's meshoptimizer does not read version %d of the vertex codec",
+                 bytes.data[0] - 0xa0);
+  }
   if (result != 0) core::refuse(SHD_ERROR_CORRUPT, "its compressed bytes are damaged (meshoptimizer: %d)", result);
   if (filter == MeshoptFilter::kOctahedral) meshopt_decodeFilterOct(out, count, stride);
   if (filter == MeshoptFilter::kQuaternion) meshopt_decodeFilterQuat(out, count, stride);

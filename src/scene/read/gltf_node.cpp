@@ -71,7 +71,11 @@ void add_tree(Tree& tree, size_t root, bool drawn) {
     const Visit visit = open.back();
     open.pop_back();
     const Part from = tree.nodes.at(visit.node);
-    if (tree.node_of[visit.node] >= 0) from.refuse("has two parents, or is below itself");
+    if (tree.node_of[visit.node] >= 0) {
+      if (drawn) from.refuse("has two parents, or is below itself");
+      tree.document.warnings.add(title_of("node", from) + ": a parent outside the scene is left out");
+      continue;
+    }
     if (visit.depth > kMaxNodeDepth)
       core::refuse(SHD_ERROR_LIMIT, "its nodes are nested more than %d deep", kMaxNodeDepth);
     const auto index = static_cast<int32_t>(model.nodes.size());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/read/colors.h"
+#include "scene/read/creases.h"
 #include "scene/read/polygon.h"
 #include "scene/read/positions.h"
 #include "scene/read/text_lines.h"
@@ -48,7 +49,7 @@ struct Build {
   const ObjFile& file;
   Warnings& warnings;
   std::vector<int64_t> corner_normals;  // by corner: row of file.normals, or behind them of `computed`
-  std::vector<Point> computed;          // sums of normals that the file has not
+  std::vector<Point> computed;          // normals that the file has not
   uint64_t unusable_normals = 0;
 };
 
@@ -100,32 +101,45 @@ void drop_faces(ObjFile& file, Warnings& warnings) {
   }
 }
 
+/// Numbers for the corners at one position that smooth each other: those in the same smoothing group.
+struct Places {
+  std::unordered_map<uint64_t, uint32_t> place_of;  // by group and position
+  uint32_t count = 0;
+
+  uint32_t of(uint32_t group, int32_t position) {
+    const auto [at, is_new] = place_of.try_emplace(uint64_t{group} << 32 | static_cast<uint32_t>(position), count);
+    if (is_new) ++count;
+    return at->second;
+  }
+};
+
 /// Chooses the normal of each corner. Corners without one get the mean over the faces of their smoothing group around
-/// the position, weighted by area; `s off` gives that of the face.
+/// the position; `s off` gives the normal of the face. Faces with normals of the file count for their neighbours.
 void choose_normals(Build& build) {
+  constexpr double kOpposite = -0.99;  // a group smooths any edge, but not a face with its own back
   const ObjFile& file = build.file;
-  const auto own = static_cast<int64_t>(file.normals.size() / 3);
-  std::unordered_map<uint64_t, int64_t> sum_of;  // by group and position
-  build.corner_normals.resize(file.corners.size());
+  std::vector<CreaseCorner> corners;
+  std::vector<Point> faces;
+  Places places;
   for (const ObjFace& face : file.faces) {
-    const Point normal = newell_normal(polygon_of(file, face));
-    int64_t of_face = kNone;
+    const auto row = static_cast<uint32_t>(faces.size());
+    faces.push_back(newell_normal(polygon_of(file, face)));
+    const double cosine = face.group == kNoStatement ? kCrease : kOpposite;
+    const uint32_t alone = face.group == kNoGroup ? places.count++ : 0;
     for (size_t i = face.first; i < face.first + face.count; ++i) {
+      const int32_t position = file.corners[i].position;
+      corners.push_back({face.group == kNoGroup ? alone : places.of(face.group, position), row, cosine});
+    }
+  }
+  CornerNormals computed = crease_normals(corners, faces, places.count, build.source.deadline);
+  build.computed = std::move(computed.normals);
+  const auto own = static_cast<int64_t>(file.normals.size() / 3);
+  build.corner_normals.resize(file.corners.size());
+  const uint32_t* row = computed.row.data();
+  for (const ObjFace& face : file.faces) {
+    for (size_t i = face.first; i < face.first + face.count; ++i, ++row) {
       const ObjCorner& corner = file.corners[i];
-      int64_t& chosen = build.corner_normals[i];
-      const auto next = static_cast<int64_t>(build.computed.size());
-      const bool has_own = has_normal(build, corner);
-      if (face.group != kNoGroup) {  // faces with normals of the file count for their neighbours
-        const uint64_t key = uint64_t{face.group} << 32 | static_cast<uint32_t>(corner.position);
-        chosen = sum_of.try_emplace(key, next).first->second;
-      } else {
-        if (of_face == kNone) of_face = next;
-        chosen = of_face;
-      }
-      if (chosen == next) build.computed.push_back({0, 0, 0});
-      Point& sum = build.computed[static_cast<size_t>(chosen)];
-      for (size_t c = 0; c < 3; ++c) sum[c] += normal[c];
-      chosen = has_own ? corner.normal : own + chosen;
+      build.corner_normals[i] = has_normal(build, corner) ? corner.normal : own + *row;
     }
   }
   if (build.unusable_normals) {
@@ -173,9 +187,7 @@ void append_normal(const Build& build, int64_t row, std::vector<float>& out) {
     out.insert(out.end(), n, n + 3);
     return;
   }
-  const Point& n = build.computed[static_cast<size_t>(row - own)];
-  const double length = std::hypot(n[0], n[1], n[2]);
-  for (const double c : n) out.push_back(length > 0 && std::isfinite(length) ? static_cast<float>(c / length) : 0.0f);
+  for (const double c : build.computed[static_cast<size_t>(row - own)]) out.push_back(static_cast<float>(c));
 }
 
 void append_color(const ObjFile& file, size_t position, float scale, std::vector<float>& out) {

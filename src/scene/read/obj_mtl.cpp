@@ -168,7 +168,7 @@ bool parse_statement(Mtls& mtls, const std::string& word, std::string_view value
   if (word == "ks") return parse_color(values, material.specular);
   if (word == "ka") return parse_color(values, material.ambient);
   if (word == "ke") return parse_color(values, material.emission);
-  if (word == "ns") return parse_number(values, 1, 1e6, material.exponent);
+  if (word == "ns") return parse_number(values, 0, 1e6, material.exponent);
   if (word == "ni") return parse_number(values, 0, 1e3, material.ior);
   if (word == "d") return parse_dissolve(mtls, values, material);
   if (word == "tr") return parse_number(values, 0, 1, material.transparency);
@@ -291,8 +291,9 @@ const MtlMap* set_map(Mtls& mtls, const Mtl& material, std::initializer_list<con
 void set_classic(Mtls& mtls, const Mtl& material, Surface& surface) {
   const bool has_ns = material.exponent.has_value();
   if (material.specular || has_ns) surface.specular = material.specular.value_or(Color{0, 0, 0});
-  if (has_ns) surface.exponent = *material.exponent;
-  if (material.illum == 1) surface.specular = {0, 0, 0};
+  if (has_ns) surface.exponent = std::max(*material.exponent, 1.0f);
+  // Exporters write `Ns 0` beside a white Ks for surfaces without a highlight. As an exponent it would make them white.
+  if (material.illum == 1 || (has_ns && *material.exponent == 0)) surface.specular = {0, 0, 0};
   surface.unlit = material.illum == 0;
   if (material.illum > 2) {
     mtls.warnings.add("MTL: illum " + std::to_string(material.illum) + ": reflections and refractions are left out");

@@ -27,6 +27,7 @@ struct Parser {
   std::map<std::string, int32_t, std::less<>> material_of;
   std::map<std::string, uint64_t, std::less<>> left_out;  // statements that are not drawn
   uint64_t triangles = 0, odd_lines = 0, bad_faces = 0;
+  uint64_t bad_columns = 0;  // texture coordinates and normals of corners that do not exist
   std::string first_odd, first_bad_part;
 };
 
@@ -76,22 +77,22 @@ bool parse_index(std::string_view* text, size_t size, int32_t* row) {
 
 enum class Parse { kGood, kMissing, kOdd };
 
-/// v, v/vt, v//vn or v/vt/vn
-Parse parse_corner(const ObjFile& file, std::string_view word, ObjCorner* corner) {
+/// v, v/vt, v//vn or v/vt/vn. A texture coordinate or normal that does not exist leaves the corner without one.
+Parse parse_corner(Parser& parser, std::string_view word, ObjCorner* corner) {
+  const ObjFile& file = parser.file;
   const size_t sizes[3] = {file.positions.size() / 3, file.uvs.size() / 2, file.normals.size() / 3};
   int32_t* const rows[3] = {&corner->position, &corner->uv, &corner->normal};
-  bool missing = false;
   for (size_t i = 0; i < 3; ++i) {
     const bool absent = i > 0 && (word.empty() || word.front() == '/');
     if (!absent) {
       if (!parse_index(&word, sizes[i], rows[i])) return Parse::kOdd;
-      missing = missing || *rows[i] == kNone;
+      if (i > 0 && *rows[i] == kNone) ++parser.bad_columns;
     }
     if (word.empty()) break;
     if (word.front() != '/' || i == 2) return Parse::kOdd;
     word.remove_prefix(1);
   }
-  return missing ? Parse::kMissing : Parse::kGood;
+  return corner->position == kNone ? Parse::kMissing : Parse::kGood;
 }
 
 int32_t part_of(Parser& parser) {
@@ -108,7 +109,7 @@ bool parse_face(Parser& parser, std::string_view rest) {
   bool missing = false;
   while (!rest.empty()) {
     ObjCorner corner;
-    const Parse parsed = parse_corner(file, take_word(&rest), &corner);
+    const Parse parsed = parse_corner(parser, take_word(&rest), &corner);
     if (parsed == Parse::kOdd) {
       file.corners.resize(face.first);
       return false;
@@ -204,12 +205,16 @@ void add_warnings(Parser& parser) {
     parser.warnings.add("mesh \"" + text_of(parser.first_bad_part) + "\": " + std::to_string(parser.bad_faces) +
                         " faces with indices out of range");
   }
+  if (parser.bad_columns) {
+    parser.warnings.add("texture coordinates or normals with indices out of range at " +
+                        std::to_string(parser.bad_columns) + " corners of faces");
+  }
 }
 
 }  // namespace
 
 ObjFile parse_obj(const Source& source, const std::string& text, Warnings& warnings) {
-  Parser parser{source.limits, warnings, {}, {}, kNone, kNoStatement, kNone, {}, {}, {}, 0, 0, 0, {}, {}};
+  Parser parser{source.limits, warnings, {}, {}, kNone, kNoStatement, kNone, {}, {}, {}, 0, 0, 0, 0, {}, {}};
   TextLines lines(text);
   std::string_view statement;
   for (uint64_t i = 0; lines.next(&statement); ++i) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/read/colors.h"
+#include "scene/read/creases.h"
 #include "scene/read/join.h"
 #include "scene/read/polygon.h"
 #include "scene/read/positions.h"
@@ -168,26 +169,6 @@ void collect_strips(Build& build) {
   }
 }
 
-/// Means of the normals of the faces around each vertex, weighted by area.
-std::vector<Point> smooth_normals(const Build& build) {
-  std::vector<Point> sums(build.wanted.vertex_count);
-  for (const Part& part : build.parts) {
-    for (size_t i = 0; i < part.corners.size(); i += 3) {
-      std::vector<Point> points;
-      for (size_t k = 0; k < 3; ++k) points.push_back(position_of(build.wanted, part.corners[i + k].vertex));
-      const Point normal = newell_normal(points);
-      for (size_t k = 0; k < 3; ++k) {
-        for (size_t c = 0; c < 3; ++c) sums[part.corners[i + k].vertex][c] += normal[c];
-      }
-    }
-  }
-  for (Point& sum : sums) {
-    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    for (double& c : sum) c = length > 0 ? c / length : 0;
-  }
-  return sums;
-}
-
 /// Makes one vertex of all corners with the same row of the file. The corners become the vertices.
 std::vector<uint32_t> share_vertices(uint64_t vertex_count, std::vector<Corner>& corners) {
   std::vector<uint32_t> vertex_of(vertex_count, kNoRow), indices;
@@ -212,10 +193,9 @@ void append_color(const Colors& colors, uint32_t row, std::vector<float>& out) {
   }
 }
 
-void append_columns(const Wanted& wanted, const std::vector<Point>& normals, const Corner& corner, Geometry& geometry) {
-  for (size_t c = 0; c < 3 && (wanted.has_normals() || !normals.empty()); ++c) {
-    const double n = normals.empty() ? wanted.normal[c]->values[corner.vertex] : normals[corner.vertex][c];
-    geometry.normal.push_back(static_cast<float>(n));
+void append_columns(const Wanted& wanted, const Corner& corner, Geometry& geometry) {
+  for (size_t c = 0; c < 3 && wanted.has_normals(); ++c) {
+    geometry.normal.push_back(static_cast<float>(wanted.normal[c]->values[corner.vertex]));
   }
   if (wanted.vertex_colors.present()) append_color(wanted.vertex_colors, corner.vertex, geometry.color);
   if (wanted.face_colors.present()) {
@@ -236,8 +216,7 @@ void append_columns(const Wanted& wanted, const std::vector<Point>& normals, con
   geometry.uv.push_back(static_cast<float>(1.0 - v));
 }
 
-void add_part(const Build& build, const std::vector<Point>& normals, const Point& base, bool split, Part&& part,
-              Model& model) {
+void add_part(const Build& build, const Point& base, bool split, Part&& part, Model& model) {
   const Wanted& wanted = build.wanted;
   Geometry geometry;
   if (split) {
@@ -250,7 +229,7 @@ void add_part(const Build& build, const std::vector<Point>& normals, const Point
   for (const Corner& corner : part.corners) {
     const Point p = position_of(wanted, corner.vertex);
     positions.insert(positions.end(), p.begin(), p.end());
-    append_columns(wanted, normals, corner, geometry);
+    append_columns(wanted, corner, geometry);
   }
   set_positions(geometry, positions, base);
   if (split) join_identical(geometry);
@@ -290,16 +269,17 @@ Point base_of(const Build& build) {
 void add_parts(Build& build, Model& model) {
   const Wanted& wanted = build.wanted;
   const bool split = wanted.face_colors.present() || wanted.corner_uvs;
-  const std::vector<Point> normals = split && !wanted.has_normals() ? smooth_normals(build) : std::vector<Point>();
   const Point base = base_of(build);
   for (size_t i = 0; i < build.parts.size(); ++i) {
     if (build.parts[i].corners.empty()) continue;
     build.source.deadline.check();
-    add_part(build, normals, base, split, std::move(build.parts[i]), model);
+    add_part(build, base, split, std::move(build.parts[i]), model);
     model.geometries.back().name = text_of(build.source.name);
     const int32_t texture = i < model.textures.size() ? static_cast<int32_t>(i) : -1;
     model.surfaces.push_back(surface_of(model.geometries.back(), texture, build.warnings));
   }
+  if (wanted.has_normals()) return;
+  add_creased_normals(model.geometries.data(), model.geometries.size(), build.source.limits, build.source.deadline);
 }
 
 }  // namespace

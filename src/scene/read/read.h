@@ -34,6 +34,7 @@
 /// | polygon.h           | polygons to triangles                                       |
 /// | positions.h         | positions in doubles to floats around an origin             |
 /// | join.h              | equal vertices made one                                     |
+/// | creases.h           | computed normals, sharp at edges of more than 60 degrees    |
 /// | colors.h            | colours of vertices and faces to linear light               |
 /// | assimp_import.cpp   | every format without a reader of its own: meshes and nodes  |
 /// | assimp_sanitize.cpp | faces and nodes that assimp's own steps can work on         |

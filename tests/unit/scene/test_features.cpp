@@ -301,11 +301,12 @@ void obj_rows() {
   text("Wavefront OBJ", "v with a colour", "drawn", "", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\n" + face,
        "v 0 0 0\nv 1 0 0\nv 1 1 0\n" + face);
   const std::string roof = "v 0 0 1\nf 1 2 3\nf 1 3 5\n";
-  text("Wavefront OBJ", "s", "drawn", "", corners + "s off\n" + roof, corners + roof);
+  text("Wavefront OBJ", "s", "drawn", "", corners + "s off\n" + roof, corners + "s 1\n" + roof);
   drawn("o, g, usemtl", "o part\n" + face);
   drawn("o, g, usemtl", "g part\n" + face);
   warned("f with an index of 0 or out of range", "indices out of range", "f 0 1 2\n");
   warned("f with an index of 0 or out of range", "indices out of range", "f 1 2 9\n");
+  warned("f with an index of 0 or out of range", "normals with indices out of range", "f 1//1 2//1 3//1\n");
   for (const char* line : {"l 1 2\n", "p 1\n"}) warned("l, p", line[0] == 'l' ? "lines" : "points", line);
   for (const char* line : {"curv 0 1 1 2\n", "surf 0 1 0 1 1 2\n", "lod 2\n", "shadow_obj a.obj\n", "word 1\n"}) {
     const std::string word(line, std::string(line).find(' '));

@@ -196,6 +196,16 @@ void test_nodes(void**) {
   for (size_t i = 0; i < 16; ++i) shd_assert_close("matrix", i, m[i], want[i], 1e-9, 0);
 }
 
+/// A root of the scene has a parent outside of it: the parent is left out.
+void test_outer_parent(void**) {
+  const Model model =
+      read_text(square_scene("{\"translation\":[5,0,0],\"children\":[1]},{\"mesh\":0,\"name\":\"root\"}", "", "1"));
+  assert_int_equal(model.placements.size(), 1);
+  shd_assert_close("x", 0, place(model)[0].object_to_world[12], 0, 0, 0);
+  if (!has_warning(model, "node \"root\": a parent outside the scene is left out"))
+    fail_msg("%s", warnings_of(model).c_str());
+}
+
 void test_scenes(void**) {
   GltfFile file;
   const std::string mesh =
@@ -353,6 +363,7 @@ int main() {
   add("flat", test_flat, nullptr);
   add("shared_accessor", test_shared_accessor, nullptr);
   add("nodes", test_nodes, nullptr);
+  add("outer_parent", test_outer_parent, nullptr);
   add("scenes", test_scenes, nullptr);
   add("instancing", test_instancing, nullptr);
   add("morph", test_morph, nullptr);

@@ -249,13 +249,14 @@ std::string compressed_view(GltfFile& file, const std::string& code, size_t stri
 }
 
 /// EXT_meshopt_compression: positions, indices and octahedral normals; buffer 1 is a fallback without bytes.
-std::string meshopt_square(size_t vertex_count, GltfFile& file) {
+std::string meshopt_square(size_t vertex_count, GltfFile& file, char version = 0) {
   const float positions[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const unsigned indices[6] = {0, 1, 2, 0, 2, 3};
   const signed char normals[16] = {0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0};
   std::string code(meshopt_encodeVertexBufferBound(4, 12), '\0'), triangles(meshopt_encodeIndexBufferBound(6, 4), '\0'),
       octahedral(meshopt_encodeVertexBufferBound(4, 4), '\0');
   code.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(&code[0]), code.size(), positions, 4, 12));
+  code[0] = static_cast<char>(code[0] + version);
   triangles.resize(
       meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(&triangles[0]), triangles.size(), indices, 6));
   octahedral.resize(
@@ -283,6 +284,13 @@ void test_meshopt(void**) {
   shd_assert_close("area", 0, area_of(model), 1, 1e-6, 0);
   assert_int_equal(model.geometries[0].normal.size(), 12);
   shd_assert_close("normal", 0, model.geometries[0].normal[2], 1, 0.01, 0);
+  GltfFile newer;
+  try {
+    read_text(meshopt_square(4, newer, 14));
+    fail();
+  } catch (const shd::core::Failure& failure) {
+    assert_non_null(strstr(failure.what(), "does not read version 14 of the vertex codec"));
+  }
   Limits limits;
   limits.file_bytes = 1 << 16;
   try {

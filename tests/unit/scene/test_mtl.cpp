@@ -39,6 +39,7 @@ const Number kNumbers[] = {
     {"ks", "Ks 0.5 0.5 1\nNs 20", GET(s.specular[2]), 1, ""},
     {"ns", "Ns 20", GET(s.exponent), 20, ""},
     {"ns/zero", "Ns 0", GET(s.exponent), 1, ""},
+    {"ns/zero_no_highlight", "Ks 1 1 1\nNs 0", GET(s.specular[0]), 0, ""},
     {"ke", "Ke 0 2 0", GET(s.emission[1]), 2, ""},
     {"ke/map", "map_Ke a.png", GET(s.emission[1]), 1, ""},
     {"d", "d 0.25", GET(s.opacity), 0.25, ""},

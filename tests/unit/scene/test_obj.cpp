@@ -65,7 +65,10 @@ const Row kRows[] = {
     {"index_too_large", SQUARE "f 1 2 3 4\nf 1 2 99\n", 1, 2, "1 faces with indices out of range"},
     {"index_beyond_64_bits", SQUARE "f 1 2 3 4\nf 1 2 99999999999999999999\n", 1, 2, "indices out of range"},
     {"index_before_the_first", SQUARE "f 1 2 3 4\nf -5 1 2\n", 1, 2, "1 faces with indices out of range"},
-    {"uv_out_of_range", SQUARE "vt 0 0\nf 1 2 3 4\nf 1/2 2/1 3/1\n", 1, 2, "1 faces with indices out of range"},
+    {"uv_out_of_range", SQUARE "vt 0 0\nf 1/1 2/1 3/2 4/1\n", 1, 2,
+     "texture coordinates or normals with indices out of range at 1 corners of faces"},
+    {"normals_that_do_not_exist", SQUARE "f 1//1 2//2 3//3 4//4\n", 1, 2,
+     "texture coordinates or normals with indices out of range at 4 corners of faces"},
     {"nan", SQUARE "v nan 0 0\nf 1 2 3 4\nf 1 2 5\n", 1, 2, "1 faces with positions that are not finite"},
     {"infinite", SQUARE "v 1e999 0 0\nf 1 2 3 4\nf 1 2 5\n", 1, 2, "1 faces with positions that are not finite"},
     {"missing_mtl", "mtllib gone.mtl\n" SQUARE "f 1 2 3 4\n", 1, 2, "gone.mtl"},
@@ -92,13 +95,13 @@ struct Roof {
 };
 
 const Roof kRoofs[] = {
-    {"groups/none", "", "", 3, 6},
+    {"groups/none", "", "", 2, 8},  // sharp: the slopes meet at 90 degrees
     {"groups/off", "s off\n", "", 2, 8},
     {"groups/zero", "s 0\n", "", 2, 8},
     {"groups/one", "s 1\n", "", 3, 6},
     {"groups/two", "s 1\n", "s 2\n", 2, 8},
     {"groups/second_off", "s 1\n", "s off\n", 2, 8},
-    {"groups/object", "", "o other\n", 3, 8},
+    {"groups/object", "s 1\n", "o other\n", 3, 8},
     {"groups/material", "s 1\n", "usemtl m\n", 3, 8},
 };
 
@@ -127,7 +130,7 @@ void test_groups(void** state) {
 void test_seam(void**) {
   const Model model = read_text(
       "v 0 0 0\nv 0 1 0\nv 1 0 1\nv 1 1 1\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 1\n"
-      "f 1/1 3/1 4/1 2/1\nf 3/2 5/2 6/2 4/2\n");
+      "s 1\nf 1/1 3/1 4/1 2/1\nf 3/2 5/2 6/2 4/2\n");
   const Geometry& g = model.geometries[0];
   assert_int_equal(g.position.size(), 8 * 3);
   for (size_t i = 0; i < 8; ++i) {

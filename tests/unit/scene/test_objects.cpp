@@ -59,14 +59,22 @@ void test_materials(void**) {
   assert_true(desc_of(bumpy).bump == SHD_BUMP_GRADIENT && desc_of(bumpy).bump_scale == 0.5f);
 }
 
-/// One warning names the material whose transmission is left out.
+/// One warning names the material whose transmission is left out, and why.
 void test_transmission_warning(void**) {
-  Model model = test::model_of(test::square_geometry());
-  model.surfaces[0].transmission = 0.25f;
-  Objects scene;
-  test::make_scene(g_context, std::move(model), &scene);
-  assert_int_equal(scene.warnings.size(), 1);
-  assert_non_null(strstr(scene.warnings[0].c_str(), "material \"paint\": its transmission"));
+  const struct {
+    float transmission, metallic;
+    const char* why;
+  } rows[] = {{0.25f, 0, "less than half of the light passes"}, {1, 1, "it is a metal"}};
+  for (const auto& row : rows) {
+    Model model = test::model_of(test::square_geometry());
+    model.surfaces[0].transmission = row.transmission;
+    model.surfaces[0].metallic = row.metallic;
+    Objects scene;
+    test::make_scene(g_context, std::move(model), &scene);
+    assert_int_equal(scene.warnings.size(), 1);
+    assert_string_equal(scene.warnings[0].c_str(),
+                        (std::string("material \"paint\": its transmission is left out: ") + row.why).c_str());
+  }
 }
 
 void test_filters(void**) {

@@ -186,18 +186,18 @@ void test_colors(void** state) {
   assert_true(model.warnings.empty());
 }
 
-/// Two faces with colours of their own at right angles: their common edge stays smooth, as without colours.
+/// Two faces with colours of their own at 45 degrees: their common edge stays smooth, as without colours.
 void test_face_colors(void**) {
   const Model model = read_text("ply\nformat ascii 1.0\nelement vertex 4\n" POSITIONS
                                 "element face 2\nproperty list uchar int vertex_indices\n" RGB DATA
-                                "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n",
+                                "0 0 0\n1 0 0\n0 1 0\n-1 0 1\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n",
                                 "m.ply");
   const Geometry& g = model.geometries[0];
   assert_int_equal(g.position.size() / 3, 6);
   for (size_t i = 0; i < 6; ++i) {
     const float* const p = &g.position[3 * i];
     const bool shared = p[0] == 0 && p[2] == 0;
-    const double wanted = shared ? std::sqrt(0.5) : p[0] > 0 ? 0 : 1;
+    const double wanted = shared ? std::sqrt(0.2) : p[0] > 0 ? 0 : std::sqrt(0.5);  // mean (1 0 2) / sqrt(5)
     shd_assert_close("normal.x", i, static_cast<double>(g.normal[3 * i]), wanted, 1e-6, 0);
   }
   const uint32_t *first = &g.indices[0], *second = &g.indices[3];
