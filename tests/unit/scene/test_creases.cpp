@@ -25,8 +25,8 @@ std::string vertex(double x, double y, double z) {
 /// Two unit squares at the y axis, whose normals are `angle` degrees apart, in a file of each format without normals.
 std::string book_of(const std::string& format, double angle) {
   const double x = std::cos(angle * kDegree), z = std::sin(angle * kDegree);
-  std::string vertices = vertex(0, 0, 0) + vertex(0, 1, 0) + vertex(1, 0, 0) + vertex(1, 1, 0) + vertex(-x, 0, z) +
-                         vertex(-x, 1, z);
+  std::string vertices =
+      vertex(0, 0, 0) + vertex(0, 1, 0) + vertex(1, 0, 0) + vertex(1, 1, 0) + vertex(-x, 0, z) + vertex(-x, 1, z);
   if (format == "obj") return vertices + "f 1 3 4 2\nf 1 2 6 5\n";
   for (size_t at; (at = vertices.find("v ")) != std::string::npos;) vertices.erase(at, 2);
   const std::string faces = "4 0 2 3 1\n4 0 1 5 4\n";
@@ -43,9 +43,9 @@ struct Book {
 };
 
 const Book kBooks[] = {
-    {"obj/30", "obj", 30, 6}, {"obj/59", "obj", 59, 6}, {"obj/61", "obj", 61, 8}, {"obj/90", "obj", 90, 8},
-    {"obj/80", "obj", 80, 8}, {"ply/59", "ply", 59, 6}, {"ply/61", "ply", 61, 8}, {"off/59", "off", 59, 6},
-    {"off/61", "off", 61, 8},
+    {"obj/30", "obj", 30, 6}, {"obj/59", "obj", 59, 6}, {"obj/61", "obj", 61, 8},
+    {"obj/90", "obj", 90, 8}, {"obj/80", "obj", 80, 8}, {"ply/59", "ply", 59, 6},
+    {"ply/61", "ply", 61, 8}, {"off/59", "off", 59, 6}, {"off/61", "off", 61, 8},
 };
 
 void test_book(void** state) {
