@@ -22,7 +22,7 @@ struct CreaseCorner {
 
 /// Normals of corners, each a row of `normals`.
 struct CornerNormals {
-  std::vector<uint32_t> row;    // [corner]
+  std::vector<uint32_t> row;   // [corner]
   std::vector<Point> normals;  // unit vectors
 };
 

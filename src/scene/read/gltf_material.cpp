@@ -177,9 +177,7 @@ void read_specular_glossiness(Palette& palette, const Part& part, Surface& s) {
   float glossiness = part.number_f("glossinessFactor", 1.0f, 0.0, 1.0);
   if (part["specularGlossinessTexture"]) {
     palette.document.warnings.add(
-        "KHR_materials_pbrSpecularGlossiness: specularGlossinessTexture is left out; no metal of half the glossiness "
-        "is "
-        "drawn");
+        "KHR_materials_pbrSpecularGlossiness: specularGlossinessTexture is left out; half as glossy, and no metal");
     // The factors alone are 1 in most files, which is a perfect mirror.
     for (float& c : specular) c = std::min(c, kDielectric);
     glossiness *= 0.5f;

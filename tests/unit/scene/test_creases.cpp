@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computed normals: means over the faces of up to 60 degrees around a corner, weighted by area. Right values follow from
-// the angles.
+// Computed normals: means over the faces of up to 60 degrees around a corner, weighted by area. Right values follow
+// from the angles.
 #include <cmath>
 #include <cstring>
 

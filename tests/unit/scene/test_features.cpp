@@ -376,7 +376,7 @@ void ply_rows() {
   drawn("colours of vertices and of faces", ply(rgb, " 255 0 0"));
   drawn("colours of vertices and of faces", ply("", "", rgb, " 255 0 0"));
   drawn("normals, texture coordinates of vertices and of corners",
-        ply("property float nx\nproperty float ny\nproperty float nz\n", " 0 0 1"));
+        ply("property float nx\nproperty float ny\nproperty float nz\n", " 1 0 0"));
   drawn("normals, texture coordinates of vertices and of corners", ply(uv, " 0 0.5"));
   drawn("normals, texture coordinates of vertices and of corners",
         ply("", "", "property list uchar float texcoord\n", " 6 0 0 1 0 1 1"));
