@@ -83,7 +83,7 @@ Model import_model(shd_context* context, const Options& options) {
   model.scene = load_scene(context, options);
   shd_scene_info info = shd_scene_info_default();
   check(shd_scene_get_info(model.scene.get(), &info), "scene");
-  for (uint32_t i = 0; i < info.warning_count && options.texture.empty(); ++i) {
+  for (uint32_t i = 0; i < info.warning_count; ++i) {
     std::fprintf(stderr, "shd-render: %s\n", shd_scene_warning(model.scene.get(), i));
   }
   add_scene_parts(model, info);

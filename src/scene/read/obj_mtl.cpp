@@ -236,8 +236,10 @@ std::vector<std::string> names_of(const Source& source, const std::string& rest)
   return names;
 }
 
-void parse_libraries(Mtls& mtls, const std::vector<std::string>& libraries) {
+/// Returns whether all libraries were found.
+bool parse_libraries(Mtls& mtls, const std::vector<std::string>& libraries) {
   std::set<std::string> seen;
+  bool all = true;
   for (const std::string& rest : libraries) {
     if (!seen.insert(rest).second) continue;
     for (const std::string& name : names_of(mtls.source, rest)) {
@@ -247,9 +249,11 @@ void parse_libraries(Mtls& mtls, const std::vector<std::string>& libraries) {
         parse_library(mtls, name, *bytes);
       } else {
         mtls.warnings.add("cannot open \"" + text_of(name) + "\" of mtllib; its materials are plain");
+        all = false;
       }
     }
   }
+  return all;
 }
 
 int32_t texture_of(Mtls& mtls, const std::string& folder, const std::string& name, bool data) {
@@ -371,7 +375,7 @@ Surface surface_of(Mtls& mtls, const std::string& name, const Mtl& material) {
 std::vector<int32_t> add_mtl_surfaces(const Source& source, const std::vector<std::string>& libraries,
                                       const std::vector<std::string>& names, Model& model, Warnings& warnings) {
   Mtls mtls{source, model, warnings, {}, {}};
-  parse_libraries(mtls, libraries);
+  const bool all_libraries = parse_libraries(mtls, libraries);
   std::vector<int32_t> out;
   std::map<const Mtl*, int32_t> surface_of_mtl;
   const auto add = [&](const std::string& name, const Mtl& material) {
@@ -384,7 +388,7 @@ std::vector<int32_t> add_mtl_surfaces(const Source& source, const std::vector<st
     auto at = mtls.materials.find(name);
     if (at == mtls.materials.end()) at = mtls.materials.find(std::string(without_comment(name)));
     const bool found = at != mtls.materials.end();
-    if (!found) warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
+    if (!found && all_libraries) warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
     out.push_back(found ? add(at->first, at->second) : kNone);
   }
   for (const auto& [name, material] : mtls.materials) add(name, material);
