@@ -20,10 +20,14 @@ namespace {
 
 constexpr size_t kPage = 4096;  // smallest page of any system
 constexpr size_t kHugePage = size_t{1} << 21;
+constexpr size_t kPiece = size_t{1} << 17;  // of the old heap
+constexpr int kMostPieces = 512;
 
-/// New memory of the process, with huge pages like those of the default allocator of a context.
+/// New memory of the process, with huge pages like those of the default allocator of a context. Its end is one of a
+/// huge page, so that the last bytes have a huge page, too.
 void* map_pages(size_t size) {
-  if (size > PTRDIFF_MAX - kHugePage) return nullptr;
+  if (size > PTRDIFF_MAX - 2 * kHugePage) return nullptr;
+  size = (size + kHugePage - 1) / kHugePage * kHugePage;
   void* const mapped =
       ::mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (mapped == MAP_FAILED) return nullptr;
@@ -53,16 +57,20 @@ const Memory kWorkerMemory = {nullptr, plain_allocate, plain_free, true};
 void prepare_heap(size_t size) {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
   size = std::min(size, size_t{1} << 30);
-  const auto first = reinterpret_cast<uintptr_t>(::sbrk(0));
+  const uintptr_t end = reinterpret_cast<uintptr_t>(::sbrk(0)), start = (end + kHugePage - 1) / kHugePage * kHugePage;
+  if (::sbrk(static_cast<intptr_t>(start - end)) == reinterpret_cast<void*>(-1)) return;  // malloc() leaves this gap
   (void)::mallopt(M_MMAP_MAX, 0);
   (void)::mallopt(M_TRIM_THRESHOLD, -1);
   (void)::mallopt(M_TOP_PAD, static_cast<int>(size));
-  void* volatile grown = std::malloc(kHugePage);  // the heap grows by the pad; a compiler may leave out a plain pair
-  std::free(grown);
+  // Pieces of the old heap, which has small pages, are taken and never used. The last one is at the start of the new
+  // heap. Its header and the next one make small pages there before madvise() can be called, so all of that huge page
+  // is taken, too.
+  void* volatile piece = nullptr;  // a compiler may leave out unused memory
+  for (int i = 0; i < kMostPieces && reinterpret_cast<uintptr_t>(piece) < start; ++i) piece = std::malloc(kPiece);
   const auto last = reinterpret_cast<uintptr_t>(::sbrk(0));
   (void)::mallopt(M_TOP_PAD, static_cast<int>(kHugePage));
-  const uintptr_t start = (first + kHugePage - 1) / kHugePage * kHugePage;
   if (last > start) (void)::madvise(reinterpret_cast<void*>(start), last - start, MADV_HUGEPAGE);
+  piece = std::malloc(kHugePage - kPiece);
 #else
   (void)size;
 #endif

@@ -256,5 +256,6 @@ class Containers(Case):
                 self.assertEqual((loaded.file["kind"], loaded.file["level_count"]), (shd.TextureFileKind.KTX2, 3))
                 for level in range(3):
                     np.testing.assert_array_equal(loaded.read_level(level), texture.read_level(level))
-            self.check_refused(shd.Error, "effort|built without", io.save, texture, path, supercompression="zstd", effort=99)
+            self.check_refused(shd.Error, "effort|built without", io.save, texture, path, supercompression="zstd",
+                               effort=99)
             self.check_refused(TypeError, "Ktx2Desc has no field dither", io.save, texture, path, dither="ordered")
