@@ -20,7 +20,7 @@ namespace {
 
 constexpr size_t kPage = 4096;  // smallest page of any system
 constexpr size_t kHugePage = size_t{1} << 21;
-constexpr size_t kPiece = size_t{1} << 17;  // of the old heap
+constexpr size_t kPiece = size_t{1} << 17;  // size of the pieces that prepare_heap() takes
 constexpr int kMostPieces = 512;
 
 /// New memory of the process, with huge pages like those of the default allocator of a context. Its end is one of a

@@ -388,7 +388,8 @@ std::vector<int32_t> add_mtl_surfaces(const Source& source, const std::vector<st
     auto at = mtls.materials.find(name);
     if (at == mtls.materials.end()) at = mtls.materials.find(std::string(without_comment(name)));
     const bool found = at != mtls.materials.end();
-    if (!found && all_libraries) warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
+    if (!found && all_libraries)
+      warnings.add("material \"" + text_of(name) + "\" is in no MTL file; its faces are plain");
     out.push_back(found ? add(at->first, at->second) : kNone);
   }
   for (const auto& [name, material] : mtls.materials) add(name, material);
