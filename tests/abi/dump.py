@@ -21,19 +21,13 @@ import subprocess
 import sys
 import tempfile
 
+from components import headers_of
+
 SKIPPED = 77
 MACHINE = "x86_64"
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 FUNCTION = re.compile(r"\bSHD_API\b([^;{]*?)\b(shd_\w+)\s*\(([^;]*)\)\s*;", re.S)
 ENUM = re.compile(r"typedef enum (\w+) \{")
-OWN_HEADERS = {"shd_color": ["color"], "shd_embree": ["embree"],
-               "shd_io": ["io", "texture_file", "tile_file", "volume_file"], "shd_scene": ["scene"]}
-
-
-def headers_of(include, library):
-    others = {h for headers in OWN_HEADERS.values() for h in headers}
-    every = sorted(p.stem for p in (include / "shd").glob("*.h"))
-    return OWN_HEADERS.get(library) or [h for h in every if h not in others]
 
 
 def stubs(include, library):
@@ -89,7 +83,7 @@ def main():
         print(f"lib{arguments.name}: the interface is that of {kept.name}")
         return 0
     print(f"lib{arguments.name}: the interface changed. If it was meant to, say so in CHANGELOG.md and run\n"
-          f"    tests/abi/dump.py --include include --library {arguments.name} --dumps tests/abi --update")
+          f"    tests/abi/update.sh")
     return 1
 
 

@@ -13,16 +13,17 @@ import subprocess
 import sys
 import tempfile
 
+from components import headers_of
+
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 STRUCT = re.compile(r"typedef struct (\w+) \{(.*?)\n\} \1;", re.S)
 DECLARATOR = re.compile(r"\(\*(\w+)\)|(\w+)(?:\[\w+\])*$")
-HEADERS = {"color": ["color"], "io": ["io", "texture_file", "tile_file", "volume_file", "worker"], "scene": ["scene"]}
 TITLE = {
     "shd": "The public structs of libshd on LP64: members in order. Padding is a row of its own; it is never given to a "
            "member.",
-    "color": "The public structs of libshd_color on LP64; see layout_shd.inc.",
-    "io": "The public structs of libshd_io on LP64; see layout_shd.inc.",
-    "scene": "The public structs of libshd_scene on LP64; see layout_shd.inc.",
+    "shd_color": "The public structs of libshd_color on LP64; see layout_shd.inc.",
+    "shd_io": "The public structs of libshd_io on LP64; see layout_shd.inc.",
+    "shd_scene": "The public structs of libshd_scene on LP64; see layout_shd.inc.",
 }
 
 
@@ -66,9 +67,8 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", default="cc")
     arguments = parser.parse_args()
-    every = sorted(p.stem for p in (arguments.include / "shd").glob("*.h"))
-    others = {h for headers in HEADERS.values() for h in headers}
-    for library, headers in {"shd": [h for h in every if h not in others], **HEADERS}.items():
+    for library in TITLE:
+        headers = headers_of(arguments.include, library)
         rows = sorted(r for h in headers for r in structs(arguments.include / "shd" / f"{h}.h"))
         with tempfile.TemporaryDirectory() as folder:
             source, binary = pathlib.Path(folder) / "layout.c", pathlib.Path(folder) / "layout"
@@ -76,8 +76,9 @@ def main():
             subprocess.run([arguments.compiler, "-I", arguments.include, source, "-o", binary], check=True)
             text = subprocess.run([binary], check=True, capture_output=True, text=True).stdout
         head = f"/* SPDX-License-Identifier: MIT */\n/* {TITLE[library]}\n   Written by layout.py. */\n"
-        (arguments.output / f"layout_{library}.inc").write_text(head + text, encoding="utf-8")
-        print(f"layout_{library}.inc: {len(rows)} structs")
+        kept = arguments.output / f"layout_{library.removeprefix('shd_')}.inc"
+        kept.write_text(head + text, encoding="utf-8")
+        print(f"{kept.name}: {len(rows)} structs")
     return 0
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Compares what a library exports with the list that is kept in the tree, and the list with the headers.
 
-    symbols.py --list symbols_shd.txt --headers include/shd/*.h [--library libshd.so]   compare; 1 on any difference
-    symbols.py --list symbols_shd.txt --headers include/shd/*.h --update                rewrite the list
+    symbols.py shd_io --include include [--library libshd_io.so]   compare with symbols_shd_io.txt; 1 on any difference
+    symbols.py shd_io --include include --update                   rewrite the list
 
 A shared library may export the listed functions and nothing else. Without --library (static builds export
 everything) only the headers are compared.
@@ -13,6 +13,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+from components import LIBRARIES, headers_of
 
 DECLARATION = re.compile(r"\bSHD_API\b[^;(]*?\b(shd_\w+)\s*\(", re.S)
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
@@ -40,22 +42,24 @@ def report(what, names):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--list", type=pathlib.Path, required=True)
-    parser.add_argument("--headers", type=pathlib.Path, nargs="+", required=True)
+    parser.add_argument("name", choices=LIBRARIES)
+    parser.add_argument("--include", type=pathlib.Path, required=True)
     parser.add_argument("--library", dest="path")
     parser.add_argument("--nm", default="nm")
     parser.add_argument("--update", action="store_true")
     arguments = parser.parse_args()
 
-    in_headers = declared(arguments.headers)
+    kept = pathlib.Path(__file__).resolve().parent / f"symbols_{arguments.name}.txt"
+    headers = headers_of(arguments.include, arguments.name)
+    in_headers = declared(arguments.include / "shd" / f"{h}.h" for h in headers)
     if arguments.update:
-        arguments.list.write_text("".join(f"{name}\n" for name in sorted(in_headers)), encoding="utf-8")
+        kept.write_text("".join(f"{name}\n" for name in sorted(in_headers)), encoding="utf-8")
         return 0
-    lines = arguments.list.read_text(encoding="utf-8").splitlines()
+    lines = kept.read_text(encoding="utf-8").splitlines()
     listed = set(lines)
     failed = lines != sorted(listed)
     if failed:
-        print(f"{arguments.list.name}: not sorted, or a name twice")
+        print(f"{kept.name}: not sorted, or a name twice")
     failed |= report("declared but not listed", in_headers - listed)
     failed |= report("listed but not declared", listed - in_headers)
     if arguments.path:
