@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -142,7 +141,6 @@ __attribute__((noinline)) void wipe_stack() {
 }  // namespace
 
 void run_job(int socket) {
-  (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
   wipe_stack();
   WorkerRequest request = {};
   FileDescriptor handed[2];

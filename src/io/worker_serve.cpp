@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -83,8 +84,11 @@ void say_hello() {
   (void)send_packet(kHost, &hello, sizeof hello, &self.fd, self.fd >= 0 ? 1 : 0, no_deadline());
 }
 
-/// Runs in a forked child: closes what belongs to the server, and waits for a file.
-[[noreturn]] void enter_child(int socket) {
+/// Runs in a forked child: closes what belongs to the server, and waits for a file. The first lines make the child end
+/// with the server: until then, a child that is stopped would outlive it and keep the files of a load open.
+[[noreturn]] void enter_child(int socket, pid_t server) {
+  (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != server) _exit(2);  // the server died before the line above
   for (int i = 0; i < g_server.count; ++i) {
     if (g_server.jobs[i].control >= 0) ::close(g_server.jobs[i].control);
   }
@@ -103,11 +107,12 @@ int make_spare() {
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return errno;
   FileDescriptor ours(ends[0]);
   FileDescriptor theirs(ends[1]);
+  const pid_t server = ::getpid();
   const pid_t pid = ::fork();
   if (pid < 0) return errno;
   if (pid == 0) {
     ours.reset();
-    enter_child(theirs.fd);
+    enter_child(theirs.fd, server);
   }
   g_server.spare = {pid, std::exchange(ours.fd, -1)};
   return 0;
