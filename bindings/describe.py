@@ -18,12 +18,14 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path.append(str(ROOT / "tests/abi"))
+import components
 import generated
 import words
 
 SKIPPED = 77
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parent
 OUTPUT = HERE / "shd.json"
 HEADERS_OF_C = {"worker"}  # for libraries in C that run code in the worker
 SIZES = {"float": 4, "double": 8, "size_t": 8, "int32_t": 4, "uint8_t": 1, "uint16_t": 2, "uint32_t": 4, "uint64_t": 8,
@@ -245,7 +247,9 @@ def describe(clang):
         description.handles.pop(name, None)
     description.finish()
     by_place = {h: i for i, h in enumerate(headers)}
-    table = {"headers": [{"name": h, "doc": words.file_doc(t)} for h, t in description.texts.items()],
+    owner = {h: library for library in components.LIBRARIES for h in components.headers_of(include, library)}
+    table = {"headers": [{"name": h, "library": owner[h], "doc": words.file_doc(t)}
+                         for h, t in description.texts.items()],
              "constants": constants(description.texts)}
     for key in ("enums", "typedefs", "handles", "callbacks", "structs", "functions"):
         table[key] = sorted(getattr(description, key).values(), key=lambda e: by_place[e["header"]])

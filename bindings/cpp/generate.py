@@ -59,7 +59,7 @@ class Generator:
         self.functions = functions
         self.structs = {s["name"] for s in table["structs"]}
         self.owners = [h for h in table["handles"] if len(functions[h["release"]]["parameters"]) == 1]
-        self.optional = {f["header"] for f in table["functions"] if f.get("library", "shd") != "shd"}
+        self.optional = {h["name"] for h in table["headers"] if h["library"] != "shd"}
         self.owned = {h["name"]: h["name"].removeprefix("shd_") for h in self.owners}
 
     def owner(self, handle):

@@ -60,7 +60,9 @@
 #include <shd/vertices.h>
 #include <shd/view.h>
 #include <shd/volume.h>
+#if __has_include(<shd/volume_file.h>)
 #include <shd/volume_file.h>
+#endif
 #include <shd/wrap.h>
 
 #include "shd.hpp"

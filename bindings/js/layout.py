@@ -18,7 +18,6 @@ SIZES = {"float": 4, "double": 8, "size_t": 4, "int32_t": 4, "uint8_t": 1, "uint
          "int": 4, "char": 1, "int64_t": 8}
 NUMBERS = {"float": "f32", "double": "f64", "size_t": "u32", "int32_t": "i32", "int": "i32", "uint8_t": "u8",
            "uint16_t": "u16", "uint32_t": "u32", "uint64_t": "u64", "char": "u8"}
-OTHER_LIBRARIES = {"color", "io", "scene", "embree", "texture_file", "tile_file", "volume_file"}
 # Lengths of numbers that functions read or write through a pointer.
 LENGTHS = {"matrix": 16, "a": 16, "b": 16, "out_matrix": 16, "out_3x3": 9, "rotation": 4, "rectangle": 4}
 VECTORS = {"eye", "target", "up", "translation", "scale", "point", "direction", "out_point", "out_direction"}
@@ -42,7 +41,8 @@ class Api:
     """The parts of shd.json that libshd has, laid out for 32-bit addresses."""
 
     def __init__(self, table):
-        keep = lambda entries: {e["name"]: e for e in entries if e["header"] not in OTHER_LIBRARIES}
+        headers = {h["name"] for h in table["headers"] if h["library"] == "shd"}
+        keep = lambda entries: {e["name"]: e for e in entries if e["header"] in headers}
         self.typedefs, self.enums = keep(table["typedefs"]), keep(table["enums"])
         self.structs, self.handles = keep(table["structs"]), keep(table["handles"])
         self.callbacks = keep(table["callbacks"])
