@@ -2,7 +2,8 @@
 #include "scene/normals.h"
 
 #include <cmath>
-#include <utility>
+
+#include "scene/columns.h"
 
 namespace shd::scene {
 namespace {
@@ -11,32 +12,6 @@ double square(const float* v) {
   double sum = 0.0;
   for (size_t c = 0; c < 3; ++c) sum += static_cast<double>(v[c]) * static_cast<double>(v[c]);
   return sum;
-}
-
-/// Rows of a column in the order of the indices.
-template <class Number>
-void gather(const std::vector<uint32_t>& indices, size_t width, std::vector<Number>& column) {
-  if (column.empty()) return;
-  std::vector<Number> out;
-  out.reserve(indices.size() * width);
-  for (const uint32_t vertex : indices) {
-    const auto row = column.begin() + static_cast<std::ptrdiff_t>(vertex * width);
-    out.insert(out.end(), row, row + static_cast<std::ptrdiff_t>(width));
-  }
-  column = std::move(out);
-}
-
-/// Gives each triangle vertices of its own.
-void unshare(Geometry& g) {
-  for (std::vector<float>* column : {&g.position, &g.normal}) gather(g.indices, 3, *column);
-  for (std::vector<float>* column : {&g.tangent, &g.color}) gather(g.indices, 4, *column);
-  for (std::vector<float>* column : {&g.uv, &g.uv1}) gather(g.indices, 2, *column);
-  gather(g.indices, g.influences, g.joint);
-  gather(g.indices, g.influences, g.weight);
-  for (MorphTarget& morph : g.morphs) {
-    for (std::vector<float>* column : {&morph.position, &morph.normal, &morph.tangent}) gather(g.indices, 3, *column);
-  }
-  for (size_t i = 0; i < g.indices.size(); ++i) g.indices[i] = static_cast<uint32_t>(i);
 }
 
 /// Sets normals without a direction to 0; returns their number.
@@ -82,7 +57,8 @@ void prepare_normals(Geometry& g, const Limits& limits, std::vector<std::string>
   }
   if (g.shading != Shading::kFlat || (bad == 0 && !g.normal.empty())) return;
   check_limit("vertices", g.indices.size(), "max_vertices", limits.vertices);
-  unshare(g);
+  take_vertices(g, g.indices);  // each triangle has vertices of its own
+  for (size_t i = 0; i < g.indices.size(); ++i) g.indices[i] = static_cast<uint32_t>(i);
 }
 
 void fill_normals(const std::vector<float>& position, const std::vector<uint32_t>& indices,

@@ -18,6 +18,7 @@
 /// | host_files.h | the files around a model, by the rules of the host    |
 /// | disk_files.h | files on disk, found by names of any system           |
 /// | callback_files.h | files that a callback of the host answers         |
+/// | columns.h    | rows of all columns of a geometry                     |
 /// | sample.h     | values of an animation at given seconds               |
 /// | pose.h       | the tree of a Model as matrices of a pose             |
 /// | normals.h    | flat and missing normals                              |

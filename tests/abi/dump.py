@@ -21,6 +21,7 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 from components import headers_of
 
 SKIPPED = 77

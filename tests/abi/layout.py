@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 from components import headers_of
 
 COMMENT = re.compile(r"/\*.*?\*/", re.S)

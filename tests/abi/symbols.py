@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
 from components import LIBRARIES, headers_of
 
 DECLARATION = re.compile(r"\bSHD_API\b[^;(]*?\b(shd_\w+)\s*\(", re.S)

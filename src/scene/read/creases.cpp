@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "scene/columns.h"
+
 namespace shd::scene {
 namespace {
 
@@ -100,18 +102,6 @@ struct Split {
   uint32_t vertex, row, next;
 };
 
-template <class Number>
-void gather(const std::vector<Split>& splits, size_t width, std::vector<Number>& column) {
-  if (column.empty()) return;
-  std::vector<Number> out;
-  out.reserve(splits.size() * width);
-  for (const Split& split : splits) {
-    const auto row = column.begin() + static_cast<std::ptrdiff_t>(split.vertex * width);
-    out.insert(out.end(), row, row + static_cast<std::ptrdiff_t>(width));
-  }
-  column = std::move(out);
-}
-
 /// Sets the normals of a geometry. rows: of `normals`, one for each index.
 void split_vertices(Geometry& g, const uint32_t* rows, const std::vector<Point>& normals) {
   std::vector<Split> splits;
@@ -127,10 +117,10 @@ void split_vertices(Geometry& g, const uint32_t* rows, const std::vector<Point>&
     }
     g.indices[i] = at;
   }
-  gather(splits, 3, g.position);
-  for (std::vector<float>* column : {&g.tangent, &g.color}) gather(splits, 4, *column);
-  for (std::vector<float>* column : {&g.uv, &g.uv1}) gather(splits, 2, *column);
+  std::vector<uint32_t> vertices;
   g.normal.clear();
+  for (const Split& split : splits) vertices.push_back(split.vertex);
+  take_vertices(g, vertices);
   for (const Split& split : splits) {
     for (const double c : normals[split.row]) g.normal.push_back(static_cast<float>(c));
   }

@@ -1,51 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read/join.h"
 
-#include <cstring>
-#include <iterator>
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
+
+#include "scene/columns.h"
 
 namespace shd::scene {
 namespace {
 
-struct Column {
-  std::vector<float>* numbers;
-  size_t width;
-};
+/// The bytes of all numbers of a vertex; -0 counts as 0.
+std::string key_of(const Geometry& g, uint32_t vertex) {
+  std::string key;
+  const auto append = [&](const std::vector<float>& column, size_t width) {
+    for (size_t c = 0; c < width && !column.empty(); ++c) {
+      const float number = column[width * vertex + c] + 0.0f;
+      key.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+  };
+  for (const std::vector<float>* column : {&g.position, &g.normal}) append(*column, 3);
+  for (const std::vector<float>* column : {&g.tangent, &g.color}) append(*column, 4);
+  for (const std::vector<float>* column : {&g.uv, &g.uv1}) append(*column, 2);
+  return key;
+}
 
 }  // namespace
 
 void join_identical(Geometry& geometry) {
-  const Column columns[] = {{&geometry.position, 3}, {&geometry.normal, 3}, {&geometry.tangent, 4},
-                            {&geometry.uv, 2},       {&geometry.uv1, 2},    {&geometry.color, 4}};
-  std::vector<float> joined[std::size(columns)];
   std::unordered_map<std::string, uint32_t> vertex_of;
   std::vector<int64_t> new_of(geometry.position.size() / 3, -1);
+  std::vector<uint32_t> kept;
   for (uint32_t& index : geometry.indices) {
     if (new_of[index] < 0) {
-      std::string key;
-      for (const Column& column : columns) {
-        for (size_t c = 0; c < column.width && !column.numbers->empty(); ++c) {
-          const float number = (*column.numbers)[column.width * index + c] + 0.0f;  // -0 is 0
-          char bytes[sizeof number];
-          std::memcpy(bytes, &number, sizeof number);
-          key.append(bytes, sizeof bytes);
-        }
-      }
-      const auto [at, is_new] = vertex_of.try_emplace(std::move(key), static_cast<uint32_t>(vertex_of.size()));
-      for (size_t i = 0; is_new && i < std::size(columns); ++i) {
-        const std::vector<float>& from = *columns[i].numbers;
-        for (size_t c = 0; c < columns[i].width && !from.empty(); ++c) {
-          joined[i].push_back(from[columns[i].width * index + c]);
-        }
-      }
+      const auto [at, is_new] = vertex_of.try_emplace(key_of(geometry, index), static_cast<uint32_t>(kept.size()));
+      if (is_new) kept.push_back(index);
       new_of[index] = at->second;
     }
     index = static_cast<uint32_t>(new_of[index]);
   }
-  for (size_t i = 0; i < std::size(columns); ++i) *columns[i].numbers = std::move(joined[i]);
+  take_vertices(geometry, kept);
 }
 
 }  // namespace shd::scene

@@ -21,22 +21,27 @@ namespace {
 
 constexpr uint32_t kNoRow = ~0u;
 
-/// Properties of the vertices or of the faces; those that the file has not are null.
+/// Properties that count together; all are null if the file lacks one.
+template <size_t N>
+using Group = std::array<const PlyProperty*, N>;
+
 struct Colors {
-  std::array<const PlyProperty*, 4> channels = {};
-  bool present() const { return channels[0] && channels[1] && channels[2]; }
+  Group<3> rgb = {};
+  const PlyProperty* alpha = nullptr;  // null = opaque
+  bool present() const { return rgb[0] != nullptr; }
 };
 
+/// The properties to read; null if the file has not.
 struct Wanted {
   uint64_t vertex_count = 0;
-  std::array<const PlyProperty*, 3> position = {}, normal = {};
-  std::array<const PlyProperty*, 2> uv = {};
+  Group<3> position = {}, normal = {};
+  Group<2> uv = {};
   const PlyProperty *polygons = nullptr, *strips = nullptr;
   const PlyProperty* corner_uvs = nullptr;       // [face][corner][2]
   const PlyProperty* texture_numbers = nullptr;  // [face]
   Colors vertex_colors, face_colors;
 
-  bool has_normals() const { return normal[0] && normal[1] && normal[2]; }
+  bool has_normals() const { return normal[0] != nullptr; }
 };
 
 /// A corner of a triangle; also a vertex of the Model.
@@ -54,13 +59,30 @@ struct Build {
   const Source& source;
   const Wanted& wanted;
   Warnings& warnings;
-  std::vector<Part> parts;  // one for each texture, at least one
+  std::vector<Part> parts;  // one for each texture with a number, and one without a texture
   uint64_t triangles = 0, bad = 0;
 };
 
+/// The properties by any of their names. If one is missing, the others are left out, with a warning.
+template <size_t N>
+Group<N> want_group(PlyElement& element, const std::array<std::initializer_list<std::string_view>, N>& names) {
+  std::array<PlyProperty*, N> found;
+  for (size_t i = 0; i < N; ++i) found[i] = element.want(names[i]);
+  const bool complete = std::find(found.begin(), found.end(), nullptr) == found.end();
+  Group<N> out = {};
+  for (size_t i = 0; i < N; ++i) {
+    if (complete) out[i] = found[i];
+    if (!complete && found[i]) found[i]->wanted = false;
+  }
+  return out;
+}
+
 Colors want_colors(PlyElement& element) {
-  return {{element.want({"red", "diffuse_red", "r"}), element.want({"green", "diffuse_green", "g"}),
-           element.want({"blue", "diffuse_blue", "b"}), element.want({"alpha", "diffuse_alpha", "a"})}};
+  Colors colors;
+  colors.rgb = want_group<3>(
+      element, {{{"red", "diffuse_red", "r"}, {"green", "diffuse_green", "g"}, {"blue", "diffuse_blue", "b"}}});
+  if (colors.present()) colors.alpha = element.want({"alpha", "diffuse_alpha", "a"});
+  return colors;
 }
 
 /// Chooses the properties to read, and warns of all others.
@@ -68,9 +90,9 @@ Wanted want_properties(PlyFile& file, Warnings& warnings) {
   Wanted wanted;
   if (PlyElement* const vertices = file.element("vertex")) {
     wanted.vertex_count = vertices->count;
-    wanted.position = {vertices->want({"x"}), vertices->want({"y"}), vertices->want({"z"})};
-    wanted.normal = {vertices->want({"nx"}), vertices->want({"ny"}), vertices->want({"nz"})};
-    wanted.uv = {vertices->want({"s", "u", "texture_u"}), vertices->want({"t", "v", "texture_v"})};
+    wanted.position = want_group<3>(*vertices, {{{"x"}, {"y"}, {"z"}}});
+    wanted.normal = want_group<3>(*vertices, {{{"nx"}, {"ny"}, {"nz"}}});
+    wanted.uv = want_group<2>(*vertices, {{{"s", "u", "texture_u"}, {"t", "v", "texture_v"}}});
     wanted.vertex_colors = want_colors(*vertices);
   }
   if (PlyElement* const faces = file.element("face")) {
@@ -102,6 +124,16 @@ Point position_of(const Wanted& wanted, uint32_t vertex) {
   return {wanted.position[0]->values[vertex], wanted.position[1]->values[vertex], wanted.position[2]->values[vertex]};
 }
 
+/// The part of a face. A number of no texture is that of the last part, and a warning unless it is -1.
+size_t part_of(Build& build, uint32_t row) {
+  if (!build.wanted.texture_numbers) return 0;
+  const size_t none = build.parts.size() - 1;
+  const double number = row == kNoRow ? -1 : build.wanted.texture_numbers->values[row];
+  if (number >= 0 && number < static_cast<double>(none)) return static_cast<size_t>(number);
+  if (number != -1) build.warnings.add("PLY: texnumber of faces is out of range: they have no texture");
+  return none;
+}
+
 /// Appends a polygon's triangles. `row` is its face, or kNoRow.
 void append_polygon(Build& build, const std::vector<double>& indices, uint32_t row) {
   std::vector<Point> points;
@@ -117,11 +149,7 @@ void append_polygon(Build& build, const std::vector<double>& indices, uint32_t r
     ++build.bad;
     return;
   }
-  size_t part = 0;
-  if (build.wanted.texture_numbers && row != kNoRow) {
-    const double number = build.wanted.texture_numbers->values[row];
-    part = number > 0 ? static_cast<size_t>(std::min(number, static_cast<double>(build.parts.size() - 1))) : 0;
-  }
+  const size_t part = part_of(build, row);
   const PlyProperty* const uvs = row == kNoRow ? nullptr : build.wanted.corner_uvs;
   const uint64_t first_uv = !uvs || row == 0 ? 0 : uvs->ends[row - 1];
   if (uvs && uvs->ends[row] - first_uv != 2 * indices.size()) {
@@ -187,7 +215,7 @@ std::vector<uint32_t> share_vertices(uint64_t vertex_count, std::vector<Corner>&
 
 void append_color(const Colors& colors, uint32_t row, std::vector<float>& out) {
   for (size_t c = 0; c < 4; ++c) {
-    const PlyProperty* const channel = colors.channels[c];
+    const PlyProperty* const channel = c < 3 ? colors.rgb[c] : colors.alpha;
     const auto code = channel ? static_cast<float>(channel->values[row] / ply_scale(channel->type)) : 1.0f;
     out.push_back(c < 3 ? linear_of_srgb(code) : code > 0.0f ? std::min(code, 1.0f) : 0.0f);
   }
@@ -202,7 +230,7 @@ void append_columns(const Wanted& wanted, const Corner& corner, Geometry& geomet
     static const Colors kWhite;
     append_color(corner.face == kNoRow ? kWhite : wanted.face_colors, corner.face, geometry.color);
   }
-  const bool by_vertex = wanted.uv[0] && wanted.uv[1];
+  const bool by_vertex = wanted.uv[0] != nullptr;
   if (!wanted.corner_uvs && !by_vertex) return;
   double u = 0, v = 0;
   if (wanted.corner_uvs && corner.face != kNoRow) {
@@ -296,12 +324,12 @@ Model read_ply(const Source& source) {
   PlyFile file = parse_ply_header(source);
   const ply::Wanted wanted = ply::want_properties(file, warnings);
   check_limit("vertices", wanted.vertex_count, "max_vertices", source.limits.vertices);
-  if (!wanted.position[0] || !wanted.position[1] || !wanted.position[2]) {
+  if (!wanted.position[0]) {
     core::refuse(SHD_ERROR_CORRUPT, "PLY: element \"vertex\" with x, y and z is missing");
   }
   read_ply_rows(source, file, warnings);
   ply::Build build{source, wanted, warnings, {}, 0, 0};
-  build.parts.resize(wanted.texture_numbers ? std::max<size_t>(file.textures.size(), 1) : 1);
+  build.parts.resize(wanted.texture_numbers ? file.textures.size() + 1 : 1);
   if (wanted.polygons) ply::collect_polygons(build);
   if (wanted.strips) ply::collect_strips(build);
   if (!wanted.polygons && !wanted.strips) {

@@ -418,6 +418,15 @@ void other_rows() {
   text(section, "triangles and polygons", "drawn", "", off("4 0 1 2 3"), off("3 0 1 2"));
   text(section, "lines and points", "warned", "lines and points", off("2 0 1\n3 0 1 2").replace(6, 1, "2"),
        off("3 0 1 2"));
+  const char* mesh =
+      "xof 0303txt 0032\nFrame a { Mesh m { 3; 0;0;0;, 1;0;0;, 1;1;0;; 1; 3;0,1,2;; XSkinMeshHeader { 1; 1; 1; }\n";
+  const char* skin =
+      "SkinWeights { \"a\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, "
+      "0.0, 0.0, 0.0, 1.0;; }\n";
+  const char* animation = "AnimationSet s { Animation { {a} AnimationKey { 2; 2; 0;3;0;0;0;;, 10;3;1;0;0;;; } } }\n";
+  const std::string plain = std::string(mesh) + "} }\n";
+  text(section, "skins, morph targets, animations", "warned", "skins", std::string(mesh) + skin + "} }\n", plain);
+  text(section, "skins, morph targets, animations", "warned", "animations", plain + animation, plain);
 }
 
 // ---- the checks ----
@@ -431,7 +440,11 @@ std::string bytes_of(Model model) {
 }
 
 Model read(const Row& row, const Input& input) {
-  return read_text(input.text, row.section == "Other formats" ? "m.off" : "m", input.files);
+  return read_text(input.text,
+                   row.section != "Other formats" ? "m"
+                   : input.text[0] == 'x'         ? "m.x"
+                                                  : "m.off",
+                   input.files);
 }
 
 void test_row(void** state) {

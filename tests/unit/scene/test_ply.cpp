@@ -253,6 +253,44 @@ void test_far(void**) {
   assert_true(model.warnings.empty());
 }
 
+/// A number of no texture: no texture for its faces.
+void test_texture_numbers(void**) {
+  const struct {
+    const char *number, *warning;
+  } rows[] = {{"-1", ""}, {"1", "texnumber"}, {"-2", "texnumber"}, {"nan", "texnumber"}};
+  for (const auto& row : rows) {
+    std::string text = text_of_triangle("property float s\nproperty float t\n",
+                                        "element face 2\nproperty list uchar int vertex_indices\n"
+                                        "property float texnumber\n" DATA,
+                                        " 0 0") +
+                       "3 0 1 2 0\n3 2 1 0 " + row.number + "\n";
+    text.insert(text.find("element"), "comment TextureFile a.png\n");
+    const Model model = read_text(text, "m.ply");
+    assert_int_equal(model.geometries.size(), 2);
+    for (size_t i = 0; i < 2; ++i) {
+      const int32_t texture = model.surfaces[model.placements[i].surface].maps[SHD_SLOT_DIFFUSE].texture;
+      assert_int_equal(texture, i == 0 ? 0 : -1);
+    }
+    assert_true(*row.warning ? has_warning(model, row.warning) : model.warnings.empty());
+  }
+}
+
+/// Properties that count together are left out together.
+void test_incomplete(void**) {
+  const struct {
+    const char *properties, *row, *warning;
+  } rows[] = {{"property uchar red\nproperty uchar alpha\n", " 255 0", "property \"red\""},
+              {"property uchar red\nproperty uchar alpha\n", " 255 0", "property \"alpha\""},
+              {"property float nx\nproperty float nz\n", " 0 1", "property \"nz\""},
+              {"property float s\n", " 1", "property \"s\""}};
+  for (const auto& row : rows) {
+    const Model model = read_text(text_of_triangle(row.properties, FACE DATA, row.row) + "3 0 1 2\n", "m.ply");
+    if (!has_warning(model, row.warning)) fail_msg("%s: %s", row.warning, warnings_of(model).c_str());
+    assert_true(model.geometries[0].color.empty() && model.geometries[0].uv.empty());
+    assert_true(model.geometries[0].normal[2] == 1);
+  }
+}
+
 struct Bad {
   const char *name, *text;
   shd_result result;
@@ -306,6 +344,8 @@ int main() {
   add("both_colors", test_both_colors, nullptr);
   add("texture", test_texture, nullptr);
   add("corner_uvs", test_corner_uvs, nullptr);
+  add("texture_numbers", test_texture_numbers, nullptr);
+  add("incomplete", test_incomplete, nullptr);
   add("far", test_far, nullptr);
   ADD_ROWS(kBad, test_bad);
   return _cmocka_run_group_tests("unit.scene.ply", g_tests, g_count, nullptr, nullptr);
