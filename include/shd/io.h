@@ -131,6 +131,13 @@ typedef enum shd_load_flag {
      * KTX2 and DDS, and with SHD_LOAD_FILE_LEVELS if the file has levels.
      */
     SHD_LOAD_ALPHA_WEIGHTED = 32,
+    /**
+     * Textures of images with alpha: r, g and b are multiplied by alpha, so that lookups and mip levels are averages
+     * weighted by alpha, without fringes (Porter and Duff, "Compositing Digital Images", 1984). The texture is
+     * SHD_TEXTURE_PREMULTIPLIED; 8-bit texels become RGBA16F. No effect on files that are premultiplied or opaque, and
+     * on KTX2 and DDS. Not with SHD_LOAD_ALPHA_WEIGHTED.
+     */
+    SHD_LOAD_PREMULTIPLY = 64,
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
 } shd_load_flag;
 typedef uint32_t shd_load_flags; /**< shd_load_flag bits */
@@ -270,10 +277,11 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
  *
  *  - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
  *    files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
- *    RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
- *    shd_bitmap_color_space() does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip
- *    levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
- *    ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
+ *    RGBA32F. Primaries are not converted; callers who need this use shd_bitmap_load(). Premultiplied files
+ *    (SHD_BITMAP_PREMULTIPLIED) give SHD_TEXTURE_PREMULTIPLIED textures. A colour space that shd_bitmap_color_space()
+ *    does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip levels are those of
+ *    shd_texture_create(): exact averages of the base in linear light. Levels in the file are ignored unless
+ *    SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
  *  - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
  *  - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
  *

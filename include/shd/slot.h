@@ -56,8 +56,13 @@ typedef enum shd_slot_target {
 
 /** Source of the values of a slot. */
 typedef enum shd_slot_source {
-    SHD_SLOT_SOURCE_CONSTANT = 0,  /**< 1; for the normal (0, 0, 1) in tangent space */
-    SHD_SLOT_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler`: 2D at uv, 3D at the place of a point */
+    SHD_SLOT_SOURCE_CONSTANT = 0, /**< 1; for the normal (0, 0, 1) in tangent space */
+    /**
+     * `texture` through `sampler`: 2D at uv, 3D at the place of a point. If it is SHD_TEXTURE_PREMULTIPLIED, the slots
+     * DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read the
+     * lookup as it is.
+     */
+    SHD_SLOT_SOURCE_TEXTURE = 1,
     SHD_SLOT_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 for absent ones */
     SHD_SLOT_SOURCE_PROCEDURE = 3, /**< `procedure` */
     SHD_SLOT_SOURCE_SOLID = 4,     /**< colours of `solid` at the place of a point */

@@ -79,6 +79,11 @@ typedef enum shd_texture_flag {
      * not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
      */
     SHD_TEXTURE_BORROW_LEVELS = 2,
+    /**
+     * The texels are premultiplied: r, g and b are multiplied by a. Lookups give such numbers, too. The slots
+     * SHD_SLOT_DIFFUSE and SHD_SLOT_TINT divide filtered r, g and b by filtered a (shd/slot.h).
+     */
+    SHD_TEXTURE_PREMULTIPLIED = 4,
     SHD_TEXTURE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_texture_flag;
 typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
@@ -127,13 +132,13 @@ typedef struct shd_texture_desc {
      */
     shd_projection projection;
     /**
-     * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
-     * has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and `projection`
-     * is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
-     * The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
-     * Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
-     * SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
-     * SHD_ERROR_UNSUPPORTED.
+     * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
+     * the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
+     * `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
+     * most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
+     * NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
+     * texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
+     * give SHD_ERROR_UNSUPPORTED.
      */
     shd_tile_source tiles;
     /* ---- end of 0.1; append below ---- */

@@ -20,9 +20,10 @@ using namespace shd;
 using namespace shd::abi;
 
 shd_texture_flags flags_of(const texture::Texture& texture) {
-  if (!texture.borrowed) return SHD_TEXTURE_NONE;
+  const shd_texture_flags state = texture.premultiplied ? SHD_TEXTURE_PREMULTIPLIED : SHD_TEXTURE_NONE;
+  if (!texture.borrowed) return state;
   const bool base_only = texture.borrowed_texels <= texture.width * texture.height * texture::image_count(texture);
-  return base_only ? SHD_TEXTURE_BORROW : SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS;
+  return state | SHD_TEXTURE_BORROW | (base_only ? 0u : uint32_t{SHD_TEXTURE_BORROW_LEVELS});
 }
 
 /// Whether a texture has texels that an update can write.

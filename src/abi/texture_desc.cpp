@@ -107,9 +107,10 @@ shd_result check_rows(const shd_texture_desc& desc) {
 
 /// Checks texels that are not copied; their rows are checked already.
 shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& format) {
-  SHD_TRY(check_flags("texture.flags", desc.flags, SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS));
+  SHD_TRY(check_flags("texture.flags", desc.flags,
+                      SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS | SHD_TEXTURE_PREMULTIPLIED));
   if (!(desc.flags & SHD_TEXTURE_BORROW)) {
-    if (desc.flags == 0) return SHD_OK;
+    if (!(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) return SHD_OK;
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW_LEVELS without SHD_TEXTURE_BORROW");
   }
@@ -196,7 +197,9 @@ shd_result check_tiles(const shd_texture_desc& desc) {
   }
   SHD_TRY(check_zero("texture.row_stride", desc.row_stride));
   SHD_TRY(check_zero("texture.layer_stride", desc.layer_stride));
-  SHD_TRY(check_zero("texture.flags", desc.flags));
+  if (desc.flags & ~uint32_t{SHD_TEXTURE_PREMULTIPLIED}) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: %#x, but texture.tiles has a cache", desc.flags);
+  }
   const image::FormatInfo format = image::format_info(desc.format);
   if (image::is_block_format(enum_bits(desc.format)) || format.channels == 3) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has %s, but texture.tiles has a cache",

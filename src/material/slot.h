@@ -46,6 +46,11 @@ inline bool reads_places(const Slot& slot) {
   return slot.solid || (slot.texture && slot.texture->depth != 0);
 }
 
+/// Whether the colour of a slot is divided by its fourth channel after the lookup.
+inline bool is_divided(const Slot& slot, uint32_t index) {
+  return slot.texture && slot.texture->premultiplied && (index == SHD_SLOT_DIFFUSE || index == SHD_SLOT_TINT);
+}
+
 /// Number of columns of a slot.
 constexpr uint32_t slot_channels(uint32_t slot) {
   switch (slot) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <set>
+#include <iterator>
 
 #include "extension/error.h"
 #include "scene/text.h"
@@ -61,11 +61,23 @@ std::string message_of(const TextureSource& source) {
   return source.file.empty() && source.rgba.empty() ? text : text_of(source.name) + ": " + text;
 }
 
-/// Textures whose alpha blends a surface: colours of invisible texels must not bleed into visible ones.
-std::set<int32_t> blended_textures(const Model& model) {
-  std::set<int32_t> out;
+/// Flags of each load. Where the alpha of a texture hides parts of a surface, colours of invisible texels must not
+/// bleed into visible ones. Blended colours are premultiplied, but not if another slot or surface reads the texture,
+/// too.
+std::vector<shd_load_flags> alpha_flags(const Model& model) {
+  std::vector<shd_load_flags> out(model.textures.size(), SHD_LOAD_PREMULTIPLY);
+  std::vector<bool> hides(model.textures.size());
   for (const Surface& surface : model.surfaces) {
-    if (surface.alpha == Alpha::kBlend) out.insert(surface.maps[SHD_SLOT_DIFFUSE].texture);
+    for (uint32_t slot = 0; slot < std::size(surface.maps); ++slot) {
+      const int32_t texture = surface.maps[slot].texture;
+      if (texture < 0) continue;
+      const bool is_color = slot == SHD_SLOT_DIFFUSE;
+      if (is_color && surface.alpha != Alpha::kOpaque) hides[static_cast<size_t>(texture)] = true;
+      if (!is_color || surface.alpha != Alpha::kBlend) out[static_cast<size_t>(texture)] = SHD_LOAD_ALPHA_WEIGHTED;
+    }
+  }
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (!hides[i]) out[i] = SHD_LOAD_DEFAULT;
   }
   return out;
 }
@@ -78,11 +90,11 @@ std::vector<Texture> load_textures(shd_context* context, HostFiles& files, const
                                    std::vector<std::string>* warnings) {
   std::vector<Texture> textures;
   uint64_t bytes = 0;
-  const std::set<int32_t> blended = blended_textures(model);
+  const std::vector<shd_load_flags> flags = alpha_flags(model);
   for (const TextureSource& source : model.textures) {
     deadline.check();
     shd_load_desc desc = load;
-    if (blended.count(static_cast<int32_t>(textures.size())) != 0) desc.flags |= SHD_LOAD_ALPHA_WEIGHTED;
+    if (!(load.flags & (SHD_LOAD_ALPHA_WEIGHTED | SHD_LOAD_PREMULTIPLY))) desc.flags |= flags[textures.size()];
     const double left = std::max(deadline.seconds_left(), 1e-3);
     desc.time_limit = desc.time_limit > 0 ? std::min(desc.time_limit, left) : left;
     Texture texture;

@@ -22,7 +22,7 @@ bool is_one_texture(const material::Material& material) {
   for (float emitted : material.emission) {
     if (emitted > 0.0f) return false;
   }
-  return has_normalised_integers(*slot.texture);
+  return has_normalised_integers(*slot.texture) && !slot.texture->premultiplied;
 }
 
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,

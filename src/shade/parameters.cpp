@@ -12,12 +12,14 @@ namespace {
 
 using material::Slot;
 
-/// Number of columns of a slot that are filled. The alpha of a colour texture has no effect on opaque materials.
+/// Number of columns of a slot that are filled. The alpha of a colour texture has no effect on opaque materials, unless
+/// it divides the colour.
 uint32_t filled_channels(const material::Material& material, uint32_t index) {
   const shd_slot_source source = material.slot[index].source;
   const bool has_texture = source == SHD_SLOT_SOURCE_TEXTURE || source == SHD_SLOT_SOURCE_SOLID;
   const bool is_color = index == SHD_SLOT_DIFFUSE || index == SHD_SLOT_TINT;
-  const bool lacks_alpha = is_color && has_texture && !material::has_opacity(material);
+  const bool lacks_alpha =
+      is_color && has_texture && !material::has_opacity(material) && !material::is_divided(material.slot[index], index);
   return lacks_alpha ? 3 : material::slot_channels(index);
 }
 
@@ -89,6 +91,14 @@ void run_procedure(const Slot& slot, uint32_t index, const SlotContext& context,
   call_procedure(context.shading, inputs.fragments, slot, columns.slot[index]);
 }
 
+/// Makes straight colours of the premultiplied ones of a slot.
+void divide_by_alpha(size_t count, float* const color[4]) {
+  const float* const alpha = color[3];
+  for (uint32_t c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < count; ++i) color[c][i] = alpha[i] > 0.0f ? color[c][i] / alpha[i] : 0.0f;
+  }
+}
+
 /// Multiplies the diffuse slot by the tint, whose columns may be those of the points.
 void multiply_by_tint(size_t count, const Columns& columns, material::Parameters* out) {
   for (uint32_t c = 0; c < material::slot_channels(SHD_SLOT_TINT); ++c) {
@@ -122,6 +132,11 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
     if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
   }
   look_up_textures(simd, context, textured, columns);
+  for (const uint32_t i : {SHD_SLOT_DIFFUSE, SHD_SLOT_TINT}) {
+    if (textured >> i & 1 && material::is_divided(material.slot[i], i)) {
+      divide_by_alpha(context.points.count, columns->slot[i]);
+    }
+  }
   if (slots >> SHD_SLOT_TINT & 1) multiply_by_tint(context.points.count, *columns, out);
 }
 

@@ -133,6 +133,7 @@ struct Texture {
   uint32_t channels;            // channels of `format`, or of its decoded blocks
   uint32_t channel_source[4];   // stored channel of each output, or kFill
   float fill[4];                // constant of each output whose source is kFill
+  bool premultiplied;           // outputs r, g and b are multiplied by a
   uint32_t tables;              // shd_table bits
   uint32_t width, height;       // size of level 0 [texels]
   uint32_t layers;              // 1..kMaxLayers

@@ -157,18 +157,24 @@ void test_channels(void **state)
     free(bytes.data);
 }
 
-/// A PNG of these pixels.
+/// A file of these pixels.
 template <class Code>
-Bytes make_png(shd_format format, uint32_t width, uint32_t height, std::vector<Code> pixels)
+Bytes make_file(shd_format format, uint32_t width, uint32_t height, std::vector<Code> pixels, const char *name)
 {
     shd_image image = shd_image_default();
-    const char *path = io_path("made.png");
+    const char *path = io_path(name);
     image.format = format, image.width = width, image.height = height, image.pixels = pixels.data();
     shd_assert_ok(shd_image_save(&image, path, nullptr));
     const io_bytes bytes = io_read(path);
     const Bytes out(bytes.data, bytes.data + bytes.size);
     free(bytes.data);
     return out;
+}
+
+template <class Code>
+Bytes make_png(shd_format format, uint32_t width, uint32_t height, std::vector<Code> pixels)
+{
+    return make_file(format, width, height, pixels, "made.png");
 }
 
 double to_light(double code) { return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4); }
@@ -250,6 +256,85 @@ void test_alpha_far(void **)
     }
 }
 
+/// SHD_LOAD_PREMULTIPLY: r, g and b of the base times alpha, averages of them in the levels, and the flag.
+void test_premultiply(void **)
+{
+    std::vector<unsigned char> pixels;
+    for (int i = 0; i < 16; ++i) {
+        const unsigned char rows[4][4] = {{255, 188, 0, 255}, {255, 255, 255, 0}, {188, 0, 255, 51}, {1, 2, 3, 4}};
+        pixels.insert(pixels.end(), rows[i % 4], rows[i % 4] + 4);
+    }
+    // The sRGB curve of 188/255 is .5028865, that of 1/255 to 3/255 is code / 255 / 12.92.
+    const double expected[4][4] = {
+        {1, .5028865, 0, 1},
+        {0, 0, 0, 0},
+        {.5028865 * .2, 0, .2, .2},
+        {4 / (255 * 255 * 12.92), 8 / (255 * 255 * 12.92), 12 / (255 * 255 * 12.92), 4 / 255.}};
+    shd_load_desc desc = shd_load_desc_default();
+    shd_texture_info info = shd_texture_info_default();
+    shd_sampler_desc plain = shd_sampler_desc_default();
+    shd_sampler *sampler = nullptr;
+    shd_texture *texture = nullptr;
+    shd_assert_ok(shd_sampler_create(g_context, &plain, &sampler));
+    const auto load = [&](const Bytes &file) {
+        shd_texture_release(texture);
+        shd_assert_ok(shd_texture_load_memory(g_context, file.data(), file.size(), &desc, &texture));
+        shd_assert_ok(shd_texture_get_info(texture, &info));
+    };
+    const auto look_up = [&](float u, float v, float level) {
+        std::array<float, 4> out = {};
+        shd_lookups lookups = shd_lookups_default();
+        shd_texels texels = shd_texels_default();
+        lookups.count = 1;
+        lookups.u = shd_f32_column(&u, 4), lookups.v = shd_f32_column(&v, 4), lookups.lod = shd_f32_column(&level, 4);
+        for (size_t c = 0; c < 4; ++c) texels.channel[c] = shd_f32_out_column(&out[c], 4);
+        shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &texels));
+        return out;
+    };
+    desc.flags = SHD_LOAD_PREMULTIPLY;
+    load(make_png(SHD_FORMAT_RGBA8_SRGB, 4, 4, pixels));
+    assert_true(info.flags == SHD_TEXTURE_PREMULTIPLIED && info.format == SHD_FORMAT_RGBA16F);
+    for (uint32_t x = 0; x < 4; ++x) {
+        const auto got = look_up((float(x) + .5f) / 4, .5f, 0), mean = look_up(.5f, .5f, 2);
+        for (size_t c = 0; c < 4; ++c) {
+            const double all = (expected[0][c] + expected[1][c] + expected[2][c] + expected[3][c]) / 4;
+            assert_true(std::fabs(double(got[c]) - expected[x][c]) <= expected[x][c] * 0x1p-11 + 0x1p-25);
+            assert_true(std::fabs(double(mean[c]) - all) <= all * 0x1p-9);
+        }
+    }
+    desc.flags |= SHD_LOAD_ALPHA_WEIGHTED;
+    shd_assert_result("both", shd_texture_load_memory(g_context, pixels.data(), 1, &desc, &texture),
+                      SHD_ERROR_INVALID_ARGUMENT, "load.flags: both SHD_LOAD_ALPHA_WEIGHTED and SHD_LOAD_PREMULTIPLY");
+    desc.flags = SHD_LOAD_PREMULTIPLY;
+    for (size_t i = 3; i < pixels.size(); i += 4) pixels[i] = 255;
+    load(make_png(SHD_FORMAT_RGBA8_SRGB, 4, 4, pixels));
+    assert_true(info.flags == SHD_TEXTURE_NONE && info.format == SHD_FORMAT_RGBA8_SRGB);
+    shd_texture_release(texture);
+    shd_sampler_release(sampler);
+}
+
+/// Files that are premultiplied give such textures: with any flag, the numbers are those of the file.
+void test_premultiplied_file(void **)
+{
+    const std::vector<float> pixels = {.25f, .5f, 0, .5f, 2, 0, 0, 0};
+    const Bytes file = make_file(SHD_FORMAT_RGBA32F, 2, 1, pixels, "premultiplied.exr");
+    for (const uint32_t flags : {SHD_LOAD_DEFAULT, SHD_LOAD_PREMULTIPLY, SHD_LOAD_ALPHA_WEIGHTED}) {
+        shd_load_desc desc = shd_load_desc_default();
+        shd_texture_info info = shd_texture_info_default();
+        shd_image image = shd_image_default();
+        shd_texture *texture = nullptr;
+        std::vector<float> got(8);
+        desc.flags = flags;
+        shd_assert_ok(shd_texture_load_memory(g_context, file.data(), file.size(), &desc, &texture));
+        shd_assert_ok(shd_texture_get_info(texture, &info));
+        assert_int_equal(info.flags, SHD_TEXTURE_PREMULTIPLIED);
+        image.format = info.format, image.width = 2, image.height = 1, image.pixels = got.data();
+        shd_assert_ok(shd_texture_read_level(texture, 0, 0, &image));
+        assert_true(got == pixels);
+        shd_texture_release(texture);
+    }
+}
+
 }  // namespace
 
 int main()
@@ -267,6 +352,8 @@ int main()
     add("linear", test_linear, nullptr);
     add("alpha_weighted", test_alpha_weighted, nullptr);
     add("alpha_far", test_alpha_far, nullptr);
+    add("premultiply", test_premultiply, nullptr);
+    add("premultiplied_file", test_premultiplied_file, nullptr);
     const int failed = _cmocka_run_group_tests("api.io_images", tests.data(), tests.size(), nullptr, nullptr);
     shd_context_release(g_context);
     io_remove_folder(&state);

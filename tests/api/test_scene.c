@@ -228,6 +228,37 @@ static void test_missing_texture(void **state)
     assert_null(scene);
 }
 
+/* Colours of blended materials are premultiplied, but not if another slot or an opaque material reads the texture. */
+static void test_blended_textures(void **state)
+{
+    static const uint8_t pixels[8] = {255, 128, 0, 255, 9, 9, 9, 100};
+    static const char *const names[] = {"blended.png", "shared.png", "opaque.png"};
+    shd_scene *scene;
+    uint32_t i;
+    (void)state;
+    for (i = 0; i < 3; ++i) {
+        shd_image image = shd_image_default();
+        image.format = SHD_FORMAT_RGBA8_SRGB;
+        image.width = 2, image.height = 1, image.pixels = (void *)pixels;
+        shd_assert_ok(shd_image_save(&image, io_path(names[i]), NULL));
+    }
+    scene_write_text("blended.obj",
+                     "mtllib blended.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
+                     "f 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n");
+    scene_write_text("blended.mtl",
+                     "newmtl a\nd .5\nmap_Kd blended.png\nnewmtl b\nd .5\nmap_Kd shared.png\nmap_Ks shared.png\n"
+                     "newmtl c\nmap_Kd opaque.png\n");
+    scene = load("blended.obj");
+    for (i = 0; i < info_of(scene).texture_count; ++i) {
+        shd_texture_info info = shd_texture_info_default();
+        const char *name = shd_scene_name(scene, SHD_SCENE_PART_TEXTURE, i);
+        shd_assert_ok(shd_texture_get_info(shd_scene_texture(scene, i), &info));
+        assert_int_equal(info.flags, strstr(name, "blended.png") ? SHD_TEXTURE_PREMULTIPLIED : SHD_TEXTURE_NONE);
+    }
+    assert_true(i >= 3);
+    shd_scene_release(scene);
+}
+
 /* The draws and lights of a scene, in a frame; the mesh outlives the scene. */
 static void test_render(void **state)
 {
@@ -470,6 +501,7 @@ int main(void)
     add("gltf/lights", test_gltf_lights, NULL);
     add("gltf/camera", test_gltf_camera, NULL);
     add("missing_texture", test_missing_texture, NULL);
+    add("blended_textures", test_blended_textures, NULL);
     add("render", test_render, NULL);
     ADD_ROWS(k_descs, test_desc);
     add("limit/texture_bytes", test_texture_budget, NULL);

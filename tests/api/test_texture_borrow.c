@@ -40,7 +40,8 @@ static shd_texture_desc borrowing(void)
 }
 
 static void edit_nothing(shd_texture_desc *d) { (void)d; }
-static void edit_unknown(shd_texture_desc *d) { d->flags = 5; }
+static void edit_unknown(shd_texture_desc *d) { d->flags = 9; }
+static void edit_premultiplied(shd_texture_desc *d) { d->flags |= SHD_TEXTURE_PREMULTIPLIED; }
 static void edit_packed(shd_texture_desc *d) { d->row_stride = WIDTH * 4; }
 static void edit_stride(shd_texture_desc *d) { d->row_stride = WIDTH * 4 + 4; }
 static void edit_layers(shd_texture_desc *d)
@@ -76,7 +77,8 @@ static const struct create_case {
     {"create/packed_stride", edit_packed, NULL},
     {"create/bytes_anywhere", edit_bytes_odd, NULL},
     {"create/8_byte_texels_aligned_to_4", edit_halves, NULL},
-    {"create/flags_5", edit_unknown, "texture.flags: bits 0x4 are not known"},
+    {"create/premultiplied", edit_premultiplied, NULL},
+    {"create/flags_9", edit_unknown, "texture.flags: bits 0x8 are not known"},
     {"create/gaps_between_rows", edit_stride, "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride 52, not 48"},
     {"create/two_layers", edit_layers, "texture.flags: SHD_TEXTURE_BORROW, but 2 layers, not 1"},
     {"create/three_channels", edit_three, "texture.flags: SHD_TEXTURE_BORROW, but format 8 has three channels"},
@@ -94,7 +96,7 @@ static void test_create(void **state)
     shd_texture *texture = (shd_texture *)&desc;
     shd_result expected = c->message ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK;
     c->edit(&desc);
-    if (desc.flags & 4) expected = SHD_ERROR_UNSUPPORTED;
+    if (desc.flags & 8) expected = SHD_ERROR_UNSUPPORTED;
     shd_assert_result(c->name, shd_texture_create(g_context, &desc, &texture), expected, c->message ? c->message : "");
     if (c->message) assert_null(texture);
     shd_texture_release(texture);

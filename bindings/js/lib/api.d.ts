@@ -1268,7 +1268,10 @@ export type SlotTarget =
 /**
  * Source of the values of a slot.
  * - `constant`: 1; for the normal (0, 0, 1) in tangent space
- * - `texture`: `texture` through `sampler`: 2D at uv, 3D at the place of a point
+ * - `texture`: `texture` through `sampler`: 2D at uv, 3D at the place of a point. If it is
+ * SHD_TEXTURE_PREMULTIPLIED, the slots
+ * DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read the
+ * lookup as it is.
  * - `vertex`: interpolated attributes of the mesh from `attribute` on; 1 for absent ones
  * - `procedure`: `procedure`
  * - `solid`: colours of `solid` at the place of a point
@@ -1434,11 +1437,15 @@ export type Channel =
  * another without gaps
  * from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
  * not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
+ * - `premultiplied`: The texels are premultiplied: r, g and b are multiplied by a. Lookups give such numbers, too.
+ * The slots
+ * SHD_SLOT_DIFFUSE and SHD_SLOT_TINT divide filtered r, g and b by filtered a (shd/slot.h).
  */
 export type TextureFlag =
   | "none"
   | "borrow"
   | "borrow_levels"
+  | "premultiplied"
   ;
 
 /**
@@ -3159,16 +3166,16 @@ export interface TextureDesc {
    */
   projection?: Projection | number;
   /**
-   * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the
-   * format
-   * has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
-   * `projection`
-   * is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
-   * The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
-   * Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
-   * texel.
-   * SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
-   * SHD_ERROR_UNSUPPORTED.
+   * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
+   * the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
+   * `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers
+   * at
+   * most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels`
+   * is
+   * NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of
+   * a
+   * texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
+   * give SHD_ERROR_UNSUPPORTED.
    */
   tiles?: TileSource;
 }

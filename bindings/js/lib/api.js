@@ -150,7 +150,7 @@ export const enums = {
   "displaced_normals": {"tilted":0,"kept":1,"faces":2},
   "table": {"none":0,"mipmap":1,"ripmap":2,"summed_area":4},
   "channel": {"default":0,"r":1,"g":2,"b":3,"a":4,"fill":5},
-  "texture_flag": {"none":0,"borrow":1,"borrow_levels":2},
+  "texture_flag": {"none":0,"borrow":1,"borrow_levels":2,"premultiplied":4},
   "depth_order": {"forward":0,"reversed":1},
   "interpolation": {"perspective":0,"affine":1,"flat":2},
   "wrap": {"repeat":0,"clamp":1,"mirror":2,"border":3,"mirror_once":4},

@@ -301,6 +301,7 @@ typedef enum shd_load_flag {
   SHD_LOAD_FILE_LEVELS = 8,
   SHD_LOAD_LINEAR = 16,
   SHD_LOAD_ALPHA_WEIGHTED = 32,
+  SHD_LOAD_PREMULTIPLY = 64,
   SHD_LOAD_FLAG_MAX_ENUM = 2147483647
 } shd_load_flag;
 typedef enum shd_bitmap_flag {
@@ -698,6 +699,7 @@ typedef enum shd_texture_flag {
   SHD_TEXTURE_NONE = 0,
   SHD_TEXTURE_BORROW = 1,
   SHD_TEXTURE_BORROW_LEVELS = 2,
+  SHD_TEXTURE_PREMULTIPLIED = 4,
   SHD_TEXTURE_FLAG_MAX_ENUM = 2147483647
 } shd_texture_flag;
 typedef enum shd_texture_file_kind {

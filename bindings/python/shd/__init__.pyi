@@ -297,6 +297,7 @@ class LoadFlag(enum.IntFlag):
     FILE_LEVELS = 8
     LINEAR = 16
     ALPHA_WEIGHTED = 32
+    PREMULTIPLY = 64
 
 class BitmapFlag(enum.IntFlag):
     NONE = 0
@@ -641,6 +642,7 @@ class TextureFlag(enum.IntFlag):
     NONE = 0
     BORROW = 1
     BORROW_LEVELS = 2
+    PREMULTIPLIED = 4
 
 class TextureFileKind(enum.IntEnum):
     NONE = 0

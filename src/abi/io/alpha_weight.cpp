@@ -7,69 +7,13 @@
 #include <vector>
 
 #include "abi/io/common.h"
+#include "abi/io/linear_texels.h"
 #include "abi/io/loads.h"
-#include "image/half.h"
-#include "image/srgb.h"
 #include "io/levels.h"
 
 namespace shd::extension {
 
 namespace {
-
-struct Rgba {
-  double value[4];  // linear
-};
-
-/// Reads and writes texels of the formats of linear bitmaps.
-class Texels {
- public:
-  explicit Texels(shd_format format) : format_(format) {
-    for (size_t code = 0; code < 256; ++code) {
-      const double value = static_cast<double>(code) / 255;
-      light_[code] = format == SHD_FORMAT_RGBA8_SRGB ? image::srgb_to_linear(value) : value;
-    }
-  }
-
-  Rgba load(const unsigned char* texel) const {
-    Rgba out = {};
-    for (size_t c = 0; c < 4; ++c) {
-      if (format_ == SHD_FORMAT_RGBA32F) {
-        float number;
-        std::memcpy(&number, texel + 4 * c, sizeof number);
-        out.value[c] = static_cast<double>(number);
-      } else if (format_ == SHD_FORMAT_RGBA16F) {
-        uint16_t half;
-        std::memcpy(&half, texel + 2 * c, sizeof half);
-        out.value[c] = static_cast<double>(image::half_to_float(half));
-      } else {
-        out.value[c] = c < 3 ? light_[texel[c]] : texel[c] / 255.0;
-      }
-    }
-    return out;
-  }
-
-  /// Stores r, g and b.
-  void store_color(const Rgba& color, unsigned char* texel) const {
-    for (size_t c = 0; c < 3; ++c) {
-      const auto number = static_cast<float>(color.value[c]);
-      if (format_ == SHD_FORMAT_RGBA32F) {
-        std::memcpy(texel + 4 * c, &number, sizeof number);
-      } else if (format_ == SHD_FORMAT_RGBA16F) {
-        const uint16_t half = image::float_to_half(number);
-        std::memcpy(texel + 2 * c, &half, sizeof half);
-      } else {
-        const auto* const end = light_ + 256;
-        const auto* const above = std::lower_bound(light_, end, color.value[c]);
-        const bool lower = above == end || (above > light_ && color.value[c] - above[-1] < *above - color.value[c]);
-        texel[c] = static_cast<unsigned char>(above - light_ - (lower ? 1 : 0));
-      }
-    }
-  }
-
- private:
-  shd_format format_;
-  double light_[256];  // value of each code
-};
 
 /// A mip level in memory.
 struct Level {
@@ -78,7 +22,7 @@ struct Level {
 };
 
 /// Mean colour of the visible texels around (x, y), weighted by alpha. Returns false if there is none.
-bool visible_around(const Texels& texels, const Level& level, size_t pixel, uint32_t x, uint32_t y, Rgba* out) {
+bool visible_around(const LinearTexels& texels, const Level& level, size_t pixel, uint32_t x, uint32_t y, Rgba* out) {
   Rgba sum = {};
   double weight = 0;
   for (uint32_t v = y - (y > 0); v <= std::min(y + 1, level.height - 1); ++v) {
@@ -94,7 +38,7 @@ bool visible_around(const Texels& texels, const Level& level, size_t pixel, uint
 }
 
 /// Gives texels of alpha 0 a colour; `coarser` may be null.
-void fill_invisible(const Texels& texels, const Level& level, const Level* coarser, size_t pixel) {
+void fill_invisible(const LinearTexels& texels, const Level& level, const Level* coarser, size_t pixel) {
   for (uint32_t y = 0; y < level.height; ++y) {
     for (uint32_t x = 0; x < level.width; ++x) {
       unsigned char* const to = level.pixels + (size_t{y} * level.width + x) * pixel;
@@ -110,20 +54,12 @@ void fill_invisible(const Texels& texels, const Level& level, const Level* coars
   }
 }
 
-bool is_opaque(const Texels& texels, const io::Bitmap& bitmap, size_t pixel) {
-  const unsigned char* const end = bitmap.pixels.data() + size_t{bitmap.width} * bitmap.height * pixel;
-  for (const unsigned char* texel = bitmap.pixels.data(); texel != end; texel += pixel) {
-    if (texels.load(texel).value[3] < 1) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void weight_by_alpha(shd_context* context, bool keep_levels, io::Bitmap* bitmap) {
   const size_t pixel = io::bitmap_pixel_size(bitmap->format);
-  const Texels texels(bitmap->format);
-  if (is_opaque(texels, *bitmap, pixel)) return;
+  const LinearTexels texels(bitmap->format);
+  if (texels.is_opaque(*bitmap)) return;
   const uint32_t count = io::full_level_count(bitmap->width, bitmap->height);
   const auto all = static_cast<size_t>(io::level_pixels(bitmap->width, bitmap->height, count));
   io::Buffer pixels(memory_of(context), all * pixel);

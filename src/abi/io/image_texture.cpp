@@ -20,6 +20,7 @@ shd_result make_texture(shd_context* context, const io::Bitmap& bitmap, uint32_t
   texture.height = bitmap.height;
   texture.texels = bitmap.pixels.data();
   texture.tables = tables;
+  if (bitmap.info.flags & SHD_BITMAP_PREMULTIPLIED) texture.flags |= SHD_TEXTURE_PREMULTIPLIED;
   shd_image levels[kMaxLevels];
   texture.level_count = bitmap.level_count - 1;
   texture.levels = bitmap.level_count > 1 ? levels : nullptr;
@@ -63,7 +64,9 @@ shd_result load_image_texture(shd_context* context, const Input& input, const Lo
   }
   io::Bitmap bitmap = load_input(context, input, request);
   make_linear(memory_of(context), &bitmap);
-  if ((request.desc.flags & SHD_LOAD_ALPHA_WEIGHTED) && bitmap.level_count == 1) {
+  const bool straight = !(bitmap.info.flags & SHD_BITMAP_PREMULTIPLIED);
+  if (straight && request.desc.flags & SHD_LOAD_PREMULTIPLY) premultiply(memory_of(context), &bitmap);
+  if (straight && request.desc.flags & SHD_LOAD_ALPHA_WEIGHTED && bitmap.level_count == 1) {
     weight_by_alpha(context, (request.desc.tables & SHD_TABLE_MIPMAP) != 0, &bitmap);
   }
   return make_texture(context, bitmap, request.desc.tables, out_texture);

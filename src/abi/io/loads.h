@@ -37,6 +37,9 @@ void make_linear(const io::Memory& memory, io::Bitmap* bitmap);
 /// Makes levels 1 and up of an RGBA bitmap of one level as SHD_LOAD_ALPHA_WEIGHTED states, and fills invisible texels.
 void weight_by_alpha(shd_context* context, bool levels, io::Bitmap* bitmap);
 
+/// Multiplies r, g and b of the RGBA texels of a linear bitmap by alpha, as SHD_LOAD_PREMULTIPLY states.
+void premultiply(const io::Memory& memory, io::Bitmap* bitmap);
+
 /// Throws Failure unless request.options.formats has the format.
 void require_format(const LoadRequest& request, shd_file_format format, const char* name);
 

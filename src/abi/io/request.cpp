@@ -36,7 +36,10 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   require_flags("load.formats", desc.formats, kFormats);
   require_flags("load.flags", desc.flags,
                 SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V | SHD_LOAD_FILE_LEVELS | SHD_LOAD_LINEAR |
-                    SHD_LOAD_ALPHA_WEIGHTED);
+                    SHD_LOAD_ALPHA_WEIGHTED | SHD_LOAD_PREMULTIPLY);
+  if (desc.flags & SHD_LOAD_ALPHA_WEIGHTED && desc.flags & SHD_LOAD_PREMULTIPLY) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.flags: both SHD_LOAD_ALPHA_WEIGHTED and SHD_LOAD_PREMULTIPLY");
+  }
   if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));

@@ -67,6 +67,7 @@ shd_result make_texture(shd_context* context, const io::TextureLayout& layout, c
   desc.level_count = layout.level_count - 1;
   desc.levels = levels.empty() ? nullptr : levels.data();
   desc.tables = tables;
+  if (info.flags & SHD_TEXTURE_FILE_PREMULTIPLIED) desc.flags |= SHD_TEXTURE_PREMULTIPLIED;
   // Blocks have only the levels of the file.
   if (is_blocks(info.format) && layout.level_count == 1) desc.tables &= ~uint32_t{SHD_TABLE_MIPMAP};
   std::copy(layout.swizzle, layout.swizzle + 4, desc.swizzle);

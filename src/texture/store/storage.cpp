@@ -33,6 +33,7 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
   texture->format = stored_format(desc.format);
   texture->component = blocks.block_size ? blocks.component : given.component;
   texture->given_format = desc.format;
+  texture->premultiplied = (desc.flags & SHD_TEXTURE_PREMULTIPLIED) != 0;
   texture->channels =
       static_cast<uint32_t>(blocks.block_size ? blocks.stored : image::format_info(texture->format).channels);
   for (uint32_t c = 0; c < 4; ++c) {

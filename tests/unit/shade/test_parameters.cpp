@@ -3,6 +3,7 @@
 #include "core/status.h"  // before cmocka, whose fail is a macro
 
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "texture/sample.h"
@@ -127,6 +128,53 @@ void test_textures(void** state) {
     });
   }
   for (texture::Texture* texture : textures) free_texture(texture);
+}
+
+/// The diffuse slot and the tint have straight colours of premultiplied textures, other slots the lookups; without
+/// opacity, too. Colours are 0 where alpha is not positive.
+void test_premultiplied(void**) {
+  Random random = {171};
+  float texels[kSize * kSize * 4];
+  for (float& texel : texels) texel = random.real(-1.0, 1.0);
+  texels[3] = std::numeric_limits<float>::quiet_NaN();
+  texture::Texture* const texture = make_texture(SHD_FORMAT_RGBA32F, kSize, kSize, texels, SHD_TABLE_MIPMAP);
+  texture->premultiplied = true;
+  const texture::Sampler sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
+  for (int n = 0; n < 8; ++n) {
+    shd_material_desc desc = shd_material_desc_default();
+    desc.model = SHD_MODEL_BLINN_PHONG;
+    desc.blend = n % 2 ? SHD_BLEND_STRAIGHT : SHD_BLEND_OPAQUE;
+    material::SlotInput slots[material::kSlotCount] = {};
+    for (const shd_slot_target i : {SHD_SLOT_DIFFUSE, SHD_SLOT_SPECULAR, SHD_SLOT_TINT}) {
+      if (i != SHD_SLOT_TINT || n & 2)
+        slots[i] = {shd_slot_texture(i, nullptr, nullptr), i, texture, &sampler, nullptr};
+    }
+    if (n & 4) slots[SHD_SLOT_DIFFUSE] = {};
+    material::build(desc, slots, &g->material);
+    random_points(&random);
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      material::Parameters p = {};
+      const shade::DrawShading shading = draw_shading();
+      shade::look_up_slots(target, {shading, g->points, g->varyings, true}, ~0u, &g->columns, &p);
+      material::Slot slot = g->material.slot[SHD_SLOT_SPECULAR];
+      look_up_alone(target, slot, SHD_SLOT_DIFFUSE, true);
+      size_t hidden = 0;
+      for (size_t i = 0; i < kBatch; ++i) {
+        const float a = g->kept.slot[SHD_SLOT_DIFFUSE][3][i];
+        hidden += !(a > 0.0f);
+        for (uint32_t c = 0; c < 3; ++c) {
+          const float color = g->kept.slot[SHD_SLOT_DIFFUSE][c][i];
+          assert_memory_equal(&p.value[SHD_SLOT_SPECULAR][c][i], &color, sizeof color);
+          const float straight = a > 0.0f ? color / a : 0.0f;
+          const float wanted = (n & 6) == 2 ? straight * straight : straight;
+          if ((n & 6) == 4) assert_null(p.value[SHD_SLOT_DIFFUSE][c]);
+          if ((n & 6) != 4) assert_memory_equal(&p.value[SHD_SLOT_DIFFUSE][c][i], &wanted, sizeof wanted);
+        }
+      }
+      assert_true(hidden > 0 && hidden < kBatch);
+    });
+  }
+  free_texture(texture);
 }
 
 struct AttributeCase {
@@ -271,6 +319,7 @@ int main() {
   for (const AttributeCase& c : k_attributes) {
     tests[n++] = {c.name, test_attribute, nullptr, nullptr, const_cast<AttributeCase*>(&c)};
   }
+  tests[n++] = {"premultiplied", test_premultiplied, nullptr, nullptr, nullptr};
   tests[n++] = {"procedure", test_procedure, nullptr, nullptr, nullptr};
   tests[n++] = {"procedure/throws", test_throws, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.shade.parameters", tests, n, set_up, tear_down);

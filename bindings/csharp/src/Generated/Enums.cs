@@ -559,6 +559,13 @@ namespace Shd
         /// KTX2 and DDS, and with LoadFlags.FileLevels if the file has levels.
         /// </summary>
         AlphaWeighted = 32,
+        /// <summary>
+        /// Textures of images with alpha: r, g and b are multiplied by alpha, so that lookups and mip levels are averages
+        /// weighted by alpha, without fringes (Porter and Duff, "Compositing Digital Images", 1984). The texture is
+        /// TextureFlags.Premultiplied; 8-bit texels become RGBA16F. No effect on files that are premultiplied or opaque, and
+        /// on KTX2 and DDS. Not with LoadFlags.AlphaWeighted.
+        /// </summary>
+        Premultiply = 64,
     }
 
     /// <summary>Properties of a loaded file; combine with |.</summary>
@@ -1433,7 +1440,11 @@ namespace Shd
     {
         /// <summary>1; for the normal (0, 0, 1) in tangent space</summary>
         Constant = 0,
-        /// <summary>`texture` through `sampler`: 2D at uv, 3D at the place of a point</summary>
+        /// <summary>
+        /// `texture` through `sampler`: 2D at uv, 3D at the place of a point. If it is TextureFlags.Premultiplied, the slots
+        /// DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read the
+        /// lookup as it is.
+        /// </summary>
         Texture = 1,
         /// <summary>interpolated attributes of the mesh from `attribute` on; 1 for absent ones</summary>
         Vertex = 2,
@@ -1600,6 +1611,11 @@ namespace Shd
         /// not for blocks. shd_texture_update() gives Result.ErrorUnsupported.
         /// </summary>
         BorrowLevels = 2,
+        /// <summary>
+        /// The texels are premultiplied: r, g and b are multiplied by a. Lookups give such numbers, too. The slots
+        /// SlotTarget.Diffuse and SlotTarget.Tint divide filtered r, g and b by filtered a (shd/slot.h).
+        /// </summary>
+        Premultiplied = 4,
     }
 
     /// <summary>File formats of textures.</summary>

@@ -910,10 +910,11 @@ namespace Shd.Native
         ///
         ///  - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
         ///    files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
-        ///    RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
-        ///    shd_bitmap_color_space() does not list is Result.ErrorUnsupported unless desc.color_space overrides it. The mip
-        ///    levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
-        ///    ignored unless LoadFlags.FileLevels is set; then they are converted like the base.
+        ///    RGBA32F. Primaries are not converted; callers who need this use shd_bitmap_load(). Premultiplied files
+        ///    (BitmapFlags.Premultiplied) give TextureFlags.Premultiplied textures. A colour space that shd_bitmap_color_space()
+        ///    does not list is Result.ErrorUnsupported unless desc.color_space overrides it. The mip levels are those of
+        ///    shd_texture_create(): exact averages of the base in linear light. Levels in the file are ignored unless
+        ///    LoadFlags.FileLevels is set; then they are converted like the base.
         ///  - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
         ///  - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
         ///

@@ -2266,13 +2266,13 @@ namespace Shd.Native
         /// </summary>
         public Projection Projection;
         /// <summary>
-        /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
-        /// has one, two or four channels and no blocks, TableFlags.Mipmap is the only table, `depth` is 0, and `projection`
-        /// is Projection.None. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
-        /// The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
-        /// Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
-        /// Precision.Fast has no effect, and shd_texture_explain(), shd_texture_bounds() and Filter.Exact give
-        /// Result.ErrorUnsupported.
+        /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
+        /// the format has one, two or four channels and no blocks, TableFlags.Mipmap is the only table, `depth` is 0, and
+        /// `projection` is Projection.None. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
+        /// most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
+        /// NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
+        /// texel. Precision.Fast has no effect, and shd_texture_explain(), shd_texture_bounds() and Filter.Exact
+        /// give Result.ErrorUnsupported.
         /// </summary>
         public TileSource Tiles;
 

@@ -824,6 +824,11 @@ impl shd_load_flag {
     /// and an invisible texel have the colour of the visible one. For straight alpha. No effect on other textures, on
     /// KTX2 and DDS, and with SHD_LOAD_FILE_LEVELS if the file has levels.
     pub const ALPHA_WEIGHTED: Self = Self(32);
+    /// Textures of images with alpha: r, g and b are multiplied by alpha, so that lookups and mip levels are averages
+    /// weighted by alpha, without fringes (Porter and Duff, "Compositing Digital Images", 1984). The texture is
+    /// SHD_TEXTURE_PREMULTIPLIED; 8-bit texels become RGBA16F. No effect on files that are premultiplied or opaque, and
+    /// on KTX2 and DDS. Not with SHD_LOAD_ALPHA_WEIGHTED.
+    pub const PREMULTIPLY: Self = Self(64);
 }
 pub const SHD_LOAD_DEFAULT: shd_load_flag = shd_load_flag::DEFAULT;
 pub const SHD_LOAD_IN_PROCESS: shd_load_flag = shd_load_flag::IN_PROCESS;
@@ -832,6 +837,7 @@ pub const SHD_LOAD_FLIP_V: shd_load_flag = shd_load_flag::FLIP_V;
 pub const SHD_LOAD_FILE_LEVELS: shd_load_flag = shd_load_flag::FILE_LEVELS;
 pub const SHD_LOAD_LINEAR: shd_load_flag = shd_load_flag::LINEAR;
 pub const SHD_LOAD_ALPHA_WEIGHTED: shd_load_flag = shd_load_flag::ALPHA_WEIGHTED;
+pub const SHD_LOAD_PREMULTIPLY: shd_load_flag = shd_load_flag::PREMULTIPLY;
 flags!(shd_load_flag);
 
 /// Properties of a loaded file; combine with |.
@@ -1913,7 +1919,9 @@ pub struct shd_slot_source(pub u32);
 impl shd_slot_source {
     /// 1; for the normal (0, 0, 1) in tangent space
     pub const CONSTANT: Self = Self(0);
-    /// `texture` through `sampler`: 2D at uv, 3D at the place of a point
+    /// `texture` through `sampler`: 2D at uv, 3D at the place of a point. If it is SHD_TEXTURE_PREMULTIPLIED, the slots
+    /// DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read the
+    /// lookup as it is.
     pub const TEXTURE: Self = Self(1);
     /// interpolated attributes of the mesh from `attribute` on; 1 for absent ones
     pub const VERTEX: Self = Self(2);
@@ -2134,10 +2142,14 @@ impl shd_texture_flag {
     /// from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
     /// not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
     pub const BORROW_LEVELS: Self = Self(2);
+    /// The texels are premultiplied: r, g and b are multiplied by a. Lookups give such numbers, too. The slots
+    /// SHD_SLOT_DIFFUSE and SHD_SLOT_TINT divide filtered r, g and b by filtered a (shd/slot.h).
+    pub const PREMULTIPLIED: Self = Self(4);
 }
 pub const SHD_TEXTURE_NONE: shd_texture_flag = shd_texture_flag::NONE;
 pub const SHD_TEXTURE_BORROW: shd_texture_flag = shd_texture_flag::BORROW;
 pub const SHD_TEXTURE_BORROW_LEVELS: shd_texture_flag = shd_texture_flag::BORROW_LEVELS;
+pub const SHD_TEXTURE_PREMULTIPLIED: shd_texture_flag = shd_texture_flag::PREMULTIPLIED;
 flags!(shd_texture_flag);
 
 /// File formats of textures.
@@ -5023,13 +5035,13 @@ pub struct shd_texture_desc {
     /// `height` are equal unless it is LAT_LONG; `layers` of CUBE are the 6 faces +X, -X, +Y, -Y, +Z, -Z; `depth` is 0;
     /// `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
     pub projection: shd_projection,
-    /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides and `flags` are 0, the format
-    /// has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and `projection`
-    /// is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at most 2^30.
-    /// The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is NULL.
-    /// Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a texel.
-    /// SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT give
-    /// SHD_ERROR_UNSUPPORTED.
+    /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
+    /// the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
+    /// `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
+    /// most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
+    /// NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
+    /// texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
+    /// give SHD_ERROR_UNSUPPORTED.
     pub tiles: shd_tile_source,
 }
 #[cfg(target_pointer_width = "64")]
@@ -6474,10 +6486,11 @@ extern "C" {
     ///
     /// - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
     /// files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
-    /// RGBA32F. Primaries and alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that
-    /// shd_bitmap_color_space() does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip
-    /// levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
-    /// ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
+    /// RGBA32F. Primaries are not converted; callers who need this use shd_bitmap_load(). Premultiplied files
+    /// (SHD_BITMAP_PREMULTIPLIED) give SHD_TEXTURE_PREMULTIPLIED textures. A colour space that shd_bitmap_color_space()
+    /// does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip levels are those of
+    /// shd_texture_create(): exact averages of the base in linear light. Levels in the file are ignored unless
+    /// SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
     /// - KTX 2.0 and DDS (2D, 3D, arrays, cube maps), as they are stored, with all levels; see shd/texture_file.h.
     /// - OpenVDB (3D), and with desc.raw or desc.stack voxels and stacks of images; see shd/volume_file.h.
     ///

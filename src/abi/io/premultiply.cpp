@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Textures whose colours are multiplied by alpha.
+#include "abi/io/common.h"
+#include "abi/io/linear_texels.h"
+#include "abi/io/loads.h"
+#include "io/levels.h"
+
+namespace shd::extension {
+
+void premultiply(const io::Memory& memory, io::Bitmap* bitmap) {
+  const LinearTexels from(bitmap->format);
+  if (from.is_opaque(*bitmap)) return;
+  const bool has_floats = bitmap->format == SHD_FORMAT_RGBA32F || bitmap->format == SHD_FORMAT_RGBA16F;
+  const shd_format format = has_floats ? bitmap->format : SHD_FORMAT_RGBA16F;
+  const LinearTexels to(format);
+  const size_t from_size = io::bitmap_pixel_size(bitmap->format), to_size = io::bitmap_pixel_size(format);
+  const auto count = static_cast<size_t>(io::level_pixels(bitmap->width, bitmap->height, bitmap->level_count));
+  io::Buffer pixels(memory, count * to_size);
+  for (size_t i = 0; i < count; ++i) {
+    Rgba color = from.load(bitmap->pixels.data() + i * from_size);
+    for (size_t c = 0; c < 3; ++c) color.value[c] *= color.value[3];
+    to.store(color, pixels.data() + i * to_size);
+  }
+  bitmap->pixels = std::move(pixels);
+  bitmap->format = format;
+  bitmap->info.flags |= SHD_BITMAP_PREMULTIPLIED;
+}
+
+}  // namespace shd::extension
