@@ -82,6 +82,9 @@ struct Surface {
   float exponent = 40.0f;
   bool unlit = false;               // diffuse alone, without light
   bool metallic_roughness = false;  // if set, specular and exponent are unused
+  /// Set: diffuse, specular and 1 - roughness, each with its map, are those of KHR_materials_pbrSpecularGlossiness;
+  /// alpha of the specular map multiplies 1 - roughness. specular_glossiness.h converts them.
+  bool specular_glossiness = false;
   float metallic = 0.0f, roughness = 0.5f;
   float ior = 1.5f;
   float transmission = 0.0f;  // share of light that passes, as through glass

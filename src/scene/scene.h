@@ -25,6 +25,7 @@
 /// | deform.h     | vertices moved by morph targets and skins             |
 /// | bounds.h     | the box around all instances, and the scene's origin  |
 /// | textures.h   | textures of a Model as handles                        |
+/// | specular_glossiness.h | surfaces and maps of that kind, converted    |
 /// | materials.h  | surfaces of a Model as materials                      |
 /// | stage.h      | lights and cameras of a pose                          |
 /// | objects.h    | a Model as handles, descs and draws of a pose         |

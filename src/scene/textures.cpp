@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "extension/error.h"
+#include "scene/specular_glossiness.h"
 #include "scene/text.h"
 
 namespace shd::scene {
@@ -72,8 +73,10 @@ std::vector<shd_load_flags> alpha_flags(const Model& model) {
       const int32_t texture = surface.maps[slot].texture;
       if (texture < 0) continue;
       const bool is_color = slot == SHD_SLOT_DIFFUSE;
-      if (is_color && surface.alpha != Alpha::kOpaque) hides[static_cast<size_t>(texture)] = true;
-      if (!is_color || surface.alpha != Alpha::kBlend) out[static_cast<size_t>(texture)] = SHD_LOAD_ALPHA_WEIGHTED;
+      if (is_color && surface.alpha != Alpha::kOpaque && !surface.specular_glossiness)
+        hides[static_cast<size_t>(texture)] = true;
+      if (!is_color || surface.alpha != Alpha::kBlend || surface.specular_glossiness)
+        out[static_cast<size_t>(texture)] = SHD_LOAD_ALPHA_WEIGHTED;
     }
   }
   for (size_t i = 0; i < out.size(); ++i) {
@@ -84,17 +87,15 @@ std::vector<shd_load_flags> alpha_flags(const Model& model) {
 
 }  // namespace
 
-std::vector<Texture> load_textures(shd_context* context, HostFiles& files, const Model& model,
-                                   const shd_load_desc& load, bool all_required, const Limits& limits,
-                                   const Deadline& deadline, std::vector<std::string>* names,
-                                   std::vector<std::string>* warnings) {
-  std::vector<Texture> textures;
-  uint64_t bytes = 0;
+std::vector<Texture> load_textures(shd_context* context, HostFiles& files, Model& model, const shd_load_desc& load,
+                                   bool all_required, const Limits& limits, const Deadline& deadline,
+                                   std::vector<std::string>* names, std::vector<std::string>* warnings) {
+  TextureLoad made = {context, load.tables, limits, deadline, 0, {}, {}};
   const std::vector<shd_load_flags> flags = alpha_flags(model);
   for (const TextureSource& source : model.textures) {
     deadline.check();
     shd_load_desc desc = load;
-    if (!(load.flags & (SHD_LOAD_ALPHA_WEIGHTED | SHD_LOAD_PREMULTIPLY))) desc.flags |= flags[textures.size()];
+    if (!(load.flags & (SHD_LOAD_ALPHA_WEIGHTED | SHD_LOAD_PREMULTIPLY))) desc.flags |= flags[made.textures.size()];
     const double left = std::max(deadline.seconds_left(), 1e-3);
     desc.time_limit = desc.time_limit > 0 ? std::min(desc.time_limit, left) : left;
     Texture texture;
@@ -104,16 +105,13 @@ std::vector<Texture> load_textures(shd_context* context, HostFiles& files, const
       core::refuse(result, "%s", message_of(source).c_str());
     }
     if (result != SHD_OK) warnings->push_back(message_of(source) + "; its material is plain");
-    if (texture.get()) {
-      shd_texture_info info = shd_texture_info_default();
-      names->push_back(text_of(path));
-      require(shd_texture_get_info(texture.get(), &info));
-      bytes += info.byte_size;
-      check_limit("bytes of textures", bytes, "max_texture_bytes", limits.texture_bytes);
-    }
-    textures.push_back(std::move(texture));
+    add_texture(made, std::move(texture), text_of(path));
   }
-  return textures;
+  convert_surfaces(made, model, warnings);
+  for (size_t i = 0; i < made.textures.size(); ++i) {
+    if (made.textures[i].get()) names->push_back(made.names[i]);
+  }
+  return std::move(made.textures);
 }
 
 }  // namespace shd::scene

@@ -42,12 +42,12 @@ void fields(Visitor& v, Map& in) {
 
 template <class Visitor>
 void fields(Visitor& v, Surface& in) {
-  auto& [name, diffuse, specular, exponent, unlit, metallic_roughness, metallic, roughness, ior, transmission, emission,
-         normal_scale, occlusion_strength, bump_scale, alpha, opacity, alpha_cutoff, double_sided, clearcoat,
-         clearcoat_roughness, maps] = in;
-  visit_each(v, name, diffuse, specular, exponent, unlit, metallic_roughness, metallic, roughness, ior, transmission,
-             emission, normal_scale, occlusion_strength, bump_scale, alpha, opacity, alpha_cutoff, double_sided,
-             clearcoat, clearcoat_roughness, maps);
+  auto& [name, diffuse, specular, exponent, unlit, metallic_roughness, specular_glossiness, metallic, roughness, ior,
+         transmission, emission, normal_scale, occlusion_strength, bump_scale, alpha, opacity, alpha_cutoff,
+         double_sided, clearcoat, clearcoat_roughness, maps] = in;
+  visit_each(v, name, diffuse, specular, exponent, unlit, metallic_roughness, specular_glossiness, metallic, roughness,
+             ior, transmission, emission, normal_scale, occlusion_strength, bump_scale, alpha, opacity, alpha_cutoff,
+             double_sided, clearcoat, clearcoat_roughness, maps);
 }
 
 template <class Visitor>

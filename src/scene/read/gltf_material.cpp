@@ -142,51 +142,19 @@ void read_metallic_roughness(Palette& palette, const Part& pbr, Surface& s) {
   read_map(palette, pbr["metallicRoughnessTexture"], true, 1, s.maps[SHD_SLOT_ROUGHNESS]);
 }
 
-float brightness_of(const Color& c) {
-  return std::sqrt(0.299f * c[0] * c[0] + 0.587f * c[1] * c[1] + 0.114f * c[2] * c[2]);
-}
-
-constexpr float kDielectric = 0.04f;  // reflection at normal incidence
-
-/// The metallic-roughness material of KHR_materials_pbrSpecularGlossiness, by the conversion of its appendix. That one
-/// has the diffuse colour of glTF before 2.0.1; here base (1 - metallic) = diffuse (1 - max(specular)) (appendix B).
-void convert_specular(const Color& diffuse, const Color& specular, Surface& s) {
-  const float strongest = *std::max_element(specular.begin(), specular.end()), rest = 1.0f - strongest;
-  const float bright = brightness_of(specular), matt = brightness_of(diffuse) * rest;
-  s.metallic = 0.0f;
-  if (bright >= kDielectric) {
-    const float b = matt + bright - 2.0f * kDielectric, c = kDielectric - bright;
-    const float root = std::sqrt(std::max(b * b - 4.0f * kDielectric * c, 0.0f));
-    s.metallic = std::clamp((root - b) / (2.0f * kDielectric), 0.0f, 1.0f);
-  }
-  const float m = s.metallic;
-  for (size_t c = 0; c < 3; ++c) {
-    const float from_diffuse = diffuse[c] * rest / std::max(1.0f - m, 1e-6f);
-    const float from_specular = (specular[c] - kDielectric * (1.0f - m)) / std::max(m, 1e-6f);
-    s.diffuse[c] = std::clamp(from_diffuse + (from_specular - from_diffuse) * m * m, 0.0f, 1.0f);
-  }
-  // Below the dielectric the index of refraction has the colour at normal incidence.
-  if (m == 0.0f) s.ior = (1.0f + std::sqrt(strongest)) / (1.0f - std::sqrt(strongest));
-}
-
 void read_specular_glossiness(Palette& palette, const Part& part, Surface& s) {
   std::array<float, 4> diffuse = {1, 1, 1, 1};
-  Color specular = {1, 1, 1};
+  s.specular_glossiness = true;
+  s.specular = {1, 1, 1};
   part.numbers("diffuseFactor", diffuse);
-  part.numbers("specularFactor", specular);
-  float glossiness = part.number_f("glossinessFactor", 1.0f, 0.0, 1.0);
-  if (part["specularGlossinessTexture"]) {
-    palette.document.warnings.add(
-        "KHR_materials_pbrSpecularGlossiness: specularGlossinessTexture is left out; half as glossy, and no metal");
-    // The factors alone are 1 in most files, which is a perfect mirror.
-    for (float& c : specular) c = std::min(c, kDielectric);
-    glossiness *= 0.5f;
-  }
-  for (float& c : specular) c = std::clamp(c, 0.0f, 1.0f);
-  convert_specular({diffuse[0], diffuse[1], diffuse[2]}, specular, s);
+  part.numbers("specularFactor", s.specular);
+  for (float& c : s.specular) c = std::clamp(c, 0.0f, 1.0f);
+  s.diffuse = {diffuse[0], diffuse[1], diffuse[2]};
   s.opacity = diffuse[3];
-  s.roughness = 1.0f - glossiness;
+  s.metallic = 0.0f;
+  s.roughness = 1.0f - part.number_f("glossinessFactor", 1.0f, 0.0, 1.0);
   read_map(palette, part["diffuseTexture"], false, 0, s.maps[SHD_SLOT_DIFFUSE]);
+  read_map(palette, part["specularGlossinessTexture"], false, 0, s.maps[SHD_SLOT_SPECULAR]);
 }
 
 void read_alpha(Document& document, const Part& material, Surface& s) {

@@ -240,7 +240,7 @@ void gltf_materials() {
   }
   gltf("KHR_materials_pbrSpecularGlossiness", "drawn", "",
        extension("KHR_materials_pbrSpecularGlossiness", "\"diffuseFactor\":[0.5,0,0,1]"));
-  gltf("its specularGlossinessTexture", "warned", "specularGlossinessTexture",
+  gltf("its specularGlossinessTexture", "drawn", "",
        extension("KHR_materials_pbrSpecularGlossiness", TEXTURE("specularGlossinessTexture")));
   drawn("KHR_texture_transform",
         "\"emissiveTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"scale\":"
