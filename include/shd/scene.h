@@ -47,9 +47,10 @@ typedef uint32_t shd_scene_flags; /**< shd_scene_flag bits */
 
 /** Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT. */
 typedef struct shd_scene_desc {
-    uint32_t struct_size;            /**< set by shd_scene_desc_default() */
-    shd_scene_flags flags;           /**< default none */
-    shd_mesh_flags mesh_flags;       /**< flags of all meshes; meshes with uv always have tangents; default none */
+    uint32_t struct_size;      /**< set by shd_scene_desc_default() */
+    shd_scene_flags flags;     /**< default none */
+    shd_mesh_flags mesh_flags; /**< flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
+                                          default none */
     const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file, and
                                           its filter and magnification where the file has nearest texels or
                                           levels. Borrowed for the call; NULL = trilinear */

@@ -114,6 +114,9 @@ Declared read_masks(ByteReader& in, TextureFile* parsed) {
   if (!(flags & (kAlphaPixels | kAlpha))) masks[3] = 0;
   if (!luminance && !rgb) masks[0] = masks[1] = masks[2] = 0;
   if (luminance) masks[1] = masks[2] = 0;
+  // Palettes, YUV and signed numbers may have an alpha mask beside.
+  constexpr uint32_t kOther = 0x8 | 0x20 | 0x200 | 0x40000 | 0x80000;
+  if (flags & kOther) masks[0] = masks[1] = masks[2] = masks[3] = 0;
   const uint32_t all = masks[0] | masks[1] | masks[2] | masks[3];
   const uint64_t beyond = bits < 32 ? uint64_t{all} >> bits : 0;
   if ((bits != 8 && bits != 16 && bits != 24 && bits != 32) || all == 0 || beyond != 0) {
@@ -126,9 +129,10 @@ Declared read_masks(ByteReader& in, TextureFile* parsed) {
     if (luminance) set_swizzle(parsed, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_FILL);
     return Declared::kLinear;
   }
-  if (bits == 8 && masks[0] == 0xff && all == 0xff && masks[3] == 0) {
+  const bool grey = luminance || (masks[1] == 0xff && masks[2] == 0xff);
+  if (bits == 8 && masks[0] == 0xff && masks[1] == masks[2] && all == 0xff && masks[3] == 0) {
     parsed->storage = plain_storage(SHD_FORMAT_R8);
-    if (luminance) set_swizzle(parsed, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_FILL);
+    if (grey) set_swizzle(parsed, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_FILL);
     return Declared::kNothing;
   }
   if (bits == 8 && masks[3] == 0xff && masks[0] == 0) {

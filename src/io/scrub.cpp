@@ -163,12 +163,31 @@ void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLay
   *left -= strips;
 }
 
+/// Refuses the pages that OpenImageIO reads wrongly: those without BitsPerSample, which have 1 bit and not 8, and wide
+/// samples in which 0 is white, which it does not invert (TIFF 6.0, section 8).
+void check_samples(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
+  uint64_t bits = 0, photometric = 1;
+  for (uint64_t i = 0; i < count; ++i) {
+    const uint64_t entry = entries + i * layout.entry_size;
+    const uint32_t tag = in.u16(entry);
+    if (tag != 258 && tag != 262) continue;
+    const size_t size = element_size(in, entry);
+    const uint64_t value = size ? field_value(in, entry, layout, size, 0) : 0;
+    (tag == 258 ? bits : photometric) = value;
+  }
+  if (bits == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "TIFF: no BitsPerSample, which means 1 bit");
+  if (photometric == 0 && bits > 8) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "TIFF: samples of %u bits in which 0 is white", static_cast<unsigned>(bits));
+  }
+}
+
 /// Removes the metadata entries of the directory at `at`. Returns the offset of the next directory, 0 at the end.
 uint64_t scrub_ifd(ByteReader& in, unsigned char* bytes, uint64_t at, const IfdLayout& layout, bool strict,
                    uint64_t* strips_left) {
   const uint64_t count = in.number(at, layout.count_size);
   const uint64_t entries = at + layout.count_size;
   if (!in.ok || count > 65535 || !in.has(entries, count * layout.entry_size + layout.offset_size)) return 0;
+  check_samples(in, entries, count, layout);
   if (strict) check_strips(in, entries, count, layout, strips_left);
   uint64_t kept = 0;
   for (uint64_t i = 0; i < count; ++i) {

@@ -8,8 +8,9 @@ namespace shd::scene {
 /// A mesh of a scene: a geometry, and what gives its vertices their places.
 struct MeshRow {
   uint32_t geometry = 0;
-  int32_t skin = -1;  // its joints place the vertices in the world; -1 = a node places the mesh
-  int32_t node = -1;  // weights of morph targets; -1 = no targets
+  int32_t skin = -1;       // its joints place the vertices in the world; -1 = a node places the mesh
+  int32_t node = -1;       // weights of morph targets; -1 = no targets
+  bool second_uv = false;  // a normal map is read at uv1, so that tangents by uv would turn it
 };
 
 /// The vertices of a geometry in one pose: in object space, or in world space with a skin.

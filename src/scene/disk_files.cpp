@@ -15,20 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 /// The entry of `folder` with the given name, ignoring case; the first one in alphabetical order if there are several.
 fs::path entry_of(const fs::path& folder, const std::string& name) {
   std::error_code error;
   fs::path found;
   for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
     const fs::path& entry = i->path();
-    if (lower(entry.filename().string()) == lower(name) && (found.empty() || entry < found)) found = entry;
+    if (lower_case(entry.filename().string()) == lower_case(name) && (found.empty() || entry < found)) found = entry;
   }
   return found;
 }

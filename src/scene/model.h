@@ -56,6 +56,7 @@ struct TextureSource {
   std::vector<unsigned char> rgba;  // [height][width][4], sRGB unless data, or empty
   uint32_t width = 0, height = 0;   // size of rgba
   bool data = false;                // numbers, not colours: no sRGB curve
+  bool srgb = false;                // colours of PNG, JPEG and WebP files are sRGB, even if a file declares others
 };
 
 /// Filter of a texture in a file. kDefault is that of the host's sampler.

@@ -25,8 +25,9 @@ void set_columns(shd_f32_in* out, size_t count, const std::vector<float>& from) 
   for (size_t c = 0; c < count && !from.empty(); ++c) out[c] = {from.data() + c, count * sizeof(float)};
 }
 
-/// A mesh of a geometry whose positions, normals, tangents and indices are those of `vertices`.
-Mesh make_mesh(shd_context* context, const Geometry& geometry, Vertices&& vertices, uint32_t flags) {
+/// A mesh of a row, whose positions, normals, tangents and indices are those of `vertices`.
+Mesh make_mesh(const Parts& parts, const MeshRow& row, Vertices&& vertices, uint32_t flags) {
+  const Geometry& geometry = parts.model.geometries[row.geometry];
   if (!vertices.normal.empty()) fill_normals(vertices.position, vertices.indices, &vertices.normal);
   shd_mesh_desc desc = shd_mesh_desc_default();
   desc.vertex_count = static_cast<uint32_t>(vertices.position.size() / 3);
@@ -42,9 +43,9 @@ Mesh make_mesh(shd_context* context, const Geometry& geometry, Vertices&& vertic
   desc.indices.data = vertices.indices.data();
   desc.index_count = vertices.indices.size();
   desc.flags = flags;
-  if (!geometry.uv.empty() && vertices.tangent.empty()) desc.flags |= SHD_MESH_TANGENTS;
+  if (!geometry.uv.empty() && vertices.tangent.empty() && !row.second_uv) desc.flags |= SHD_MESH_TANGENTS;
   Mesh mesh;
-  require(shd_mesh_create(context, &desc, mesh.out()));
+  require(shd_mesh_create(parts.context, &desc, mesh.out()));
   return mesh;
 }
 
@@ -59,9 +60,14 @@ void find_rows(Parts& parts) {
     const auto added =
         known.emplace(std::make_tuple(row.geometry, row.skin, row.node), static_cast<uint32_t>(parts.rows.size()));
     parts.row_of.push_back(added.first->second);
-    if (!added.second) continue;
-    parts.rows.push_back(row);
-    parts.mesh_names.push_back(geometry.name);
+    if (added.second) {
+      parts.rows.push_back(row);
+      parts.mesh_names.push_back(geometry.name);
+    }
+    for (const shd_slot_target target : {SHD_SLOT_NORMAL, SHD_SLOT_CLEARCOAT_NORMAL}) {
+      const Map& map = model.surfaces[placement.surface].maps[target];
+      if (map.texture >= 0 && map.uv_set == 1) parts.rows[added.first->second].second_uv = true;
+    }
   }
 }
 
@@ -72,7 +78,7 @@ void make_rigid_meshes(Parts& parts, const Deadline& deadline) {
     if (is_deformed(row)) continue;
     const Geometry& g = parts.model.geometries[row.geometry];
     parts.meshes.back() =
-        make_mesh(parts.context, g, {g.origin, g.position, g.normal, g.tangent, g.indices}, parts.mesh_flags);
+        make_mesh(parts, row, {g.origin, g.position, g.normal, g.tangent, g.indices}, parts.mesh_flags);
   }
 }
 
@@ -135,8 +141,7 @@ void add_meshes(const Parts& parts, const Pose& pose, const Deadline* deadline, 
     if (is_deformed(row)) {
       deformed->back() = deform(parts.model, row, pose);
       Vertices vertices = deformed->back();
-      out->meshes.back() = make_mesh(parts.context, parts.model.geometries[row.geometry], std::move(vertices),
-                                     parts.mesh_flags | SHD_MESH_KEEP_NONFINITE);
+      out->meshes.back() = make_mesh(parts, row, std::move(vertices), parts.mesh_flags | SHD_MESH_KEEP_NONFINITE);
     } else {
       shd_mesh_retain(parts.meshes[i].get());
       *out->meshes.back().out() = parts.meshes[i].get();

@@ -45,15 +45,28 @@ shd_result load_named(shd_context* context, HostFiles& files, const TextureSourc
   return shd_texture_load(context, path.c_str(), &desc, out.out());
 }
 
-shd_result load_texture(shd_context* context, HostFiles& files, const TextureSource& source, shd_load_desc desc,
-                        Texture& out, std::string& path) {
+shd_result load_as(shd_context* context, HostFiles& files, const TextureSource& source, const shd_load_desc& desc,
+                   Texture& out, std::string& path) {
   path = source.name;
-  if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
   if (!source.file.empty()) {
     return shd_texture_load_memory(context, source.file.data(), source.file.size(), &desc, out.out());
   }
   if (!source.rgba.empty()) return create_texture(context, source, desc.tables, out);
   return load_named(context, files, source, desc, out, path);
+}
+
+shd_result load_texture(shd_context* context, HostFiles& files, const TextureSource& source, shd_load_desc desc,
+                        Texture& out, std::string& path) {
+  if (source.srgb && desc.color_space == SHD_COLOR_ENCODING_AUTO) {
+    constexpr shd_file_format_flags kImages = SHD_FILE_FORMAT_PNG | SHD_FILE_FORMAT_JPEG | SHD_FILE_FORMAT_WEBP;
+    shd_load_desc image = desc;
+    image.formats = (desc.formats ? desc.formats : shd_file_format_flags{SHD_FILE_FORMAT_DEFAULT}) & kImages;
+    image.color_space = SHD_COLOR_ENCODING_SRGB;
+    const shd_result result = image.formats ? load_as(context, files, source, image, out, path) : SHD_ERROR_UNSUPPORTED;
+    if (result != SHD_ERROR_UNSUPPORTED) return result;
+  }
+  if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
+  return load_as(context, files, source, desc, out, path);
 }
 
 /// The message for a texture that failed. Messages about files contain the name already.

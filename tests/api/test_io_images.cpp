@@ -256,6 +256,46 @@ void test_alpha_far(void **)
     }
 }
 
+/// A TIFF of 16 bytes a row with these entries of a directory: tag and value (TIFF 6.0, section 2).
+Bytes make_tiff(const std::vector<std::array<uint32_t, 2>> &entries)
+{
+    Bytes file = {'I', 'I', 42, 0};
+    put32(file, 24);
+    file.insert(file.end(), 16, 0x92);
+    file.push_back(static_cast<unsigned char>(entries.size()));
+    file.push_back(0);
+    for (const auto &[tag, value] : entries) {
+        put32(file, tag | 4u << 16);
+        put32(file, 1);
+        put32(file, value);
+    }
+    put32(file, 0);
+    return file;
+}
+
+/// Defaults of the format that the decoder does not follow are refused: BitsPerSample is 1, and 0 may be white.
+void test_tiff(void **)
+{
+    using Entries = std::vector<std::array<uint32_t, 2>>;
+    const Entries grey = {{256, 8}, {257, 1}, {258, 8}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 1}, {279, 8}};
+    Entries bits = grey, white = grey, wide = grey;
+    bits.erase(bits.begin() + 2);
+    white[4][1] = 0;
+    wide[4][1] = 0, wide[2][1] = 16, wide[8][1] = 16;
+    const auto load = [](const Entries &entries, shd_bitmap **bitmap) {
+        const Bytes file = make_tiff(entries);
+        return shd_bitmap_load_memory(g_context, file.data(), file.size(), nullptr, bitmap);
+    };
+    shd_bitmap *bitmap = nullptr;
+    shd_image image = shd_image_default();
+    shd_assert_ok(load(white, &bitmap));
+    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    assert_int_equal(static_cast<const unsigned char *>(image.pixels)[0], 255 - 0x92);
+    shd_bitmap_release(bitmap);
+    shd_assert_result("1 bit", load(bits, &bitmap), SHD_ERROR_UNSUPPORTED, "no BitsPerSample, which means 1 bit");
+    shd_assert_result("16 bits", load(wide, &bitmap), SHD_ERROR_UNSUPPORTED, "16 bits in which 0 is white");
+}
+
 /// SHD_LOAD_PREMULTIPLY: r, g and b of the base times alpha, averages of them in the levels, and the flag.
 void test_premultiply(void **)
 {
@@ -352,6 +392,7 @@ int main()
     add("linear", test_linear, nullptr);
     add("alpha_weighted", test_alpha_weighted, nullptr);
     add("alpha_far", test_alpha_far, nullptr);
+    add("tiff", test_tiff, nullptr);
     add("premultiply", test_premultiply, nullptr);
     add("premultiplied_file", test_premultiplied_file, nullptr);
     const int failed = _cmocka_run_group_tests("api.io_images", tests.data(), tests.size(), nullptr, nullptr);

@@ -135,6 +135,9 @@ static const struct bad_case k_bad[] = {
     {"dds_volume", DDS, UNSUPPORTED, "a 3D texture of blocks", 112, 4, 0x200000, 0, 0},
     {"dds_pixels", DDS, UNSUPPORTED, "pixels of 0 bits", 80, 4, 0x40, 0, 0},
     {"dds_mask", DDS, UNSUPPORTED, "pixels of 8 bits, masks 0x100", 80, 8, 0x40, 88, 8},
+    {"dds_palette", DDS, UNSUPPORTED, "pixels of 8 bits, masks 0x0", 80, 8, 0x21, 88, 8},
+    {"dds_yuv", DDS, UNSUPPORTED, "and flags 0x201", 80, 8, 0x201, 88, 16},
+    {"dds_signed", DDS, UNSUPPORTED, "and flags 0x80001", 80, 8, 0x80001, 88, 32},
     {"dx10_format", DDS_DX10, UNSUPPORTED, "dxgiFormat 97 is not a format of shd", 128, 4, 97, 0, 0},
     {"dx10_dimension", DDS_DX10, CORRUPT, "resourceDimension 1 is not in 2..4", 132, 4, 1, 0, 0},
     {"dx10_no_layers", DDS_DX10, SHD_OK, "", 140, 4, 0, 0, 0}, /* as 1 */
@@ -161,6 +164,7 @@ static void test_bad(void **state)
     memcpy(changed, file->data, file->size);
     file_set(&edit, c->at, c->value, c->size);
     if (c->at2) file_set(&edit, c->at2, c->value2, 4);
+    if (c->at == 80 && c->at2) file_set(&edit, 104, 0xff, 4); /* a mask of alpha, too */
     if (strcmp(c->name, "dds_mask") == 0) file_set(&edit, 92, 0x100, 4);
     shd_assert_result(c->name, load(g_context, changed, file->size, NULL, &texture), c->expected, c->message);
     shd_texture_release(texture);

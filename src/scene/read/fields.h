@@ -30,8 +30,8 @@ void fields(Visitor& v, Geometry& in) {
 
 template <class Visitor>
 void fields(Visitor& v, TextureSource& in) {
-  auto& [name, folder, file, rgba, width, height, data] = in;
-  visit_each(v, name, folder, file, rgba, width, height, data);
+  auto& [name, folder, file, rgba, width, height, data, srgb] = in;
+  visit_each(v, name, folder, file, rgba, width, height, data, srgb);
 }
 
 template <class Visitor>

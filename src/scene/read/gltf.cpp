@@ -145,10 +145,9 @@ void check_version(const Part& root) {
 
 void warn_about_variants(Document& document) {
   const Part variants = document.root.extension("KHR_materials_variants")["variants"];
-  if (variants.size() < 2) return;
-  std::string others;
-  for (size_t i = 1; i < variants.size(); ++i)
-    others += (others.empty() ? "\"" : ", \"") + name_of(variants.at(i)) + "\"";
+  if (variants.size() == 0) return;
+  std::string others = "the default";
+  for (size_t i = 1; i < variants.size(); ++i) others += ", \"" + name_of(variants.at(i)) + "\"";
   document.warnings.add("KHR_materials_variants: \"" + name_of(variants.at(0)) + "\" is drawn, not " + text_of(others));
 }
 

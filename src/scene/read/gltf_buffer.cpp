@@ -5,6 +5,7 @@
 
 #include "scene/read/gltf_decode.h"
 #include "scene/read/gltf_document.h"
+#include "scene/text.h"
 
 namespace shd::scene::gltf {
 namespace {
@@ -73,7 +74,7 @@ Bytes load_buffer(Document& document, const Part& buffer, uint32_t index) {
     return {document.made.back().data(), document.made.back().size()};
   }
   const std::string name = file_of_uri(document, uri.text());
-  if (name.empty()) uri.refuse("a URI of this scheme is not read: " + uri.text(), SHD_ERROR_UNSUPPORTED);
+  if (name.empty()) uri.refuse("a URI of this scheme is not read: " + text_of(uri.text()), SHD_ERROR_UNSUPPORTED);
   const Bytes* bytes = document.source.files.find(name);
   if (!bytes) uri.refuse("cannot open \"" + name + "\"", SHD_ERROR_NOT_FOUND);
   return *bytes;
@@ -177,16 +178,17 @@ std::string file_of_uri(Document& document, const std::string& uri) {
 
 std::optional<std::vector<unsigned char>> read_data_uri(Document& document, const Part& uri) {
   const std::string text = uri.text();
-  if (text.compare(0, 5, "data:") != 0) return std::nullopt;
+  if (lower_case(text.substr(0, 5)) != "data:") return std::nullopt;
   const size_t comma = text.find(',');
   if (comma == std::string::npos) uri.refuse("has no comma");
   spend_bytes(document, text.size() - comma);
   std::vector<unsigned char> out;
-  const std::string kind = text.substr(5, comma - 5);
+  const std::string kind = lower_case(text.substr(5, comma - 5));
+  const bool is_encoded = text.find('%', comma) != std::string::npos;
+  const std::string plain = is_encoded ? percent_decoded(text.substr(comma + 1)) : text.substr(comma + 1);
   if (kind.size() >= 7 && kind.compare(kind.size() - 7, 7, ";base64") == 0) {
-    decode_base64(uri, text.data() + comma + 1, text.data() + text.size(), out);
+    decode_base64(uri, plain.data(), plain.data() + plain.size(), out);
   } else {
-    const std::string plain = percent_decoded(text.substr(comma + 1));
     out.assign(plain.begin(), plain.end());
   }
   return out;

@@ -10,6 +10,9 @@ namespace {
 
 using Color = std::array<float, 3>;
 
+constexpr float kDielectric = 0.04f;  // reflection at normal incidence at an index of refraction of 1.5
+constexpr float kMaxIor = 10.0f;      // largest index of materials
+
 /// State of the materials of a file.
 struct Palette {
   Document& document;
@@ -40,7 +43,8 @@ void read_image(Document& document, const Part& image, TextureSource& source) {
     source.file = std::move(*data);
   } else {
     source.name = file_of_uri(document, uri.text());
-    if (source.name.empty()) uri.refuse("a URI of this scheme is not read: " + uri.text(), SHD_ERROR_UNSUPPORTED);
+    if (source.name.empty())
+      uri.refuse("a URI of this scheme is not read: " + text_of(uri.text()), SHD_ERROR_UNSUPPORTED);
     return;
   }
   if (source.file.empty()) image.refuse("has no bytes");
@@ -54,6 +58,7 @@ int32_t texture_of(Palette& palette, uint32_t image, bool data) {
   const Part part = palette.document.root["images"].at(image);
   TextureSource source;
   source.data = data;
+  source.srgb = !data;  // 5.19: colour information of PNG and JPEG files is ignored
   int32_t index = -1;
   const bool good =
       attempt(palette.document, title_of("image", part), [&] { read_image(palette.document, part, source); });
@@ -178,17 +183,39 @@ void read_clearcoat(Palette& palette, const Part& coat, Surface& s) {
   }
 }
 
-/// KHR_materials_specular: the factor scales the reflection of dielectrics at normal incidence, which the index of
-/// refraction gives here. Its colour, its textures and the reflection at grazing angles have no place in a Surface.
-void read_specular(Document& document, const Part& part, Surface& s) {
+/// The reflection of a dielectric at normal incidence by KHR_materials_ior, where 0 means that all is reflected, and by
+/// KHR_materials_specular. A strong one leaves little light for the base colour, as specular-glossiness does. With
+/// maps, the index of refraction alone changes, without colour.
+void set_reflection(Document& document, const Part& part, Surface& s) {
   Color color = {1, 1, 1};
   const float factor = part.number_f("specularFactor", 1.0f, 0.0, 1.0);
   part.numbers("specularColorFactor", color);
-  const bool plain = factor == 1.0f && color == Color{1, 1, 1};
-  if (plain && !part["specularTexture"] && !part["specularColorTexture"]) return;
-  document.warnings.add("KHR_materials_specular: its factor changes the index of refraction; the rest is left out");
-  const float reflected = std::sqrt(factor) * std::fabs(s.ior - 1.0f) / (s.ior + 1.0f);
-  if (reflected < 1.0f) s.ior = (1.0f + reflected) / (1.0f - reflected);
+  const bool textured = part["specularTexture"] || part["specularColorTexture"];
+  const bool plain = factor == 1.0f && color == Color{1, 1, 1} && !textured;
+  const float f0 = s.ior > 0.0f ? std::pow((s.ior - 1.0f) / (s.ior + 1.0f), 2.0f) : 1.0f;
+  constexpr float kStrong = 0.1f;
+  if (plain && f0 < kStrong) return;
+  const auto has_map = [&](shd_slot_target target) { return s.maps[target].texture >= 0; };
+  if (s.metallic == 0.0f && !textured && !s.specular_glossiness && !has_map(SHD_SLOT_DIFFUSE) &&
+      !has_map(SHD_SLOT_ROUGHNESS)) {
+    const bool grey = color[0] == color[1] && color[1] == color[2];
+    if (!grey && f0 < kStrong)
+      document.warnings.add("KHR_materials_specular: the colour of a weak reflection is left out");
+    s.specular_glossiness = true;
+    for (size_t c = 0; c < 3; ++c) s.specular[c] = std::clamp(f0 * color[c], 0.0f, 1.0f) * factor;
+    return;
+  }
+  if (!plain) {
+    document.warnings.add("KHR_materials_specular: its factors change the index of refraction; the rest is left out");
+  }
+  float reflected = std::min(f0 * (color[0] + color[1] + color[2]) / 3.0f, 1.0f) * factor;
+  // Converters of specular-glossiness write an index near infinity, and the reflection into the texture.
+  if (textured && reflected >= kStrong) reflected = kDielectric;
+  const float root = std::sqrt(reflected);
+  s.ior = root < 1.0f ? (1.0f + root) / (1.0f - root) : 0.0f;
+  if (s.ior == 0.0f || s.ior > kMaxIor) {
+    document.warnings.add("KHR_materials_ior: an index of refraction of 0 or above 10 counts as 10");
+  }
 }
 
 void read_extensions(Palette& palette, const Part& material, Surface& s) {
@@ -201,7 +228,7 @@ void read_extensions(Palette& palette, const Part& material, Surface& s) {
     document.warnings.add(title_of("material", material) + ": ior is neither 0 nor at least 1; it counts as 1");
     s.ior = 1.0f;
   }
-  if (const Part specular = material.extension("KHR_materials_specular")) read_specular(document, specular, s);
+  set_reflection(document, material.extension("KHR_materials_specular"), s);
   if (const Part coat = material.extension("KHR_materials_clearcoat")) read_clearcoat(palette, coat, s);
   const Part transmission = material.extension("KHR_materials_transmission");
   s.transmission = transmission.number_f("transmissionFactor", 0.0f, 0.0, 1.0);

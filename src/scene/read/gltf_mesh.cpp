@@ -8,6 +8,8 @@
 namespace shd::scene::gltf {
 namespace {
 
+constexpr uint64_t kTriangleList = 4;  // mode of a primitive
+
 constexpr uint32_t kNoVertex = 0xffffffffu;
 
 /// A primitive while it is read.
@@ -43,7 +45,8 @@ void decode_columns(Primitive& p) {
   spend_bytes(p.document, corners * sizeof(uint32_t));
   const std::optional<uint32_t> view = p.draco.index("bufferView", p.document.root["bufferViews"].size());
   if (!view) p.draco.refuse("has no bufferView");
-  p.draco_indices = decode_draco(view_bytes(p.document, *view), corners / 3, p.count, p.columns);
+  const uint64_t most = p.part.integer("mode", kTriangleList) == kTriangleList ? corners / 3 : corners;
+  p.draco_indices = decode_draco(view_bytes(p.document, *view), most, p.count, p.columns);
 }
 
 /// The accessor of an attribute, with the bytes that Draco has decoded. Absent if the primitive has no such attribute.
@@ -171,7 +174,7 @@ std::vector<uint32_t> indices_of(Primitive& p) {
 /// Reads triangles and positions. Only vertices of good triangles stay.
 void read_triangles(Primitive& p, const Accessor& positions, uint64_t mode) {
   std::vector<uint32_t>& corners = p.geometry.indices;
-  corners = corners_of(indices_of(p), mode);
+  corners = corners_of(indices_of(p), p.draco_indices.empty() ? mode : kTriangleList);  // Draco gives triangles
   size_t bad = drop_triangles(corners, [&](uint32_t v) { return v < positions.count; });
   p.rows = compact(corners);
   p.document.vertices += p.rows.size();

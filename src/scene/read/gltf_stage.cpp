@@ -153,6 +153,7 @@ void add_animations(Document& document, const std::vector<int32_t>& node_of) {
       attempt(document, title_of("animation", from),
               [&] { add_channel(document, channels.at(k), from["samplers"], node_of, animation); });
     }
+    if (animation.channels.empty()) document.warnings.add(title_of("animation", from) + ": it moves no node; left out");
     if (!animation.channels.empty()) document.model.animations.push_back(std::move(animation));
   }
 }

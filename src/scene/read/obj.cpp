@@ -191,7 +191,10 @@ void append_normal(const Build& build, int64_t row, std::vector<float>& out) {
 }
 
 void append_color(const ObjFile& file, size_t position, float scale, std::vector<float>& out) {
-  for (size_t c = 0; c < 3; ++c) out.push_back(linear_of_srgb(file.colors[3 * position + c] * scale));
+  for (size_t c = 0; c < 3; ++c) {
+    const float code = file.colors[3 * position + c];
+    out.push_back(std::isnan(code) ? 1.0f : linear_of_srgb(code * scale));
+  }
   out.push_back(1.0f);
 }
 

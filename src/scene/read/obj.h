@@ -44,7 +44,7 @@ struct ObjPart {
 /// The statements of an OBJ file.
 struct ObjFile {
   std::vector<double> positions;   // [position][3]
-  std::vector<float> colors;       // [position][3] as in the file, or empty
+  std::vector<float> colors;       // [position][3] as in the file, NaN for none, or empty
   std::vector<float> uvs;          // [uv][2], v up
   std::vector<float> normals;      // [normal][3]
   std::vector<ObjCorner> corners;  // corners of all faces

@@ -20,6 +20,7 @@ struct MtlMap {
   double scale[3] = {1, 1, 1}, offset[3] = {0, 0, 0};
   double bump = 1;
   bool clamp = false;
+  bool names_channel = false;  // by -imfchan
   uint32_t channel = 0;
 };
 
@@ -39,14 +40,6 @@ struct Mtls {
   std::map<std::string, Mtl> materials;
   std::map<std::pair<std::string, bool>, int32_t> texture_of;  // by the path, and whether it is data
 };
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return out;
-}
 
 /// r [g b] as a colour of 0..1e6; further numbers of 0 are of `g` and `b`. False for spectra and XYZ.
 bool parse_color(std::string_view values, std::optional<Color>& out) {
@@ -102,11 +95,12 @@ bool parse_option(std::string_view option, std::string_view* rest, MtlMap& map) 
     take_numbers(rest, ignored, 1);
     return false;
   }
-  const std::string value = lower(take_word(rest));
+  const std::string value = lower_case(take_word(rest));
   if (option == "-clamp") map.clamp = value == "on";
   if (option == "-imfchan") {
     const std::optional<uint32_t> channel = channel_of(value);
     map.channel = channel.value_or(0);
+    map.names_channel = true;
     return channel.has_value();
   }
   return option == "-clamp" || ((option == "-blendu" || option == "-blendv") && value == "on") ||
@@ -117,7 +111,7 @@ void parse_map(Mtls& mtls, const std::string& statement, std::string_view rest, 
   MtlMap map;
   while (!rest.empty() && rest.front() == '-') {
     std::string_view after = rest;
-    const std::string option = lower(take_word(&after));
+    const std::string option = lower_case(take_word(&after));
     constexpr std::string_view kOptions[] = {"-s",      "-o",      "-t",     "-bm",        "-mm",
                                              "-boost",  "-texres", "-clamp", "-imfchan",   "-blendu",
                                              "-blendv", "-cc",     "-type",  "-colorspace"};
@@ -127,11 +121,13 @@ void parse_map(Mtls& mtls, const std::string& statement, std::string_view rest, 
       mtls.warnings.add("MTL: option " + option + " of " + statement + " is left out");
     }
   }
+  if (rest.size() > 2 && rest.front() == '"' && rest.back() == '"') rest = rest.substr(1, rest.size() - 2);
   map.file = std::string(rest);
   if (map.file.empty()) {
     mtls.warnings.add("MTL: " + statement + " has no file");
     return;
   }
+  if (material.maps.count(statement)) mtls.warnings.add("MTL: " + statement + " is given twice; the last one counts");
   material.maps[statement] = std::move(map);
 }
 
@@ -181,7 +177,7 @@ bool parse_statement(Mtls& mtls, const std::string& word, std::string_view value
   if (word == "aniso") return parse_ignored(mtls, "aniso (anisotropy)", values, 0);
   if (word == "anisor") return parse_ignored(mtls, "anisor (rotation of anisotropy)", values, 0);
   if (word == "illum") {
-    if (!parse_number(values, 0, 100, number)) return false;
+    if (!parse_number(values, -1, 100, number) || *number < 0) return false;
     material.illum = static_cast<int>(*number);
     return true;
   }
@@ -204,8 +200,9 @@ void parse_library(Mtls& mtls, const std::string& name, const Bytes& bytes) {
   Mtl* material = nullptr;
   for (uint64_t i = 0; lines.next(&statement); ++i) {
     if (i % 4096 == 0) mtls.source.deadline.check();
-    const std::string word = lower(take_word(&statement));
+    const std::string word = lower_case(take_word(&statement));
     if (word == "newmtl") {
+      statement = without_comment(statement);
       const auto [at, is_new] = mtls.materials.insert_or_assign(std::string(statement), Mtl());
       if (!is_new)
         mtls.warnings.add("MTL: material \"" + text_of(at->first) + "\" is defined twice; the last one counts");
@@ -222,13 +219,13 @@ void parse_library(Mtls& mtls, const std::string& name, const Bytes& bytes) {
 /// The file names of a mtllib statement: one name, with blanks in it, or several ones. Names with blanks end with .mtl.
 std::vector<std::string> names_of(const Source& source, const std::string& rest) {
   if (rest.find_first_of(" \t") == std::string::npos || source.files.find(rest)) return {rest};
-  const bool has_suffix = lower(rest).find(".mtl") != std::string::npos;
+  const bool has_suffix = lower_case(rest).find(".mtl") != std::string::npos;
   std::vector<std::string> names;
   std::string name;
   for (std::string_view left = without_comment(rest); !left.empty();) {
     const std::string_view word = take_word(&left);
     name.append(name.empty() ? "" : " ").append(word);
-    const bool ends = !has_suffix || (word.size() >= 4 && lower(word.substr(word.size() - 4)) == ".mtl");
+    const bool ends = !has_suffix || (word.size() >= 4 && lower_case(word.substr(word.size() - 4)) == ".mtl");
     if (!ends && !left.empty()) continue;
     names.push_back(std::move(name));
     name.clear();
@@ -279,6 +276,9 @@ const MtlMap* set_map(Mtls& mtls, const Mtl& material, std::initializer_list<con
     const bool is_color = target == SHD_SLOT_DIFFUSE || target == SHD_SLOT_SPECULAR || target == SHD_SLOT_EMISSION;
     map.texture = texture_of(mtls, material.folder, from.file, !is_color);
     map.channel = is_color ? 0 : from.channel;
+    if (is_color && from.names_channel) {
+      mtls.warnings.add("MTL: option -imfchan of " + std::string(statement) + " is left out");
+    }
     map.wrap_u = map.wrap_v = from.clamp ? SHD_WRAP_CLAMP : SHD_WRAP_REPEAT;
     // u' = s u + o in coordinates whose v grows upwards
     map.uv_transform = {static_cast<float>(from.scale[0]),  0,
@@ -290,23 +290,28 @@ const MtlMap* set_map(Mtls& mtls, const Mtl& material, std::initializer_list<con
   return nullptr;
 }
 
-/// Kd, Ks, Ns, illum. 0: Kd without light; 1: no highlight; 3 and more: with reflections and refraction of other
-/// things.
+/// 0: Kd without light; 1: no highlight; 3 and more: with reflections and refraction of other things.
+void set_illum(Mtls& mtls, const Mtl& material, Surface& surface) {
+  surface.unlit = material.illum == 0;
+  if (material.illum == 1) surface.specular = {0, 0, 0};
+  if (material.illum > 2) {
+    mtls.warnings.add("MTL: illum " + std::to_string(material.illum) + ": reflections and refractions are left out");
+  }
+}
+
+/// Ks, Ns and their maps.
 void set_classic(Mtls& mtls, const Mtl& material, Surface& surface) {
   const bool has_ns = material.exponent.has_value();
   if (material.specular || has_ns) surface.specular = material.specular.value_or(Color{0, 0, 0});
   if (has_ns) surface.exponent = std::max(*material.exponent, 1.0f);
   // Exporters write `Ns 0` beside a white Ks for surfaces without a highlight. As an exponent it would make them white.
-  if (material.illum == 1 || (has_ns && *material.exponent == 0)) surface.specular = {0, 0, 0};
-  surface.unlit = material.illum == 0;
-  if (material.illum > 2) {
-    mtls.warnings.add("MTL: illum " + std::to_string(material.illum) + ": reflections and refractions are left out");
-  }
+  if (has_ns && *material.exponent == 0) surface.specular = {0, 0, 0};
+  if (material.clearcoat.value_or(0.0f) > 0) mtls.warnings.add("MTL: Pc without Pr or Pm is left out");
   set_map(mtls, material, {"map_ks"}, SHD_SLOT_SPECULAR, surface);
   set_map(mtls, material, {"map_ns"}, SHD_SLOT_EXPONENT, surface);
 }
 
-/// The PBR statements: Pr, Pm and their maps.
+/// The PBR statements: Pr, Pm and their maps. Ks and Ns beside them are for programs without these.
 void set_metallic_roughness(Mtls& mtls, const Mtl& material, Surface& surface) {
   surface.metallic_roughness = true;
   const bool has_roughness = set_map(mtls, material, {"map_pr"}, SHD_SLOT_ROUGHNESS, surface) != nullptr;
@@ -315,6 +320,16 @@ void set_metallic_roughness(Mtls& mtls, const Mtl& material, Surface& surface) {
   surface.metallic = material.metallic.value_or(has_metallic ? 1.0f : 0.0f);
   if (has_roughness && surface.roughness == 0) surface.roughness = 1;
   if (has_metallic && surface.metallic == 0) surface.metallic = 1;
+  for (const char* const word : {"map_ks", "map_ns"}) {
+    if (material.maps.count(word)) mtls.warnings.add("MTL: " + std::string(word) + " beside Pr or Pm is left out");
+  }
+}
+
+/// Whether a map_d is the fourth channel of a map_Kd, which counts already.
+bool is_alpha_of(const MtlMap& map, const MtlMap& color) {
+  const bool same_place = std::equal(map.scale, map.scale + 3, color.scale) &&
+                          std::equal(map.offset, map.offset + 3, color.offset) && map.clamp == color.clamp;
+  return map.file == color.file && same_place && (!map.names_channel || map.channel == 3);
 }
 
 void set_opacity(Mtls& mtls, const Mtl& material, Surface& surface) {
@@ -325,8 +340,8 @@ void set_opacity(Mtls& mtls, const Mtl& material, Surface& surface) {
     surface.opacity = 1 - *material.transparency;
   }
   if (surface.opacity == 0) surface.opacity = 1;  // files in which opacity 0 means opaque are common
-  const bool is_alpha = map != material.maps.end() && color != material.maps.end() &&
-                        map->second.file == color->second.file;  // the fourth channel of the colour counts already
+  const bool is_alpha =
+      map != material.maps.end() && color != material.maps.end() && is_alpha_of(map->second, color->second);
   if (map != material.maps.end() && !is_alpha) set_map(mtls, material, {"map_d"}, SHD_SLOT_OPACITY, surface);
   if (surface.opacity < 1 || map != material.maps.end()) surface.alpha = Alpha::kBlend;
 }
@@ -360,9 +375,11 @@ Surface surface_of(Mtls& mtls, const std::string& name, const Mtl& material) {
   } else {
     set_classic(mtls, material, surface);
   }
+  set_illum(mtls, material, surface);
   surface.clearcoat = material.clearcoat.value_or(0.0f);
   surface.clearcoat_roughness = material.clearcoat_roughness.value_or(0.0f);
-  set_map(mtls, material, {"norm", "map_kn", "map_norm"}, SHD_SLOT_NORMAL, surface);
+  const MtlMap* const normal = set_map(mtls, material, {"norm", "map_kn", "map_norm"}, SHD_SLOT_NORMAL, surface);
+  if (normal) surface.normal_scale = static_cast<float>(std::clamp(normal->bump, -1e6, 1e6));
   const MtlMap* const bump = set_map(mtls, material, {"map_bump", "bump"}, SHD_SLOT_HEIGHT, surface);
   if (bump) surface.bump_scale = static_cast<float>(std::clamp(bump->bump, -1e6, 1e6));
   set_opacity(mtls, material, surface);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -10,6 +11,7 @@
 namespace shd::scene {
 namespace {
 
+constexpr float kNoColor = std::numeric_limits<float>::quiet_NaN();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr uint64_t kStatementsPerCheck = 4096;
 constexpr size_t kMaxOddNames = 32;  // unknown statements that warnings name
@@ -31,7 +33,7 @@ struct Parser {
   std::string first_odd, first_bad_part;
 };
 
-/// v x y z [w], v x y z r g b, or v x y z w r g b. A line that is none of them still counts as a vertex.
+/// v x y z [w], or v x y z r g b [a]. A line that is none of them still counts as a vertex.
 bool parse_position(Parser& parser, std::string_view rest) {
   double numbers[8];
   size_t count = 0;
@@ -41,22 +43,28 @@ bool parse_position(Parser& parser, std::string_view rest) {
   for (size_t c = 0; c < 3; ++c) file.positions.push_back(good ? numbers[c] : kNan);
   check_limit("vertices", file.positions.size() / 3, "max_vertices", parser.limits.vertices);
   if (good && count >= 6) {
-    file.colors.resize(file.positions.size() - 3, 1.0f);
-    for (size_t c = count - 3; c < count; ++c) file.colors.push_back(static_cast<float>(numbers[c]));
+    file.colors.resize(file.positions.size() - 3, kNoColor);
+    for (size_t c = 3; c < 6; ++c) file.colors.push_back(static_cast<float>(numbers[c]));
   } else if (!file.colors.empty()) {
-    file.colors.resize(file.positions.size(), 1.0f);
+    file.colors.resize(file.positions.size(), kNoColor);
+  }
+  if (good && count == 7 && numbers[6] != 1 && numbers[6] != 255) {
+    parser.warnings.add("alpha of the colours of vertices is left out");
   }
   return good;
 }
 
-/// Numbers of which the last `optional` ones default to 0. Numbers behind `size` are those of further dimensions.
+/// Numbers of which the last `optional` ones default to 0. Numbers behind `size` are those of further dimensions. False
+/// if one is missing, or is not finite.
 bool parse_numbers(std::string_view rest, size_t size, size_t optional, std::vector<float>& out) {
   size_t count = 0;
   double number = 0;
+  bool finite = true;
   while (take_number(&rest, &number)) {
+    finite = finite && std::isfinite(static_cast<float>(number));
     if (count++ < size) out.push_back(static_cast<float>(number));
   }
-  const bool good = rest.empty() && count + optional >= size;
+  const bool good = rest.empty() && count + optional >= size && finite;
   for (; count < size; ++count) out.push_back(0);
   return good;
 }

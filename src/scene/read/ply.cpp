@@ -20,6 +20,7 @@ namespace ply {
 namespace {
 
 constexpr uint32_t kNoRow = ~0u;
+constexpr uint64_t kNoUv = ~uint64_t{0};
 
 /// Properties that count together; all are null if the file lacks one.
 template <size_t N>
@@ -28,6 +29,7 @@ using Group = std::array<const PlyProperty*, N>;
 struct Colors {
   Group<3> rgb = {};
   const PlyProperty* alpha = nullptr;  // null = opaque
+  double one = 1;                      // value of full light
   bool present() const { return rgb[0] != nullptr; }
 };
 
@@ -47,7 +49,7 @@ struct Wanted {
 /// A corner of a triangle; also a vertex of the Model.
 struct Corner {
   uint32_t vertex = 0, face = kNoRow;
-  uint64_t uv = 0;  // place of u in the values of corner_uvs
+  uint64_t uv = 0;  // place of u in the values of corner_uvs, or kNoUv
 };
 
 /// The triangles that have one texture.
@@ -120,6 +122,19 @@ Wanted want_properties(PlyFile& file, Warnings& warnings) {
   return wanted;
 }
 
+/// Sets the value of full light: the largest one of the type. Some programs write codes of 8 bits as wider numbers.
+void find_scale(Colors& colors) {
+  if (!colors.present()) return;
+  const PlyType type = colors.rgb[0]->type;
+  double most = 0;
+  for (const PlyProperty* const channel : {colors.rgb[0], colors.rgb[1], colors.rgb[2]}) {
+    for (const double value : channel->values) most = std::max(most, value);
+  }
+  colors.one = ply_scale(type);
+  const bool codes = colors.one == 1 ? most > 1 : most <= 255;
+  if (codes) colors.one = 255;
+}
+
 Point position_of(const Wanted& wanted, uint32_t vertex) {
   return {wanted.position[0]->values[vertex], wanted.position[1]->values[vertex], wanted.position[2]->values[vertex]};
 }
@@ -152,7 +167,10 @@ void append_polygon(Build& build, const std::vector<double>& indices, uint32_t r
   const size_t part = part_of(build, row);
   const PlyProperty* const uvs = row == kNoRow ? nullptr : build.wanted.corner_uvs;
   const uint64_t first_uv = !uvs || row == 0 ? 0 : uvs->ends[row - 1];
-  if (uvs && uvs->ends[row] - first_uv != 2 * indices.size()) {
+  const bool lacks_uvs = uvs && uvs->ends[row] == first_uv;
+  if (lacks_uvs) {
+    build.warnings.add("PLY: faces without texture coordinates take the place (0, 0)");
+  } else if (uvs && uvs->ends[row] - first_uv != 2 * indices.size()) {
     core::refuse(SHD_ERROR_CORRUPT, "PLY: face %u has no texture coordinates for each corner", row);
   }
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -161,7 +179,8 @@ void append_polygon(Build& build, const std::vector<double>& indices, uint32_t r
   check_limit("triangles", build.triangles, "max_triangles", build.source.limits.triangles);
   for (const auto& triangle : triangles) {
     for (const uint32_t corner : triangle) {
-      build.parts[part].corners.push_back({static_cast<uint32_t>(indices[corner]), row, first_uv + 2 * corner});
+      const uint64_t uv = lacks_uvs ? kNoUv : first_uv + 2 * corner;
+      build.parts[part].corners.push_back({static_cast<uint32_t>(indices[corner]), row, uv});
     }
   }
 }
@@ -216,7 +235,7 @@ std::vector<uint32_t> share_vertices(uint64_t vertex_count, std::vector<Corner>&
 void append_color(const Colors& colors, uint32_t row, std::vector<float>& out) {
   for (size_t c = 0; c < 4; ++c) {
     const PlyProperty* const channel = c < 3 ? colors.rgb[c] : colors.alpha;
-    const auto code = channel ? static_cast<float>(channel->values[row] / ply_scale(channel->type)) : 1.0f;
+    const auto code = channel ? static_cast<float>(channel->values[row] / colors.one) : 1.0f;
     out.push_back(c < 3 ? linear_of_srgb(code) : code > 0.0f ? std::min(code, 1.0f) : 0.0f);
   }
 }
@@ -233,7 +252,7 @@ void append_columns(const Wanted& wanted, const Corner& corner, Geometry& geomet
   const bool by_vertex = wanted.uv[0] != nullptr;
   if (!wanted.corner_uvs && !by_vertex) return;
   double u = 0, v = 0;
-  if (wanted.corner_uvs && corner.face != kNoRow) {
+  if (wanted.corner_uvs && corner.face != kNoRow && corner.uv != kNoUv) {
     u = wanted.corner_uvs->values[corner.uv];
     v = wanted.corner_uvs->values[corner.uv + 1];
   } else if (by_vertex) {
@@ -314,20 +333,22 @@ void add_parts(Build& build, Model& model) {
 }  // namespace ply
 
 bool is_ply(const Source& source) {
-  const std::string text = utf8_of(source.bytes, 4);
-  return text == "ply\n" || text == "ply\r";
+  const std::string text = utf8_of(source.bytes, 8);
+  return text.compare(0, 3, "ply") == 0 && text.size() > 3 && (is_blank(text[3]) || text[3] == '\n' || text[3] == '\r');
 }
 
 Model read_ply(const Source& source) {
   Model model;
   Warnings warnings(model);
   PlyFile file = parse_ply_header(source);
-  const ply::Wanted wanted = ply::want_properties(file, warnings);
+  ply::Wanted wanted = ply::want_properties(file, warnings);
   check_limit("vertices", wanted.vertex_count, "max_vertices", source.limits.vertices);
   if (!wanted.position[0]) {
     core::refuse(SHD_ERROR_CORRUPT, "PLY: element \"vertex\" with x, y and z is missing");
   }
   read_ply_rows(source, file, warnings);
+  ply::find_scale(wanted.vertex_colors);
+  ply::find_scale(wanted.face_colors);
   ply::Build build{source, wanted, warnings, {}, 0, 0};
   build.parts.resize(wanted.texture_numbers ? file.textures.size() + 1 : 1);
   if (wanted.polygons) ply::collect_polygons(build);

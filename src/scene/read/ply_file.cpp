@@ -100,7 +100,7 @@ class TextRows {
   explicit TextRows(const std::string& text) : lines_(text, false) {}
   bool begin() {
     while (lines_.next(&rest_)) {
-      if (rest_.substr(0, 8) != "comment ") return true;
+      if (rest_ != "comment" && rest_.substr(0, 8) != "comment ") return true;
     }
     return false;
   }

@@ -2,6 +2,7 @@
 // STL (3D Systems, "StereoLithography Interface Specification", 1989), text and binary, with the colours that VisCAM
 // and Materialise Magics store in the attribute bytes of binary facets. assimp 5.2 takes VisCAM's colours for Magics'
 // and the reverse.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -44,14 +45,6 @@ float float_at(const unsigned char* p) {
   float value;
   std::memcpy(&value, &bits, sizeof value);
   return value;
-}
-
-std::string lower_word(std::string_view* rest) {
-  std::string word(take_word(rest));
-  for (char& c : word) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return word;
 }
 
 /// Appends a triangle. Returns false if a position is not finite.
@@ -142,13 +135,30 @@ void append_facet_color(const StlColors& colors, uint32_t attribute, std::vector
   for (int i = 0; i < 3; ++i) out.insert(out.end(), {rgb[0], rgb[1], rgb[2], 1.0f});
 }
 
+/// Number of facets by the header.
 size_t facets_of(const Bytes& bytes) {
   return bytes.size < kHeaderSize ? 0 : u32_at(bytes.data + 80);
 }
 
+/// Number of facets in the file. Some programs do not come back to write it into the header, or write more behind.
+size_t count_facets(StlRead& read) {
+  const size_t given = facets_of(read.source.bytes), room = (read.source.bytes.size - kHeaderSize) / kFacetSize;
+  const bool open = given == 0 || given == UINT32_MAX;
+  if (!open && given > room) {
+    core::refuse(SHD_ERROR_CORRUPT, "STL: the file ends in facet %zu of %zu", room, given);
+  }
+  const size_t facets = open ? room : given;
+  if (open && facets > 0) {
+    read.warnings.add("STL: the header has no number of facets; " + std::to_string(facets) + " fit into the file");
+  } else if (const size_t rest = read.source.bytes.size - kHeaderSize - kFacetSize * facets) {
+    read.warnings.add("STL: " + std::to_string(rest) + " bytes behind the last facet are left out");
+  }
+  return facets;
+}
+
 void read_binary(StlRead& read, Surface& surface) {
   const Bytes& bytes = read.source.bytes;
-  const size_t facets = facets_of(bytes);
+  const size_t facets = count_facets(read);
   check_limit("triangles", facets, "max_triangles", read.source.limits.triangles);
   const StlColors colors = colors_of(bytes, facets);
   if (find_in_header(bytes, "MATERIAL=")) read.warnings.add("STL: MATERIAL of the header is left out");
@@ -184,6 +194,9 @@ struct TextStl {
 };
 
 void end_loop(StlRead& read, TextStl& state) {
+  if (!state.loop.empty() && state.loop.size() < 3) {
+    read.warnings.add("STL: loops of fewer than 3 vertices are left out");
+  }
   if (state.loop.size() >= 3) {
     std::vector<std::array<uint32_t, 3>> triangles;
     triangulate(state.loop, read.source.deadline, triangles);
@@ -206,7 +219,7 @@ void end_solid(StlRead& read, TextStl& state) {
 
 /// Reads one word and what belongs to it. Returns false if it is not understood.
 bool parse_text_word(StlRead& read, std::string_view* rest, TextStl& state) {
-  const std::string word = lower_word(rest);
+  const std::string word = lower_case(take_word(rest));
   if (word == "vertex") {
     Point p;
     for (double& c : p) {
@@ -215,11 +228,11 @@ bool parse_text_word(StlRead& read, std::string_view* rest, TextStl& state) {
     check_limit("vertices", state.loop.size(), "max_vertices", read.source.limits.vertices);
     state.loop.push_back(p);
   } else if (word == "normal") {
-    for (float& c : state.normal) {
-      double number = 0;
-      if (!take_number(rest, &number)) return false;
-      c = static_cast<float>(number);
+    double numbers[3];
+    for (double& c : numbers) {
+      if (!take_number(rest, &c)) return false;
     }
+    for (size_t c = 0; c < 3; ++c) state.normal[c] = static_cast<float>(numbers[c]);
   } else if (word == "endloop") {
     end_loop(read, state);
   } else if (word == "solid") {
@@ -230,8 +243,10 @@ bool parse_text_word(StlRead& read, std::string_view* rest, TextStl& state) {
   } else if (word == "endsolid") {
     end_solid(read, state);
     *rest = {};
+  } else if (word == "facet") {
+    for (float& c : state.normal) c = 0;  // a facet may have none
   } else {
-    return word == "facet" || word == "outer" || word == "loop" || word == "endfacet";
+    return word == "outer" || word == "loop" || word == "endfacet";
   }
   return true;
 }
@@ -252,21 +267,35 @@ void read_text_stl(StlRead& read) {
   end_solid(read, state);
 }
 
-bool is_binary(const Bytes& bytes) {
+/// Whether the number of facets in the header gives the size of the file.
+bool has_binary_size(const Bytes& bytes) {
   return bytes.size >= kHeaderSize && bytes.size - kHeaderSize == uint64_t{kFacetSize} * facets_of(bytes);
+}
+
+bool is_text(const Bytes& bytes) {
+  const std::string text = utf8_of(bytes, 4096);
+  TextLines lines(text);
+  std::string_view statement;
+  if (!lines.next(&statement) || lower_case(take_word(&statement)) != "solid") return false;
+  bool only = true;
+  for (; lines.next(&statement); only = false) {
+    const std::string word = lower_case(take_word(&statement));
+    if (word == "facet" || word == "endsolid" || word == "solid") return true;
+  }
+  return only && text.find("facet") != std::string::npos;  // all in one line
+}
+
+bool is_binary(const Source& source) {
+  constexpr std::string_view kSuffix = ".stl";
+  if (has_binary_size(source.bytes)) return true;
+  const std::string end = source.name.substr(source.name.size() - std::min(source.name.size(), kSuffix.size()));
+  return source.bytes.size > kHeaderSize + kFacetSize && lower_case(end) == kSuffix && !is_text(source.bytes);
 }
 
 }  // namespace
 
 bool is_stl(const Source& source) {
-  if (is_binary(source.bytes)) return true;
-  const std::string text = utf8_of(source.bytes, 4096);
-  TextLines lines(text);
-  std::string_view statement;
-  if (!lines.next(&statement) || lower_word(&statement) != "solid") return false;
-  if (!lines.next(&statement)) return statement.find("facet") != std::string_view::npos;
-  const std::string word = lower_word(&statement);
-  return word == "facet" || word == "endsolid" || word == "solid";
+  return is_binary(source) || is_text(source.bytes);
 }
 
 Model read_stl(const Source& source) {
@@ -275,7 +304,7 @@ Model read_stl(const Source& source) {
   StlRead read{source, model, warnings, 0};
   Surface surface;
   surface.name = "default";
-  if (is_binary(source.bytes)) {
+  if (is_binary(source)) {
     read_binary(read, surface);
   } else {
     read_text_stl(read);

@@ -328,8 +328,13 @@ void mtl_rows() {
   }
   mtl("Kd, Ks, Ke, Ns, d, Tr, illum 0 to 2", "drawn", "", "Ks 1 1 1\nNs 9\nillum 1", "Ks 1 1 1\nNs 9\nillum 2");
   mtl("Ka of another colour than grey", "warned", "Ka", "Ka 1 0 0");
-  for (const char* line : {"Pr 0.25", "Pm 1", "Pr 0.5\nPc 1", "Pc 1\nPcr 0.5"})
+  for (const char* line : {"Pr 0.25", "Pm 1", "Pr 0.5\nPc 1", "Pm 0\nPc 1\nPcr 0.5"})
     mtl("Pr, Pm, Pc, Pcr", "drawn", "", line);
+  mtl("Pc without Pr and Pm; map_Ks and map_Ns beside them", "warned", "Pc without", "Pc 1");
+  for (const char* map : {"map_ks", "map_ns"}) {
+    mtl("Pc without Pr and Pm; map_Ks and map_Ns beside them", "warned", map, "Pr 1\n" + std::string(map) + " a.png",
+        "Pr 1");
+  }
   mtl("illum 3 to 10, Tf, Ps, aniso, anisor", "warned", "illum 3", "illum 3");
   for (const char* line : {"Tf 0.5 1 1", "Ps 0.5", "aniso 0.5", "anisor 0.5"}) {
     const std::string word(line, std::string(line).find(' '));

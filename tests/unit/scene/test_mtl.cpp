@@ -53,6 +53,10 @@ const Number kNumbers[] = {
     {"ni/one", "Ni 1", GET(s.ior), 1.5, ""},
     {"illum/0", "illum 0", GET(s.unlit), 1, ""},
     {"illum/1", "Ks 1 1 1\nNs 20\nillum 1", GET(s.specular[0]), 0, ""},
+    {"illum/negative", "illum -1", GET(s.unlit), 0, "values of illum are not understood"},
+    {"pbr/illum_0", "Pr 0.5\nillum 0", GET(s.unlit), 1, ""},
+    {"pbr/illum_3", "Pr 0.5\nillum 3", GET(s.unlit), 0, "illum 3"},
+    {"pbr/pc_alone", "Pc 0.5", GET(s.metallic_roughness), 0, "Pc without Pr or Pm"},
     {"illum/3", "illum 3", GET(s.unlit), 0, "illum 3"},
     {"ka/grey", "Ka 0.2 0.2 0.2", GET(s.diffuse[0]), 0.6f, ""},
     {"ka/colour", "Ka 1 0 0", GET(s.diffuse[0]), 0.6f, "Ka is left out"},
@@ -61,8 +65,8 @@ const Number kNumbers[] = {
     {"pbr/model", "Pr 0.25", GET(s.metallic_roughness), 1, ""},
     {"pbr/pm", "Pm 0.75", GET(s.metallic), 0.75, ""},
     {"pbr/pm_map", "map_Pm a.png", GET(s.metallic), 1, ""},
-    {"pbr/pc", "Pc 0.5\nPcr 0.125", GET(s.clearcoat), 0.5, ""},
-    {"pbr/pcr", "Pc 0.5\nPcr 0.125", GET(s.clearcoat_roughness), 0.125, ""},
+    {"pbr/pc", "Pr 1\nPc 0.5\nPcr 0.125", GET(s.clearcoat), 0.5, ""},
+    {"pbr/pcr", "Pr 1\nPc 0.5\nPcr 0.125", GET(s.clearcoat_roughness), 0.125, ""},
     {"pbr/ps", "Ps 0.5", GET(s.metallic_roughness), 0, "Ps (sheen)"},
     {"pbr/aniso", "aniso 0.05", GET(s.opacity), 1, "aniso (anisotropy)"},
     {"pbr/anisor", "anisor 0.1", GET(s.opacity), 1, "anisor (rotation"},
@@ -116,6 +120,13 @@ const Maps kMaps[] = {
     {"map/bump", "map_Bump -bm 0.5 a.png", SHD_SLOT_HEIGHT, "a.png", 0.25f, 0.25f, ""},
     {"map/bump_short", "bump a.png", SHD_SLOT_HEIGHT, "a.png", 0.25f, 0.25f, ""},
     {"map/norm", "norm a.png", SHD_SLOT_NORMAL, "a.png", 0.25f, 0.25f, ""},
+    {"map/norm_scale", "norm -bm 2 a.png", SHD_SLOT_NORMAL, "a.png", 0.25f, 0.25f, ""},
+    {"map/quotes", "map_Kd \"a b.png\"", SHD_SLOT_DIFFUSE, "a b.png", 0.25f, 0.25f, ""},
+    {"map/twice", "map_Kd b.png\nmap_Kd a.png", SHD_SLOT_DIFFUSE, "a.png", 0.25f, 0.25f, "map_kd is given twice"},
+    {"map/channel_of_color", "map_Kd -imfchan r a.png", SHD_SLOT_DIFFUSE, "a.png", 0.25f, 0.25f,
+     "option -imfchan of map_kd"},
+    {"map/ks_beside_pr", "Pr 0.5\nmap_Pr a.png\nmap_Ks b.png", SHD_SLOT_ROUGHNESS, "a.png", 0.25f, 0.25f,
+     "map_ks beside Pr"},
     {"map/pr", "map_Pr a.png", SHD_SLOT_ROUGHNESS, "a.png", 0.25f, 0.25f, ""},
     {"map/pm", "map_Pm a.png", SHD_SLOT_METALLIC, "a.png", 0.25f, 0.25f, ""},
 };
@@ -154,6 +165,13 @@ void test_options(void**) {
   assert_int_equal(s.maps[SHD_SLOT_OPACITY].channel, 3);
   assert_true(s.bump_scale == 0.5f && s.alpha == Alpha::kBlend);
   assert_true(read_mtl("bump c.png").surfaces[0].bump_scale == 1);
+  assert_true(read_mtl("norm -bm 2 c.png").surfaces[0].normal_scale == 2);
+  // A map_d of the same file is the alpha of the colour, unless it names a channel or lies at another place.
+  const auto opacity_of = [](const char* options) {
+    return read_mtl(std::string("map_Kd a.png\nmap_d ") + options + " a.png").surfaces[0].maps[SHD_SLOT_OPACITY];
+  };
+  assert_true(opacity_of("").texture < 0 && opacity_of("-imfchan m").texture < 0);
+  assert_true(opacity_of("-imfchan g").channel == 1 && opacity_of("-s 2 2 2").texture >= 0);
 }
 
 /// Libraries: several ones, in folders, with blanks, before or after usemtl, in UTF-16, and materials with blanks.

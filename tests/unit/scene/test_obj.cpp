@@ -203,6 +203,12 @@ void test_colors(void**) {
   assert_true((model.surfaces[0].diffuse == std::array<float, 3>{1, 1, 1}));
   const Model bytes = read_text("v 0 0 0 255 0 0\nv 1 0 0 255 0 0\nv 1 1 0 0 255 0\nf 1 2 3\n");
   assert_true(bytes.geometries[0].color[0] == 1 && bytes.geometries[0].color[9] == 1);
+  const Model mixed = read_text("v 0 0 0\nv 1 0 0 255 0 0\nv 1 1 0 255 0 0\nf 1 2 3\n");
+  assert_true(mixed.geometries[0].color[1] == 1 && mixed.geometries[0].color[5] == 0);
+  const Model opaque = read_text("v 0 0 0 1 0 0 1\nv 1 0 0 1 0 0 1\nv 1 1 0 1 0 0 1\nf 1 2 3\n");
+  assert_true(opaque.geometries[0].color[0] == 1 && opaque.geometries[0].color[2] == 0 && opaque.warnings.empty());
+  assert_true(has_warning(read_text("v 0 0 0 1 0 0 0.5\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"), "alpha of the colours"));
+  assert_true(has_warning(read_text(SQUARE "vt nan 0\nf 1/1 2/1 3/1\n"), "line"));
 }
 
 /// Parts by object and material, in the order of their first faces; a name that comes again continues its part.

@@ -212,14 +212,71 @@ void test_normals(void**) {
   assert_true(test::normals_of(smooth.meshes[0].get())[2] == 1 && test::normals_of(smooth.meshes[0].get())[11] == -1);
 }
 
+/// A grey PNG of one pixel with the chunk gAMA of linear light.
+std::vector<unsigned char> make_linear_png() {
+  const auto chunk = [](std::string data) {
+    uint32_t crc = ~0u;
+    std::string out(4, '\0');
+    for (const unsigned char byte : data) {
+      crc ^= byte;
+      for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
+    }
+    out[3] = static_cast<char>(data.size() - 4);
+    for (int shift = 24; shift >= 0; shift -= 8) data += static_cast<char>(~crc >> shift);
+    return out + data;
+  };
+  using namespace std::string_literals;
+  const std::string pixels = "\x78\x01\x01\x02\x00\xfd\xff\x00\x80\x00\x82\x00\x81"s;  // RFC 1950, stored
+  const std::string file = "\x89PNG\r\n\x1a\n" + chunk("IHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0"s) +
+                           chunk("gAMA\0\1\x86\xa0"s) + chunk("IDAT" + pixels) + chunk("IEND");
+  return {file.begin(), file.end()};
+}
+
+/// glTF 2.0, 5.19: colour information of an image is ignored. Other models have that of the file.
+void test_encoding(void**) {
+  for (const bool srgb : {false, true}) {
+    Model model = test::model_of(test::square_geometry());
+    TextureSource source;
+    source.file = make_linear_png();
+    source.srgb = srgb;
+    model.textures.push_back(source);
+    Objects scene;
+    test::make_scene(g_context, std::move(model), &scene);
+    shd_texture_info info = shd_texture_info_default();
+    assert_true(scene.warnings.empty() && scene.parts->warnings.empty());
+    shd_assert_ok(shd_texture_get_info(scene.parts->textures[0].get(), &info));
+    assert_int_equal(info.format, srgb ? SHD_FORMAT_RGBA8_SRGB : SHD_FORMAT_RGBA8);
+  }
+}
+
+/// Tangents follow uv. A normal map at uv1 has none.
+void test_tangents(void**) {
+  for (const uint32_t set : {0u, 1u}) {
+    Model model = test::model_of(test::square_geometry());
+    Geometry& g = model.geometries[0];
+    g.uv = g.uv1 = {0, 0, 0, 0, 0, 0, 0, 0};
+    model.textures.emplace_back();
+    model.textures[0].rgba = {128, 128, 255, 255};
+    model.textures[0].width = model.textures[0].height = 1;
+    model.surfaces[0].maps[SHD_SLOT_NORMAL].texture = 0;
+    model.surfaces[0].maps[SHD_SLOT_NORMAL].uv_set = set;
+    Objects scene;
+    test::make_scene(g_context, std::move(model), &scene);
+    shd_mesh_info info = shd_mesh_info_default();
+    shd_assert_ok(shd_mesh_get_info(scene.meshes[0].get(), &info));
+    assert_int_equal(info.tangentless_count, set == 0 ? 4 : 0);  // uv gives no direction
+  }
+}
+
 }  // namespace
 
 int main() {
   if (shd_context_create(nullptr, &g_context) != SHD_OK) return 1;
   const CMUnitTest tests[] = {
-      cmocka_unit_test(test_cull),    cmocka_unit_test(test_materials), cmocka_unit_test(test_transmission_warning),
-      cmocka_unit_test(test_filters), cmocka_unit_test(test_colors),    cmocka_unit_test(test_far),
-      cmocka_unit_test(test_sizes),   cmocka_unit_test(test_pose),      cmocka_unit_test(test_normals),
+      cmocka_unit_test(test_cull),     cmocka_unit_test(test_materials), cmocka_unit_test(test_transmission_warning),
+      cmocka_unit_test(test_filters),  cmocka_unit_test(test_colors),    cmocka_unit_test(test_far),
+      cmocka_unit_test(test_sizes),    cmocka_unit_test(test_pose),      cmocka_unit_test(test_normals),
+      cmocka_unit_test(test_encoding), cmocka_unit_test(test_tangents),
   };
   const int failures = cmocka_run_group_tests_name("unit.scene.objects", tests, nullptr, nullptr);
   shd_context_release(g_context);

@@ -37,6 +37,16 @@ const Row kTexts[] = {
                                 "0\nendloop\nendfacet\nendsolid\n",
      1, 1, "1 faces with positions that are not finite"},
     {"text/zero_normal", "solid a\n" FACET("0 0 0") "endsolid\n", 1, 1, "normals of length 0"},
+    {"text/missing_normal", "solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n",
+     1, 1, "normals of length 0"},
+    {"text/stale_normal",
+     "solid a\nfacet normal -1.#IND 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 "
+     "0\nendloop\nendfacet\n" FACET("0 0 1") "endsolid\n",
+     1, 2, "normals of length 0"},
+    {"text/short_loop",
+     "solid a\n" FACET("0 0 1") "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\n", 1, 1,
+     "fewer than 3 vertices"},
+    {"text/line_before_facet", "solid a\ncolor 1 0 0\n" FACET("0 0 1") "endsolid a\n", 1, 1, "line 2"},
     {"text/nan_normal", "solid a\n" FACET("nan nan nan") "endsolid\n", 1, 1, "normals of length 0"},
 };
 
@@ -102,6 +112,29 @@ void test_binary(void** state) {
   }
 }
 
+/// Files whose sizes are not those of their headers: bytes behind the facets, counts that were never written, and an
+/// end in the middle. Such files are STL by their name.
+void test_sizes(void**) {
+  const auto counted = [](uint32_t count, size_t size) {
+    std::string file = binary("part", 0, 0);
+    std::memcpy(&file[80], &count, 4);
+    file.resize(size, '\0');
+    return file;
+  };
+  const Model longer = read_text(counted(2, 84 + 100 + 7), "a.STL");
+  assert_true(longer.geometries[0].indices.size() == 6 && has_warning(longer, "7 bytes behind the last facet"));
+  for (const uint32_t open : {0u, UINT32_MAX}) {
+    const Model model = read_text(counted(open, 84 + 100), "a.stl");
+    assert_true(model.geometries[0].indices.size() == 6 && has_warning(model, "2 fit into the file"));
+  }
+  try {
+    read_text(counted(3, 84 + 100), "a.stl");
+    fail_msg("no failure");
+  } catch (const shd::core::Failure& failure) {
+    assert_string_equal(failure.what(), "STL: the file ends in facet 2 of 3");
+  }
+}
+
 /// A count of facets that the bytes do not have is no binary STL, and a budget comes before the memory.
 void test_limits(void**) {
   Limits limits;
@@ -125,6 +158,7 @@ void test_mutants(void**) {
 int main() {
   ADD_ROWS(kTexts, test_text);
   ADD_ROWS(kBinaries, test_binary);
+  add("sizes", test_sizes, nullptr);
   add("limits", test_limits, nullptr);
   add("mutants", test_mutants, nullptr);
   return _cmocka_run_group_tests("unit.scene.stl", g_tests, g_count, nullptr, nullptr);

@@ -1741,7 +1741,10 @@ namespace Shd
 
         /// <summary>default none</summary>
         public SceneFlags Flags { get { return Fields.Flags; } set { Fields.Flags = value; } }
-        /// <summary>flags of all meshes; meshes with uv always have tangents; default none</summary>
+        /// <summary>
+        /// flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
+        /// default none
+        /// </summary>
         public MeshFlags MeshFlags { get { return Fields.MeshFlags; } set { Fields.MeshFlags = value; } }
         /// <summary>
         /// sampler of all textures; its wraps are replaced by those of the file, and

@@ -1850,7 +1850,10 @@ namespace Shd.Native
         public uint StructSize;
         /// <summary>default none</summary>
         public SceneFlags Flags;
-        /// <summary>flags of all meshes; meshes with uv always have tangents; default none</summary>
+        /// <summary>
+        /// flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
+        /// default none
+        /// </summary>
         public MeshFlags MeshFlags;
         /// <summary>
         /// sampler of all textures; its wraps are replaced by those of the file, and

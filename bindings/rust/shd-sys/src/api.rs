@@ -4542,7 +4542,8 @@ pub struct shd_scene_desc {
     pub struct_size: u32,
     /// default none
     pub flags: shd_scene_flags,
-    /// flags of all meshes; meshes with uv always have tangents; default none
+    /// flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
+    /// default none
     pub mesh_flags: shd_mesh_flags,
     /// sampler of all textures; its wraps are replaced by those of the file, and
     /// its filter and magnification where the file has nearest texels or

@@ -1949,7 +1949,8 @@ impl Default for Ktx2Desc {
 pub struct SceneDesc {
     /// default none
     pub flags: SceneFlag,
-    /// flags of all meshes; meshes with uv always have tangents; default none
+    /// flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
+    /// default none
     pub mesh_flags: MeshFlag,
     /// sum of the model and the files that are read with it; 0 = 2^30
     pub max_file_bytes: u64,
