@@ -196,6 +196,16 @@ Packing packing_of(const Decoder& d) {
   return packing;
 }
 
+/// Codes of WebP as in the file: OpenImageIO 2 multiplies them by alpha. Colours of alpha 0 are lost.
+void divide_by_alpha(unsigned char* rgba, size_t count) {
+  for (; count > 0; --count, rgba += 4) {
+    const unsigned alpha = rgba[3];
+    for (int c = 0; c < 3 && alpha > 0 && alpha < 255; ++c) {
+      rgba[c] = static_cast<unsigned char>(std::min((rgba[c] * 255u + alpha / 2) / alpha, 255u));
+    }
+  }
+}
+
 /// Reads rows [y, y_end) of the file into `band`; row 0 is the first row of the data window.
 bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const core::ForkGate::Scope inside(g_image_files);
@@ -205,8 +215,13 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
     return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
                                       spec.z, spec.z + 1, d.first, d.end, d.request, band);
   }
-  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end,
-                                        d.request, band);
+  const bool read = d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first,
+                                                   d.end, d.request, band);
+  const bool multiplied = d.file.format == SHD_FILE_FORMAT_WEBP && !spec.get_int_attribute("oiio:UnassociatedAlpha", 0);
+  if (read && multiplied && d.end - d.first == 4) {
+    divide_by_alpha(band, static_cast<size_t>(y_end - y) * static_cast<size_t>(spec.width));
+  }
+  return read;
 }
 
 /// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of 64 rows, OpenEXR's
@@ -435,7 +450,9 @@ void describe(const Decoder& d, Bitmap* out) {
   const OIIO::ImageSpec& spec = d.spec;
   const bool integers = d.type == OIIO::TypeUInt8 || d.type == OIIO::TypeUInt16;
   const OIIO::ParamValue* primaries = spec.find_attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8));
-  const std::string said = spec.get_string_attribute("oiio:ColorSpace");
+  // Integers of PNM have the curve of Rec. 709, floats (PFM) are light. OpenImageIO gives both that curve.
+  const bool is_pfm = d.file.format == SHD_FILE_FORMAT_PNM && !integers;
+  const std::string said = is_pfm ? std::string() : std::string(spec.get_string_attribute("oiio:ColorSpace"));
   const std::string name = name_color_space(d.options.encoding, said, integers,
                                             primaries ? static_cast<const float*>(primaries->data()) : nullptr);
   std::memcpy(out->color_space, name.c_str(), std::min(name.size(), sizeof out->color_space - 1));

@@ -163,8 +163,9 @@ void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLay
   *left -= strips;
 }
 
-/// Refuses the pages that OpenImageIO reads wrongly: those without BitsPerSample, which have 1 bit and not 8, and wide
-/// samples in which 0 is white, which it does not invert (TIFF 6.0, section 8).
+/// Refuses the pages that OpenImageIO reads wrongly: those without BitsPerSample, which have 1 bit and not 8, wide
+/// samples in which 0 is white, which it does not invert (TIFF 6.0, section 8), and CIE L*a*b*, which it takes for RGB
+/// (section 23).
 void check_samples(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
   uint64_t bits = 0, photometric = 1;
   for (uint64_t i = 0; i < count; ++i) {
@@ -176,6 +177,7 @@ void check_samples(ByteReader& in, uint64_t entries, uint64_t count, const IfdLa
     (tag == 258 ? bits : photometric) = value;
   }
   if (bits == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "TIFF: no BitsPerSample, which means 1 bit");
+  if (photometric >= 8 && photometric <= 10) core::refuse(SHD_ERROR_UNSUPPORTED, "TIFF: colours of CIE L*a*b*");
   if (photometric == 0 && bits > 8) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "TIFF: samples of %u bits in which 0 is white", static_cast<unsigned>(bits));
   }

@@ -70,9 +70,11 @@ float roughness_of(float exponent) {
 
 constexpr float kGlass = 0.5f;  // least transmission of SHD_MODEL_GLASS
 
-/// SHD_MODEL_GLASS is whole: it cannot be mixed with an opaque surface, and metals transmit nothing.
+/// SHD_MODEL_GLASS is whole: it cannot be mixed with an opaque surface, and metals transmit nothing. With a map
+/// the metallic factor alone decides nothing: the map is 0 where light passes.
 bool is_glass(const Surface& surface) {
-  return surface.transmission >= kGlass && surface.metallic < 0.5f && !surface.unlit;
+  const bool is_metal = surface.metallic >= 0.5f && surface.maps[SHD_SLOT_METALLIC].texture < 0;
+  return surface.transmission >= kGlass && !is_metal && !surface.unlit;
 }
 
 shd_model model_of(const Surface& surface) {

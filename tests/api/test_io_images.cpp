@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -278,7 +279,8 @@ void test_tiff(void **)
 {
     using Entries = std::vector<std::array<uint32_t, 2>>;
     const Entries grey = {{256, 8}, {257, 1}, {258, 8}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 1}, {279, 8}};
-    Entries bits = grey, white = grey, wide = grey;
+    Entries bits = grey, white = grey, wide = grey, lab = grey;
+    lab[4][1] = 8;
     bits.erase(bits.begin() + 2);
     white[4][1] = 0;
     wide[4][1] = 0, wide[2][1] = 16, wide[8][1] = 16;
@@ -293,7 +295,45 @@ void test_tiff(void **)
     assert_int_equal(static_cast<const unsigned char *>(image.pixels)[0], 255 - 0x92);
     shd_bitmap_release(bitmap);
     shd_assert_result("1 bit", load(bits, &bitmap), SHD_ERROR_UNSUPPORTED, "no BitsPerSample, which means 1 bit");
+    shd_assert_result("lab", load(lab, &bitmap), SHD_ERROR_UNSUPPORTED, "CIE L*a*b*");
     shd_assert_result("16 bits", load(wide, &bitmap), SHD_ERROR_UNSUPPORTED, "16 bits in which 0 is white");
+}
+
+/// PFM has light, unlike the integers of PNM.
+void test_pfm(void **)
+{
+    const std::string header = "PF\n1 1\n-1.0\n";
+    const float pixel[3] = {0.25f, 1, 4};
+    Bytes file(header.begin(), header.end());
+    const auto *bytes = reinterpret_cast<const unsigned char *>(pixel);
+    file.insert(file.end(), bytes, bytes + sizeof pixel);
+    for (const uint32_t flags : {SHD_LOAD_DEFAULT, SHD_LOAD_LINEAR}) {
+        const Loaded loaded(file, flags);
+        assert_string_equal(shd_bitmap_color_space(loaded.bitmap), "Linear Rec.709");
+        assert_memory_equal(loaded.floats(0, 0), pixel, sizeof pixel);
+    }
+}
+
+/// Two pixels of lossless WebP, written by libwebp: (200, 30, 60) opaque, (10, 220, 40) with alpha 128. The decoder
+/// rounds colours times alpha, so codes are right within one.
+void test_webp_alpha(void **)
+{
+    const Bytes file = {0x52, 0x49, 0x46, 0x46, 0x22, 0x00, 0x00, 0x00, 0x57, 0x45, 0x42, 0x50, 0x56, 0x50,
+                        0x38, 0x4c, 0x16, 0x00, 0x00, 0x00, 0x2f, 0x01, 0x00, 0x00, 0x10, 0x0f, 0x70, 0x21,
+                        0xee, 0x2b, 0xf8, 0x9e, 0x02, 0xe5, 0x7f, 0x80, 0xd1, 0x82, 0x8c, 0xe8, 0x7f, 0x00};
+    const int expected[8] = {200, 30, 60, 255, 10, 220, 40, 128};
+    shd_load_desc desc = shd_load_desc_default();
+    shd_bitmap *bitmap = nullptr;
+    shd_image image = shd_image_default();
+    const shd_result result = shd_bitmap_load_memory(g_context, file.data(), file.size(), &desc, &bitmap);
+    if (result == SHD_ERROR_UNSUPPORTED) skip();  // built without WebP
+    shd_assert_ok(result);
+    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    for (int i = 0; i < 8; ++i) {
+        const int code = static_cast<const unsigned char *>(image.pixels)[i];
+        assert_true(std::abs(code - expected[i]) <= (i < 4 || i == 7 ? 0 : 1));
+    }
+    shd_bitmap_release(bitmap);
 }
 
 /// SHD_LOAD_PREMULTIPLY: r, g and b of the base times alpha, averages of them in the levels, and the flag.
@@ -393,6 +433,8 @@ int main()
     add("alpha_weighted", test_alpha_weighted, nullptr);
     add("alpha_far", test_alpha_far, nullptr);
     add("tiff", test_tiff, nullptr);
+    add("pfm", test_pfm, nullptr);
+    add("webp_alpha", test_webp_alpha, nullptr);
     add("premultiply", test_premultiply, nullptr);
     add("premultiplied_file", test_premultiplied_file, nullptr);
     const int failed = _cmocka_run_group_tests("api.io_images", tests.data(), tests.size(), nullptr, nullptr);

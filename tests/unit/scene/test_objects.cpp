@@ -43,6 +43,9 @@ void test_materials(void**) {
   glass.ior = 1.33f;
   metal.metallic = 1;
   metal.ior = 0;
+  Surface mapped = metal;
+  mapped.maps[SHD_SLOT_METALLIC].texture = 0;
+  assert_int_equal(desc_of(mapped).model, SHD_MODEL_GLASS);
   hidden.alpha = masked.alpha = Alpha::kMask;
   hidden.alpha_cutoff = 1.5f;
   masked.alpha_cutoff = 0.25f;
