@@ -8,8 +8,8 @@
  * in memory that was made from the same levels. The level of the texture ends with the last one of the file.
  *
  * Formats are those of the file: 8 bits, 16 bits, half or float, in one, two or four channels; three become four, and
- * the fourth is 1. 8-bit colour that is sRGB gets an _SRGB format. Numbers are not changed, so alpha is as it is
- * stored.
+ * the fourth is 1. 8-bit colour that is sRGB gets an _SRGB format. Numbers are not changed. Files whose colours are
+ * multiplied by alpha give SHD_TEXTURE_PREMULTIPLIED textures.
  *
  * A set of files is one texture. The path of a UDIM set contains `<UDIM>` in place of the number of a file, which is
  * 1001 + column + 10 row; rows count from the bottom. All files have the same size, channels, levels and tiles. With

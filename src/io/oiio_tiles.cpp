@@ -112,6 +112,7 @@ class TiledSet {
     info.tile_width = static_cast<uint32_t>(base.tile_width);
     info.tile_height = static_cast<uint32_t>(base.tile_height);
     info.format = format_of(file, base, encoding);
+    info.premultiplied = base.alpha_channel == 3 && base.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     const uint32_t full = full_level_count(info.width, info.height);
     for (info.level_count = 1; info.level_count < full; ++info.level_count) {
       if (!reader->input.handle->seek_subimage(0, static_cast<int>(info.level_count))) break;
@@ -123,9 +124,10 @@ class TiledSet {
       core::refuse(SHD_ERROR_UNSUPPORTED, "%s: no mip levels: convert it with shd-maketx", name(file).c_str());
     }
     const bool same = info.width == info_.width && info.height == info_.height && info.format == info_.format &&
-                      info.level_count == info_.level_count && base.nchannels == channels_;
+                      info.level_count == info_.level_count && base.nchannels == channels_ &&
+                      info.premultiplied == info_.premultiplied;
     if (file > 0 && !same) {
-      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: its size, channels or levels differ from those of %s",
+      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: its size, channels, alpha or levels differ from those of %s",
                    name(file).c_str(), name(0).c_str());
     }
     if (file == 0) {

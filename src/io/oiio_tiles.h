@@ -16,6 +16,7 @@ struct TiledInfo {
   uint32_t width = 0, height = 0;       // size of one file
   uint32_t level_count = 0;
   uint32_t tile_width = 0, tile_height = 0;
+  bool premultiplied = false;  // colours are multiplied by alpha
 };
 
 /// A rectangle of a level of one file, and memory for its texels in the format of the set.

@@ -214,6 +214,10 @@ void gives_bits_of_memory(void **)
                     shd_assert_ok(open_texture(path, cache, encoding_of(kind), &texture, &info));
                     assert_int_equal(info.tile_width, size == 200 ? 48 : 64);
                     assert_int_equal(info.files, 1);
+                    shd_texture_info flags = shd_texture_info_default();
+                    const bool premultiplied = name[2] == 'e' && kind.channels == 4;
+                    shd_assert_ok(shd_texture_get_info(texture, &flags));
+                    assert_int_equal(flags.flags, premultiplied ? SHD_TEXTURE_PREMULTIPLIED : SHD_TEXTURE_NONE);
                     expect_same(texture, resident);
                     shd_texture_release(texture);
                 }

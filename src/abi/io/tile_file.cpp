@@ -154,6 +154,7 @@ shd_texture_desc describe(const Provider& provider, const shd_tile_file_desc& de
   texture.width = static_cast<uint32_t>(width);
   texture.height = static_cast<uint32_t>(height);
   texture.tables = SHD_TABLE_MIPMAP;
+  if (provider.info.premultiplied) texture.flags = SHD_TEXTURE_PREMULTIPLIED;
   const uint32_t levels = grid_levels(provider);
   const uint32_t full = io::full_level_count(texture.width, texture.height);
   texture.level_count = levels == full ? 0 : levels - 1;
