@@ -151,13 +151,15 @@ void report_missing_uv(const Options& options, const Model& model) {
 
 /// Reports surfaces that need what the options have not.
 void report_glass(const Options& options, const Model& model) {
+  std::string names;
   for (const Surface& surface : model.surfaces) {
     if (surface.desc.model != SHD_MODEL_GLASS || options.reflectance || keeps_model(options, surface.desc.model)) {
       continue;
     }
-    std::fprintf(stderr, "shd-render: material \"%s\": its transmission is drawn with an --environment only\n",
-                 surface.name.c_str());
+    names += (names.empty() ? "\"" : ", \"") + surface.name + "\"";
   }
+  if (names.empty()) return;
+  std::fprintf(stderr, "shd-render: the transmission of %s is drawn with an --environment only\n", names.c_str());
 }
 
 /// The poses of the pictures.

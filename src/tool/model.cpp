@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "tool/failure.h"
 #include "tool/shapes.h"
@@ -78,13 +80,20 @@ void add_scene_parts(Model& model, const shd_scene_info& info) {
   }
 }
 
+/// A warning of the library with the option of this program in place of the flag of the API.
+std::string in_options(std::string warning) {
+  constexpr std::string_view kFlag = "SHD_SCENE_ANY_FOLDER";
+  const size_t at = warning.find(kFlag);
+  return at == std::string::npos ? warning : warning.replace(at, kFlag.size(), "--any-folder");
+}
+
 Model import_model(shd_context* context, const Options& options) {
   Model model;
   model.scene = load_scene(context, options);
   shd_scene_info info = shd_scene_info_default();
   check(shd_scene_get_info(model.scene.get(), &info), "scene");
   for (uint32_t i = 0; i < info.warning_count; ++i) {
-    std::fprintf(stderr, "shd-render: %s\n", shd_scene_warning(model.scene.get(), i));
+    std::fprintf(stderr, "shd-render: %s\n", in_options(shd_scene_warning(model.scene.get(), i)).c_str());
   }
   add_scene_parts(model, info);
   return model;

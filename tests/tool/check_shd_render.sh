@@ -315,6 +315,8 @@ expect 0 "" --size 8x8 bare.obj
 grep "^shd-render:" said.txt && failed=1
 mkdir -p Textures
 cp teapot.png Textures/Skin.PNG
+printf 'newmtl m\nKd 1 1 1\nmap_Kd ../skin.png\n' >tri.mtl
+expect 0 "which takes --any-folder" --size 8x8 tri.obj
 printf 'newmtl m\nKd 1 1 1\nmap_Kd TEXTURES\\skin.png\n' >tri.mtl
 expect 0 "" --size 8x8 tri.obj
 diff said.txt <(echo "out.png: 8 x 8") || { cat said.txt; failed=1; }
