@@ -89,7 +89,7 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   desc.lights = light_list.data();
   desc.light_count = light_list.size();
   if (!shadow_list.empty()) desc.shadows = shadow_list.data();
-  if (options.stats) desc.stats = &stats;
+  desc.stats = &stats;
   desc.visibility = options.visibility;
   desc.supersampling = options.supersampling;
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
@@ -102,6 +102,9 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   desc.progress = progress;
   const auto start = std::chrono::steady_clock::now();
   check(shd_render(stage.context, &desc), "render");
+  if (stats.triangles > 0 && stats.culled == stats.triangles) {
+    std::fprintf(stderr, "shd-render: all faces are seen from behind, and none is double-sided: see --orbit\n");
+  }
   if (!options.stats) return;
   print_stats(stage.context, stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

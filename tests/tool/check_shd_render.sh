@@ -313,6 +313,15 @@ expect 0 "meshes without texture coordinates, which show one texel of a texture:
   bare.obj
 expect 0 "" --size 8x8 bare.obj
 grep "^shd-render:" said.txt && failed=1
+cat >single.gltf <<'END'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAA"}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]}
+END
+expect 0 "all faces are seen from behind" --size 8x8 --orbit 180,0 single.gltf
+expect 0 "" --size 8x8 --orbit 0,0 single.gltf
+grep "^shd-render:" said.txt && failed=1
 mkdir -p Textures
 cp teapot.png Textures/Skin.PNG
 printf 'newmtl m\nKd 1 1 1\nmap_Kd ../skin.png\n' >tri.mtl
