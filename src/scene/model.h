@@ -75,6 +75,9 @@ struct Map {
 
 enum class Alpha : uint32_t { kOpaque, kMask, kBlend };
 
+/// Reflection of dielectrics at normal incidence, at an index of refraction of 1.5.
+constexpr float kDielectric = 0.04f;
+
 /// Reflectance, scene-linear. Each map multiplies the coefficient of the same name.
 struct Surface {
   std::string name;

@@ -17,8 +17,6 @@ struct BaseMetal {
   float metallic;
 };
 
-constexpr float kDielectric = 0.04f;  // reflection of dielectrics at normal incidence, at an index of refraction of 1.5
-
 /// Perceived brightness of a colour, with the weights of KHR_materials_pbrSpecularGlossiness, appendix.
 float brightness_of(const std::array<float, 3>& color);
 

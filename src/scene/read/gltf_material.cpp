@@ -10,8 +10,7 @@ namespace {
 
 using Color = std::array<float, 3>;
 
-constexpr float kDielectric = 0.04f;  // reflection at normal incidence at an index of refraction of 1.5
-constexpr float kMaxIor = 10.0f;      // largest index of materials
+constexpr float kMaxIor = 10.0f;  // largest index of materials
 
 /// State of the materials of a file.
 struct Palette {
@@ -196,8 +195,8 @@ void set_reflection(Document& document, const Part& part, Surface& s) {
   constexpr float kStrong = 0.1f;
   if (plain && f0 < kStrong) return;
   const auto has_map = [&](shd_slot_target target) { return s.maps[target].texture >= 0; };
-  if (s.metallic == 0.0f && !textured && !s.specular_glossiness && !has_map(SHD_SLOT_DIFFUSE) &&
-      !has_map(SHD_SLOT_ROUGHNESS)) {
+  if (s.metallic == 0.0f && s.transmission == 0.0f && !textured && !s.specular_glossiness &&
+      !has_map(SHD_SLOT_DIFFUSE) && !has_map(SHD_SLOT_ROUGHNESS)) {
     const bool grey = color[0] == color[1] && color[1] == color[2];
     if (!grey && f0 < kStrong)
       document.warnings.add("KHR_materials_specular: the colour of a weak reflection is left out");
@@ -228,10 +227,10 @@ void read_extensions(Palette& palette, const Part& material, Surface& s) {
     document.warnings.add(title_of("material", material) + ": ior is neither 0 nor at least 1; it counts as 1");
     s.ior = 1.0f;
   }
-  set_reflection(document, material.extension("KHR_materials_specular"), s);
-  if (const Part coat = material.extension("KHR_materials_clearcoat")) read_clearcoat(palette, coat, s);
   const Part transmission = material.extension("KHR_materials_transmission");
   s.transmission = transmission.number_f("transmissionFactor", 0.0f, 0.0, 1.0);
+  set_reflection(document, material.extension("KHR_materials_specular"), s);
+  if (const Part coat = material.extension("KHR_materials_clearcoat")) read_clearcoat(palette, coat, s);
   if (transmission["transmissionTexture"]) {
     document.warnings.add("KHR_materials_transmission: transmissionTexture is left out");
   }

@@ -66,6 +66,10 @@ const Row kRows[] = {
     {"ior/default", "\"doubleSided\":false", [](const Surface& s) { return double(s.ior); }, 1.5, ""},
     {"ior/0", "\"pbrMetallicRoughness\":{\"metallicFactor\":0}," EXTENSION("KHR_materials_ior", "\"ior\":0"),
      [](const Surface& s) { return s.specular_glossiness ? double(s.specular[1]) : -1; }, 1, ""},
+    {"ior/diamond",
+     "\"pbrMetallicRoughness\":{\"metallicFactor\":0},\"extensions\":{\"KHR_materials_ior\":{\"ior\":2.4},"
+     "\"KHR_materials_transmission\":{\"transmissionFactor\":1}}",
+     [](const Surface& s) { return s.specular_glossiness ? -1 : double(s.ior); }, 2.4f, ""},
     {"ior/0_metal", EXTENSION("KHR_materials_ior", "\"ior\":0"), [](const Surface& s) { return double(s.ior); }, 0,
      "0 or above 10"},
     {"specular/strong",
