@@ -14,6 +14,11 @@ namespace {
 using Color = std::array<float, 3>;
 using extension::require;
 
+/// Perceived brightness of a colour, with the weights of KHR_materials_pbrSpecularGlossiness, appendix.
+float brightness_of(const Color& c) {
+  return std::sqrt(0.299f * c[0] * c[0] + 0.587f * c[1] * c[1] + 0.114f * c[2] * c[2]);
+}
+
 /// Reads textures at the centres of the texels of a larger one, row by row.
 class Rows {
  public:
@@ -145,10 +150,6 @@ void place_maps(Surface& s, bool has_diffuse, bool has_specular, int32_t first) 
 }
 
 }  // namespace
-
-float brightness_of(const Color& c) {
-  return std::sqrt(0.299f * c[0] * c[0] + 0.587f * c[1] * c[1] + 0.114f * c[2] * c[2]);
-}
 
 BaseMetal convert_specular(const Color& diffuse, const Color& specular) {
   const float rest = 1.0f - *std::max_element(specular.begin(), specular.end());

@@ -17,9 +17,6 @@ struct BaseMetal {
   float metallic;
 };
 
-/// Perceived brightness of a colour, with the weights of KHR_materials_pbrSpecularGlossiness, appendix.
-float brightness_of(const std::array<float, 3>& color);
-
 /// The conversion of the appendix of KHR_materials_pbrSpecularGlossiness. That one has the diffuse colour of glTF
 /// before 2.0.1; here base (1 - metallic) = diffuse (1 - max(specular)) (glTF 2.0, appendix B). Colours are linear, in
 /// 0..1.
