@@ -9,7 +9,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup.h"
-#include "texture/bounds/bounds.h"
+#include "texture/oracle/bounds/bounds.h"
 
 namespace {
 

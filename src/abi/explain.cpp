@@ -7,7 +7,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup.h"
-#include "texture/explain/explain.h"
+#include "texture/oracle/explain.h"
 
 namespace {
 

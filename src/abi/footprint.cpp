@@ -4,7 +4,7 @@
 #include "abi/batch.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
-#include "texture/footprint/ray_footprint.h"
+#include "texture/domain/ray_footprint.h"
 
 namespace {
 

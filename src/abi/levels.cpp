@@ -5,8 +5,8 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup.h"
-#include "texture/footprint/lod.h"
-#include "texture/footprint/profile.h"
+#include "texture/domain/lod.h"
+#include "texture/domain/profile.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "texture/direction/direction.h"
-#include "texture/sample.h"
+#include "texture/domain/direction.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::abi {
 

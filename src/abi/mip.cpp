@@ -8,9 +8,9 @@
 #include "abi/handle.h"
 #include "abi/levels.h"
 #include "image/format.h"
-#include "texture/store/mip_build.h"
-#include "texture/store/normal_moments.h"
 #include "texture/store/storage.h"
+#include "texture/table/mip_build.h"
+#include "texture/table/normal_moments.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/levels.h"
-#include "texture/direction/convert.h"
+#include "texture/convert/convert.h"
 #include "texture/store/image_list.h"
 
 namespace {

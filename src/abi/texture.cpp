@@ -8,11 +8,11 @@
 #include "abi/handle.h"
 #include "abi/texture_desc.h"
 #include "image/format.h"
-#include "texture/block/levels.h"
+#include "texture/store/bc/levels.h"
 #include "texture/store/storage.h"
+#include "texture/store/tiles/cache.h"
+#include "texture/store/tiles/regions.h"
 #include "texture/texture.h"
-#include "texture/tile/cache.h"
-#include "texture/tile/regions.h"
 
 namespace {
 

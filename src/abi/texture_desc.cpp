@@ -7,7 +7,7 @@
 #include "image/format.h"
 #include "texture/store/image_list.h"
 #include "texture/store/storage.h"
-#include "texture/tile/cache.h"
+#include "texture/store/tiles/cache.h"
 
 namespace shd::abi {
 namespace {

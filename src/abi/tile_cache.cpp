@@ -4,8 +4,8 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "texture/tile/budget.h"
-#include "texture/tile/cache.h"
+#include "texture/store/tiles/budget.h"
+#include "texture/store/tiles/cache.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "texture/store/storage.h"
-#include "texture/tile/regions.h"
+#include "texture/store/tiles/regions.h"
 
 namespace {
 

@@ -13,7 +13,7 @@ namespace shd::core {
 struct Object;
 
 /// A callback that fills tiles for a call, and may call shd. It lies on the stack of its thread. Only
-/// texture/tile/load.h makes callbacks of this kind.
+/// texture/store/tiles/load.h makes callbacks of this kind.
 struct Callback {
   const Callback* outer = nullptr;  // callback whose call runs this one
   uint64_t number = 0;              // later callbacks have larger numbers; never 0

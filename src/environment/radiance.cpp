@@ -7,7 +7,7 @@
 #include "core/executor.h"
 #include "data/trig.h"
 #include "projection/projection.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::environment {
 namespace {

@@ -8,7 +8,7 @@
 #include "data/trig.h"
 #include "image/format.h"
 #include "projection/projection.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "environment/source.cpp"

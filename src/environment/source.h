@@ -8,7 +8,7 @@
 #include <shd/projection.h>
 
 #include "core/context.h"
-#include "texture/direction/floats.h"
+#include "texture/convert/floats.h"
 
 namespace shd::environment {
 

@@ -6,7 +6,7 @@
 
 #include "material/slot_lookup.h"
 #include "raster/interpolate.h"
-#include "texture/footprint/profile.h"
+#include "texture/domain/profile.h"
 
 namespace shd::film {
 namespace {

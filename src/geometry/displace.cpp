@@ -8,7 +8,7 @@
 #include "geometry/face.h"
 #include "geometry/tangents.h"
 #include "geometry/weld.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::geometry {
 namespace {

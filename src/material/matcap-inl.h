@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "material/model-inl.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();

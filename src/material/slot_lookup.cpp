@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "material/places.h"
-#include "texture/footprint/lod.h"
+#include "texture/domain/lod.h"
 
 namespace shd::material {
 namespace {

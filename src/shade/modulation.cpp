@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "light/projector.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "texture/texture.h"
 
 namespace shd::shade {

@@ -2,7 +2,7 @@
 #include "shade/one_texture.h"
 
 #include "material/slot_lookup.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "texture/store/storage.h"
 
 namespace shd::shade {

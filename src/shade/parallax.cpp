@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 #include "simd/vec3-inl.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {

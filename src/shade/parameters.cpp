@@ -5,7 +5,7 @@
 
 #include "material/places.h"
 #include "shade/program.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::shade {
 namespace {

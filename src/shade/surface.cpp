@@ -7,7 +7,7 @@
 #include "shade/needs.h"
 #include "shade/normals.h"
 #include "shade/tangent_frames.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::shade {
 namespace {

@@ -24,11 +24,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "texture/explain/record.h"
-#include "texture/footprint/block.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
+
+/// Maximum number of lanes of a vector of lookups.
+constexpr size_t kMaxLanes = 16;
 
 /// Operation of an element: one of the first three, and flags.
 enum StreamOp : uint16_t {
@@ -75,6 +76,7 @@ struct Stream : Elements<256> {
 };
 
 struct FilterCall;
+struct Recording;
 
 /// Addresses of the texels of a texture, or of the texels in its cache.
 struct TexelSource {

@@ -9,88 +9,30 @@
 /// Invariants: only update() changes a Texture, and nothing else may use the texture meanwhile. Finite texels give
 ///             finite values for any bits of the input. A result depends on the inputs of its own lane only.
 ///
-/// A lookup is filtered in three steps. A footprint kernel finds the shape of each lookup: level of detail, probes or
-/// ellipse. The filter turns shapes into a stream of quads and texels. The consumer of the texture's format fetches,
-/// decodes and blends the stream. Filters and formats do not depend on each other, so N filters and M formats take
-/// N + M kernels.
+/// A lookup passes four choices, and each is written once. The domain turns coordinates and derivatives into shapes:
+/// level of detail, probes or ellipse. The filter turns shapes into a stream of quads, rows and single texels. The store
+/// places the texels of the stream in memory. The format fetches, decodes and blends them. Domains, filters, stores and
+/// formats do not depend on each other, so they add up and do not multiply.
 ///
-/// sample.cpp -> filter -> footprint -> stream.h -> format -> store
+/// Rooms, each of which may include itself, the files beside this one and the rooms before it (style.includes):
+/// format store table domain filter lookup convert oracle
 ///
-/// | folder     | contents                                                                                     |
-/// |------------|----------------------------------------------------------------------------------------------|
-/// | block/     | compressed blocks: decoders, caches of decoded blocks, places of texels in a cache (decode.h) |
-/// | tile/      | tiles of textures larger than memory: cache, leases, places of texels (tile.h)               |
-/// | store/     | texels and tables in memory: mip levels, ripmaps, summed areas; their builders, their layout |
-/// | footprint/ | shapes of lookups, block by block: levels of detail, probes, ellipses; profiles              |
-/// | filter/    | filters, one in each file; their shared parts: levels, quads, stream sinks, prefetching      |
-/// | format/    | component types, one in each file: fetch and decode; consumers of values and derivatives     |
-/// | direction/ | lookups of textures of directions; conversions between projections                            |
-/// | explain/   | one lookup as its tree of blends, from a consumer that records                               |
-/// | bounds/    | intervals of the values that conforming implementations may return, in doubles              |
+/// | room     | contents                                                                            | contract        |
+/// |----------|-------------------------------------------------------------------------------------|-----------------|
+/// | format/  | component types and blocks: fetch, decode, blend; consumers of streams              | formats.h       |
+/// | store/   | where texels lie: memory, blocks (bc/), tiles (tiles/)                              | storage.h       |
+/// | table/   | builders of mip levels, ripmap levels and sums of areas; creation and updates       | tables.h        |
+/// | domain/  | coordinates to shapes: planes, slices, directions; wraps and folds beyond edges     | block.h         |
+/// | filter/  | filters, one in each file; emitters, sinks and the loop over a batch                | filters-inl.h   |
+/// | lookup/  | one call: swizzle, magnification, choice of kernels                                 | sample.h        |
+/// | convert/ | images of directions in other projections                                           | convert.h       |
+/// | oracle/  | explanations, and bounds of what conforming implementations may return              | explain.h       |
 ///
-/// | file                                         | contents                                                   |
-/// |----------------------------------------------|------------------------------------------------------------|
-/// | sample.h, sample.cpp                         | error bounds; swizzle, magnification, choice of kernels    |
-/// | sampler.cpp                                  | the sampler of a checked desc                              |
-/// | stream.h                                     | the elements of a stream; the interface of consumers       |
-/// | fused.cpp, fused-inl.h                       | hot pairs of a filter and a format, compiled together      |
-/// | fixed.cpp, fixed-inl.h                       | filters in fixed point (SHD_PRECISION_FAST)                |
-/// | kernel_part.h                                | macros that control inlining                               |
-/// | store/storage.h                              | layout of levels; copy of the base level                   |
-/// | store/update.cpp                             | a rectangle of the base rewritten, and its tables rebuilt  |
-/// | store/mip.cpp, mip_slices.cpp, mip_sums.h, halve.h | mip levels: exact averages, in 2D and 3D              |
-/// | store/ripmap.cpp, span.h                     | ripmap levels: averages with a level for each axis         |
-/// | store/summed_area.h                          | sums over rectangles at the origin                         |
-/// | store/mip_build.h, mip_weights.h             | mip levels in the caller's memory; normals, alpha coverage |
-/// | store/normal_moments.h                       | slopes of normal maps, and the squares of the slopes       |
-/// | store/image_list.h                           | the caller's array of images                               |
-/// | store/rows.h                                 | loop over rows on the executor                             |
-/// | store/wrap.h, wrap-inl.h                     | texel coordinates and wrapping: one index, vectors         |
-/// | footprint/block.h                            | blocks: points, levels of detail, probes, ellipses         |
-/// | footprint/shapes-inl.h, places-inl.h         | kernels that fill blocks, in 2D and 3D                     |
-/// | footprint/ellipses.cpp                       | the kernel that fills ellipses                             |
-/// | footprint/lods.cpp, probes.cpp               | the same kernels, called outside of filters                |
-/// | footprint/lod.h, lod-inl.h                   | level of detail                                            |
-/// | footprint/footprint-inl.h                    | axes of the footprint; width and blur                      |
-/// | footprint/profile.h, profile-inl.h           | levels of detail and probes of other texture units         |
-/// | footprint/exact_footprint.h, parallelogram.h | the domain of the integral of SHD_FILTER_EXACT             |
-/// | footprint/ray_footprint.h                    | derivatives from ray differentials and ray cones           |
-/// | filter/filters-inl.h                         | table of filters                                           |
-/// | filter/runner-inl.h                          | loop of a filter over a batch; sinks of its elements       |
-/// | filter/emitter-inl.h                         | elements of streams, as filters emit them to sinks         |
-/// | filter/gathered.h                            | packed copies of some lookups of a block                   |
-/// | filter/prefetch.h                            | prefetches for scattered lookups                           |
-/// | filter/bases-inl.h                           | bases of filters on level 0 and on mip levels              |
-/// | filter/level-inl.h                           | levels of a texture; addresses of texels                   |
-/// | filter/nearest, bilinear, bicubic, mip       | one filter each (.cpp, most with -inl.h)                   |
-/// | filter/trilinear, ripmap, anisotropic, ewa; slices, slices_anisotropic: filters of 3D textures            |
-/// | filter/cubic-inl.h                           | weights of bicubic                                         |
-/// | filter/ellipse-inl.h, walk-inl.h             | ellipses of EWA; walks over wrapped texels                 |
-/// | filter/stochastic.cpp, random-inl.h          | random texels or quads; random numbers                     |
-/// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel, or of a level, by its weight     |
-/// | filter/summed_area.cpp, box-inl.h            | boxes of a summed-area table                               |
-/// | filter/exact.cpp                             | the integral over the footprint, in doubles                |
-/// | filter/fixed_sink-inl.h                      | the sink of filters in fixed point                         |
-/// | filter/magnify.h                             | another filter where a texel is magnified                  |
-/// | format/formats.h, formats-inl.h              | table of formats; their consumers                          |
-/// | format/consume-inl.h, gradient-inl.h         | the consumer of a stream; blends of values, of derivatives |
-/// | format/values.cpp, bordered.cpp              | consumers of values, without and with border colour        |
-/// | format/gradient.cpp, deep_gradient.cpp       | consumers of derivatives in u and v, and in w              |
-/// | format/unorm8, srgb8, unorm16, float16, float32 | one format each (-inl.h)                                |
-/// | format/fixed.h, fixed.cpp, fixed_sums-inl.h  | sums of quads of 8-bit texels in fixed point               |
-/// | format/codec.h                               | texels from and to doubles                                 |
-/// | format/words-inl.h, gather-inl.h             | texels of one or two words; loads of neighbouring texels   |
-/// | direction/direction.h, project.cpp           | points and derivatives of blocks of directions             |
-/// | direction/project-inl.h, filters-inl.h       | kernels of directions, declared                            |
-/// | direction/fold-inl.h, sink-inl.h             | texels beyond edges; the sink that folds quads             |
-/// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
-/// | direction/convert, layout, floats (.cpp)     | conversions of images; faces in images; images as floats   |
-/// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
-/// | bounds/bounds.h, filters.h, probes.cpp       | bounds of lookups; their filters; lines of probes          |
-/// | bounds/model.h, range.h                      | precision of implementations; intervals                    |
-/// | bounds/footprint.h                           | legal levels of detail, axes and numbers of probes         |
-/// | bounds/place.h, cube.h                       | points on levels and on faces of a cube                    |
-/// | bounds/cells.h, plane.h                      | extremes over rectangles of texels; texels of a level      |
+/// | file         | contents                                                                                       |
+/// |--------------|------------------------------------------------------------------------------------------------|
+/// | texture.h    | textures, samplers, lookups and texels                                                         |
+/// | stream.h     | the stream between filters, stores and formats                                                 |
+/// | lanes-inl.h  | vectors of lookups of one target                                                               |
 #pragma once
 
 #include <cstddef>
@@ -103,8 +45,6 @@
 #include "core/allocator.h"
 #include "core/context.h"
 #include "image/format.h"
-#include "texture/block/decode.h"
-#include "texture/tile/tile.h"
 
 namespace shd::texture {
 
@@ -113,6 +53,9 @@ constexpr uint32_t kMaxLevels = 21;  // the base of 2^20 texels of a texture in 
 constexpr uint32_t kMaxLayers = 2048;
 
 constexpr uint32_t kFill = 4;  // channel_source of an output that takes its constant of `fill`
+
+/// Decodes a block into four rows of four texels, whose first texels lie `pitch` bytes apart.
+using DecodeBlock = void (*)(const uint8_t* block, uint8_t* texels, size_t pitch);
 
 /// Blocks of a compressed texture in memory. Indices of texels are those of a texture without blocks.
 struct BlockLayout {
@@ -123,6 +66,30 @@ struct BlockLayout {
   uint32_t borrowed;            // blocks of the borrowed base; 0 if not borrowed
   uint64_t owner;               // number of the texture among the owners of `caches`
   core::CachePool* caches;      // caches of the context; may be null
+};
+
+struct TileSet;
+
+/// Owns the tiles of a texture (store/tiles/tile.h): it leaves its cache, and its source is released.
+class TileSetOwner {
+ public:
+  TileSetOwner() = default;
+  explicit TileSetOwner(TileSet* set) : set_(set) {}
+  TileSetOwner(TileSetOwner&& other) noexcept : set_(other.set_) { other.set_ = nullptr; }
+  TileSetOwner& operator=(TileSetOwner&& other) noexcept {
+    TileSet* const set = set_;
+    set_ = other.set_;
+    other.set_ = set;
+    return *this;
+  }
+  ~TileSetOwner();
+
+  TileSet* operator->() const { return set_; }
+  TileSet& operator*() const { return *set_; }
+  explicit operator bool() const { return set_ != nullptr; }
+
+ private:
+  TileSet* set_ = nullptr;
 };
 
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
@@ -199,6 +166,16 @@ struct Sampler {
   shd_stochastic stochastic;
   shd_missing_tiles missing_tiles;
 };
+
+/// Returns whether lookups outside the image read the border colour on some axis.
+inline bool has_border(const Sampler& sampler) {
+  return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
+}
+/// Returns whether lookups of a texture read it. Directions are never outside.
+inline bool has_border(const Texture& texture, const Sampler& sampler) {
+  if (texture.projection != SHD_PROJECTION_NONE) return false;
+  return has_border(sampler) || (texture.depth != 0 && sampler.wrap_w == SHD_WRAP_BORDER);
+}
 
 /// Copies a sampler and removes width and blur from the copy.
 inline Sampler unwidened(const Sampler& sampler) {

@@ -7,7 +7,7 @@
 
 #include "data/data.h"
 #include "data/vec3.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "volume/volume.h"
 
 namespace shd::volume {

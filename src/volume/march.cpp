@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 
 namespace shd::volume {
 namespace {

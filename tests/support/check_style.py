@@ -76,6 +76,33 @@ def stages_of(root):
     return re.search(r"^`((?:\w+\s+)+\w+)`$", text, re.MULTILINE).group(1).split(), text
 
 
+def rooms_of(root, stage):
+    """The rooms of a stage in their order: the line after "Rooms," in the contract of the stage. Empty if it has none."""
+    contract = root / "src" / stage / f"{stage}.h"
+    match = contract.exists() and re.search(r"^/// Rooms,.*\n/// ([a-z ]+)$", contract.read_text(encoding="utf-8"), re.MULTILINE)
+    return match.group(1).split() if match else []
+
+
+def check_rooms(root, stage, rooms):
+    """Files of a stage with rooms include their own room, earlier rooms and the files beside the contract."""
+    for path in sources(root, [f"src/{stage}"], {".cpp", ".h"}):
+        room = path.parts[2] if len(path.parts) > 3 else None
+        if room is not None and room not in rooms:
+            yield f"{path}: {room} is not a room of src/{stage}/{stage}.h"
+            continue
+        own = rooms.index(room) if room else -1
+        for number, line in numbered_lines(root, path):
+            match = INCLUDE.match(line)
+            parts = match.group(2).split("/") if match and match.group(1) == '"' else []
+            if len(parts) < 3 or parts[0] != stage:
+                continue
+            if parts[1] not in rooms or rooms.index(parts[1]) > own:
+                yield f"{path}:{number}: {room or stage} includes {parts[1]}, a later room"
+    for room in rooms:
+        if not (root / "src" / stage / room).is_dir():
+            yield f"src/{stage}/{stage}.h: no folder {room}"
+
+
 def check_includes(root):
     """Includes in src/ name a stage, and point to the same stage or to an earlier one. Every folder is a stage with a
     row in the table of the tree, and every stage is a folder."""
@@ -85,6 +112,8 @@ def check_includes(root):
             yield f"{CONTRIBUTING}: no folder src/{stage}"
         if f"`src/{stage}/`" not in text:
             yield f"{CONTRIBUTING}: no row of src/{stage}/ in the table of the tree"
+    for stage in stages:
+        yield from check_rooms(root, stage, rooms) if (rooms := rooms_of(root, stage)) else ()
     for path in sources(root, ["src"], {".cpp", ".h"}):
         if path.parts[1] not in stages:
             yield f"{path}: folder is not a stage of {CONTRIBUTING}"

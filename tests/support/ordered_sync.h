@@ -4,7 +4,7 @@
 // from a thread that could go on (Musuvathi and Qadeer, "Iterative Context Bounding for Systematic Testing of
 // Multithreaded Programs" (2007)). Atomics are sequentially consistent. Time stands still: waits have no end.
 //
-// It replaces src/texture/tile/sync.h, in the namespace of the code under test.
+// It replaces src/texture/store/tiles/sync.h, in the namespace of the code under test.
 #pragma once
 
 #include <semaphore.h>

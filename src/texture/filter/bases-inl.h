@@ -10,9 +10,9 @@
 
 #include <hwy/highway.h>
 
-#include "texture/filter/level-inl.h"
+#include "texture/domain/shapes-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/store/level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -14,9 +14,9 @@
 
 #include "simd/math-inl.h"
 #include "simd/round-inl.h"
-#include "texture/footprint/block.h"
-#include "texture/footprint/footprint-inl.h"
-#include "texture/store/wrap-inl.h"
+#include "texture/domain/block.h"
+#include "texture/domain/footprint-inl.h"
+#include "texture/domain/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -17,7 +17,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/store/wrap-inl.h"
+#include "texture/domain/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -11,9 +11,9 @@
 
 #include <hwy/highway.h>
 
-#include "texture/filter/level-inl.h"
+#include "texture/domain/shapes-inl.h"
 #include "texture/filter/walk-inl.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/store/level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

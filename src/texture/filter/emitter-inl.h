@@ -10,9 +10,10 @@
 
 #include <hwy/highway.h>
 
-#include "texture/filter/level-inl.h"
+#include "texture/domain/wrap-inl.h"
+#include "texture/store/level-inl.h"
+#include "texture/store/tiles/lease.h"
 #include "texture/stream.h"
-#include "texture/tile/lease.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

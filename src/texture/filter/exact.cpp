@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "texture/block/levels.h"
-#include "texture/footprint/block.h"
-#include "texture/footprint/exact_footprint.h"
+#include "texture/domain/block.h"
+#include "texture/domain/exact_footprint.h"
+#include "texture/domain/wrap.h"
 #include "texture/format/formats.h"
+#include "texture/store/bc/levels.h"
 #include "texture/store/storage.h"
-#include "texture/store/wrap.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/filter/exact.cpp"

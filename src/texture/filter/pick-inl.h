@@ -13,7 +13,7 @@
 
 #include "simd/round-inl.h"
 #include "texture/filter/cubic-inl.h"
-#include "texture/filter/level-inl.h"
+#include "texture/store/level-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "texture/block/cache.h"
+#include "texture/store/bc/cache.h"
 #include "texture/store/storage.h"
-#include "texture/tile/lease.h"
+#include "texture/store/tiles/lease.h"
 
 namespace shd::texture {
 

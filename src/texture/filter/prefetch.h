@@ -5,7 +5,7 @@
 /// Lookups that are near their neighbours are not prefetched, because prefetches would only cost time.
 #pragma once
 
-#include "texture/footprint/block.h"
+#include "texture/domain/block.h"
 #include "texture/stream.h"
 
 namespace shd::texture {

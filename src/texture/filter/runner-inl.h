@@ -17,14 +17,14 @@
 
 #include <hwy/highway.h>
 
-#include "texture/block/place-inl.h"
+#include "texture/domain/shapes-inl.h"
 #include "texture/filter/emitter-inl.h"
-#include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/store/bc/place-inl.h"
+#include "texture/store/level-inl.h"
+#include "texture/store/tiles/lease.h"
+#include "texture/store/tiles/place-inl.h"
 #include "texture/stream.h"
-#include "texture/tile/lease.h"
-#include "texture/tile/place-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -13,8 +13,8 @@
 
 // The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
 // clang-format off
-#include "texture/footprint/places-inl.h"
-#include "texture/filter/level-inl.h"
+#include "texture/domain/places-inl.h"
+#include "texture/store/level-inl.h"
 #include "texture/filter/prefetch.h"
 #include "texture/filter/runner-inl.h"
 // clang-format on

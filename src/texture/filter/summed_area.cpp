@@ -2,7 +2,7 @@
 // The lanes of a vector are the channels of one lookup, so that the entries of a texel are one load. The cells at its
 // ends divide a box into three columns of three patches. The sum of a patch is a difference of table entries, which is
 // exact for integer entries. It is weighted by the part of its cells that the box covers.
-#include "texture/store/summed_area.h"
+#include "texture/table/summed_area.h"
 
 #include "texture/filter/prefetch.h"
 #include "texture/format/formats.h"
@@ -14,9 +14,9 @@
 #include <hwy/highway.h>
 
 #include "simd/double-inl.h"
+#include "texture/domain/shapes-inl.h"
 #include "texture/filter/box-inl.h"
 #include "texture/filter/filters-inl.h"
-#include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -10,9 +10,9 @@
 
 #include <hwy/highway.h>
 
+#include "simd/kernel_part.h"
 #include "simd/round-inl.h"
-#include "texture/kernel_part.h"
-#include "texture/store/wrap-inl.h"
+#include "texture/domain/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

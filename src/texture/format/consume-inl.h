@@ -36,9 +36,9 @@
 
 #include <hwy/highway.h>
 
+#include "simd/kernel_part.h"
 #include "simd/tail-inl.h"
-#include "texture/footprint/shapes-inl.h"
-#include "texture/store/wrap-inl.h"
+#include "texture/lanes-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -11,9 +11,9 @@
 #include <hwy/highway.h>
 
 #include "simd/tail-inl.h"
-#include "texture/footprint/shapes-inl.h"
 #include "texture/format/fixed_sums-inl.h"
 #include "texture/format/formats-inl.h"
+#include "texture/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

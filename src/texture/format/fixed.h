@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "texture/footprint/block.h"
+#include "texture/stream.h"
 
 namespace shd::texture {
 

@@ -17,9 +17,10 @@
 #include <hwy/highway.h>
 
 #include "simd/integer-inl.h"
-#include "texture/footprint/shapes-inl.h"
+#include "simd/kernel_part.h"
 #include "texture/format/fixed.h"
 #include "texture/format/gather-inl.h"
+#include "texture/lanes-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();

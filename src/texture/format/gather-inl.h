@@ -15,7 +15,7 @@
 #include <hwy/highway.h>
 
 #include "simd/gather-inl.h"
-#include "texture/store/wrap-inl.h"
+#include "texture/lanes-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -58,16 +58,6 @@ inline Region whole(const Texture& texture) {
   return {{0, texture.width}, {0, texture.height}};
 }
 
-/// Returns whether lookups outside the image read the border colour on some axis.
-inline bool has_border(const Sampler& sampler) {
-  return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
-}
-/// Returns whether lookups of a texture read it. Directions are never outside.
-inline bool has_border(const Texture& texture, const Sampler& sampler) {
-  if (texture.projection != SHD_PROJECTION_NONE) return false;
-  return has_border(sampler) || (texture.depth != 0 && sampler.wrap_w == SHD_WRAP_BORDER);
-}
-
 /// Returns the first byte of a texel, which may be borrowed.
 inline const uint8_t* texel_at(const Texture& texture, size_t index) {
   return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
@@ -89,35 +79,10 @@ inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t le
   return row_of(const_cast<Texture&>(texture), layer, level, y);
 }
 
-/// Returns whether shd built the mip levels. Otherwise the texture has none, or the caller gave them.
-inline bool has_built_levels(const Texture& texture) {
-  return texture.tables & SHD_TABLE_MIPMAP && !texture.levels_given;
-}
-
-/// Returns the number of unrounded averages that build_mip_levels() keeps for one layer.
-size_t mip_sums_size(const Texture& texture);
-
-/// Computes the levels 1.. of a layer over a region of the base, from level 0 of the layer (mip.cpp).
-/// Every texel is the average of the base level over its area, in linear light, rounded once to the stored format:
-/// unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
-/// `sums` [mip_sums_size()] holds unrounded averages. Averages over the region are written. Averages over the rest of
-/// the layer are read; an earlier call for the same layer has written them.
-void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
-                      double* sums);
-
 /// Returns the number of images of the base: layers, or slices.
 inline uint32_t image_count(const Texture& texture) {
   return texture.depth != 0 ? texture.depth : texture.layers;
 }
-
-/// Returns the box of all texels of the base of a 3D texture.
-inline Box whole_box(const Texture& texture) {
-  return {{0, texture.width}, {0, texture.height}, {0, texture.depth}};
-}
-
-/// mip_sums_size() and build_mip_levels() of a 3D texture, over a box of the base (mip_slices.cpp).
-size_t slice_sums_size(const Texture& texture);
-void build_slice_levels(const core::Context& context, Texture* texture, const Box& box, double* sums);
 
 /// Returns whether ripmap level (i, j) is the base or level max(i, j) of the texture's mipmap.
 inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
@@ -135,14 +100,6 @@ inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_
 inline const uint8_t* ripmap_row(const Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   return ripmap_row(const_cast<Texture&>(texture), layer, i, j, y);
 }
-
-/// Returns the number of doubles that build_ripmap_levels() needs as scratch.
-size_t ripmap_scratch_size(const core::Context& context, const Texture& texture);
-
-/// Computes the ripmap levels of a layer over a region of the base, from level 0 of the layer (ripmap.cpp). Texels are
-/// averages like those of build_mip_levels(). Reads all columns of the base rows under these texels.
-void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
-                         double* scratch);
 
 /// Texels in the caller's memory.
 struct GivenTexels {

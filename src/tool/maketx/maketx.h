@@ -7,7 +7,7 @@
 /// Invariants: an error is a Failure with a sentence for the user and an exit code; the output appears whole or not at
 ///             all; an interrupted run continues from the folder OUTPUT.part, with the same bits in the end; rows in
 ///             memory are bounded by --memory; only the decoder, a confined process, reads the bytes of the input.
-///             Levels are those of libshd, because texture/store/mip_stream.h adds in the order of its builders.
+///             Levels are those of libshd, because texture/table/mip_stream.h adds in the order of its builders.
 ///
 /// | file        | contents                                             |
 /// |-------------|------------------------------------------------------|

@@ -12,7 +12,7 @@
 
 #include "data/checksum.h"
 #include "io/printable.h"
-#include "texture/store/mip_stream.h"
+#include "texture/table/mip_stream.h"
 #include "tool/failure.h"
 
 namespace {

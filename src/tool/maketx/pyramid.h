@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "texture/store/mip_stream.h"
+#include "texture/table/mip_stream.h"
 
 /// Mip levels of rows that arrive in bands, for any format.
 class Pyramid {

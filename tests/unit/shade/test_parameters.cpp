@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "unit/shade/slot_fixture.h"
 
 namespace shd::tests {

@@ -14,7 +14,7 @@
 #include "core/simd_target.h"
 #include "image/format.h"
 #include "ref/texture_ref.h"
-#include "texture/sample.h"
+#include "texture/lookup/sample.h"
 #include "texture/store/storage.h"
 #include "texture/texture.h"
 

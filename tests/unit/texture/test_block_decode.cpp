@@ -8,9 +8,9 @@
 
 #include "image/format.h"
 #include "ref/block_ref.h"
-#include "texture/block/decode.h"
-#include "texture/block/kernels.h"
-#include "texture/block/partitions.h"
+#include "texture/format/bc/decode.h"
+#include "texture/format/bc/kernels.h"
+#include "texture/format/bc/partitions.h"
 
 namespace {
 

@@ -5,7 +5,8 @@
 
 #include "points.h"
 
-#include "texture/block/levels.h"
+#include "texture/format/bc/decode.h"
+#include "texture/store/bc/levels.h"
 
 namespace {
 

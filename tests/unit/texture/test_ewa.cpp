@@ -4,7 +4,7 @@
 #include "filter_cases.h"
 
 #include "ref/ewa_ref.h"
-#include "texture/explain/explain.h"
+#include "texture/oracle/explain.h"
 
 namespace {
 

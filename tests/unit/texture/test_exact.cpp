@@ -4,7 +4,7 @@
 #include "filter_cases.h"
 
 #include "ref/exact_ref.h"
-#include "texture/footprint/exact_footprint.h"
+#include "texture/domain/exact_footprint.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include "filter_cases.h"
 
 #include "ref/fixed_ref.h"
-#include "texture/footprint/lod.h"
-#include "texture/footprint/probes.h"
+#include "texture/domain/lod.h"
+#include "texture/domain/probes.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include "profiles.h"
 
 #include "ref/least_error_ref.h"
-#include "texture/footprint/lod.h"
-#include "texture/footprint/probes.h"
+#include "texture/domain/lod.h"
+#include "texture/domain/probes.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "filter_cases.h"
 
 #include "ref/footprint_ref.h"
-#include "texture/explain/explain.h"
+#include "texture/oracle/explain.h"
 
 namespace {
 

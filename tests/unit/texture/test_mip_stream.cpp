@@ -7,7 +7,7 @@
 
 #include <shd/shd.h>
 
-#include "texture/store/mip_stream.h"
+#include "texture/table/mip_stream.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "profiles.h"
 
 #include "ref/profile_ref.h"
-#include "texture/footprint/probes.h"
+#include "texture/domain/probes.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // Bits of sampler profiles: rounded weights and levels, unaffected filters, hostile derivatives and texels.
 #include "profiles.h"
 
-#include "texture/footprint/lod.h"
+#include "texture/domain/lod.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "summed_area_fixture.h"
 
 #include "texture/format/formats.h"
-#include "texture/store/summed_area.h"
+#include "texture/table/summed_area.h"
 
 namespace {
 

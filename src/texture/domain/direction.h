@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Lookups of textures of directions. The direction of a lookup and its derivatives become a point of an image and the
+/// derivatives of the point; footprints and filters then are those of 2D textures. Only their sink differs: it folds
+/// quads over the seams of the projection, so that the image continues as the directions do.
+///
+/// Derivatives of the point are not limited: levels, axes and numbers of probes are those of the whole footprint. Only
+/// the places of probes are limited: a line of LAT_LONG is at most one circle, and FoldPoint() cuts distances of more
+/// than one image. The plane of a face of CUBE needs no limit, because it has all directions in front of it. The cost
+/// of a lookup does not grow with its footprint, because max_anisotropy limits probes and ellipses.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/domain/block.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// Parts of a round footprint near a pole of SHD_PROJECTION_LAT_LONG: lookups along its parallel, at most.
+constexpr float kMaxParallel = 16.0f;
+
+/// Largest number of lookups along parallels for all probes of an anisotropic lookup together.
+constexpr float kMaxQuads = 32.0f;
+
+/// Distance of neighbouring lookups along a parallel, at most [texels of the equator]. A bilinear lookup averages about
+/// one texel; with a distance of 1 the error is the same, and lookups in random directions take 1.2 times as long.
+constexpr float kParallelStep = 1.5f;
+
+/// Points of a block of directions.
+struct ProjectedBlock {
+  Lookups points;  // at the columns below; layers are faces
+  alignas(64) float u[kBlock], v[kBlock];
+  /// du/dx, dv/dx, du/dy, dv/dy; du of LAT_LONG as on the equator. Infinite for directions with an infinite change.
+  alignas(64) float step[4][kBlock];
+  alignas(64) uint32_t face[kBlock];
+  /// Width of a parallel of LAT_LONG in (u, v), relative to the equator's: 1 or more; otherwise 1.
+  alignas(64) float stretch[kBlock];
+};
+
+/// Returns whether a filter can read textures of directions.
+constexpr bool filters_directions(shd_filter filter) {
+  return filter == SHD_FILTER_NEAREST || filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_NEAREST_MIP ||
+         filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR || filter == SHD_FILTER_ANISOTROPIC ||
+         filter == SHD_FILTER_EWA;
+}
+
+/// Returns a sampler with the wraps of a projection, without border and without rounded weights.
+Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler);
+
+}  // namespace shd::texture

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// The sink of filters on textures of directions. Texels inside the image pass through; quads at its edges are folded.
+
+#if defined(SHD_TEXTURE_DIRECTION_SINK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_DIRECTION_SINK_INL_H_
+#undef SHD_TEXTURE_DIRECTION_SINK_INL_H_
+#else
+#define SHD_TEXTURE_DIRECTION_SINK_INL_H_
+#endif
+
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+#include "simd/round-inl.h"
+#include "texture/domain/direction.h"
+#include "texture/domain/fold-inl.h"
+#include "texture/domain/project-inl.h"
+#include "texture/filter/runner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
+
+class DirectionSink {
+ public:
+  static constexpr bool kTakesLines = false;
+  using D = BatchTag;
+  using V = hn::Vec<D>;
+  using VI = Ints<D>;
+
+  explicit DirectionSink(const FilterCall& call)
+      : stream_(call),
+        projection_(call.texture.projection),
+        layer_texels_(static_cast<int32_t>(call.texture.layer_texels)),
+        is_disc_(projection_ == SHD_PROJECTION_MIRROR_BALL || projection_ == SHD_PROJECTION_ANGULAR) {}
+
+  HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
+  static constexpr bool has_rates() { return false; }
+  static constexpr bool bordered() { return false; }
+
+  void begin(size_t first, bool scattered) { stream_.begin(first, scattered); }
+  void flush() { stream_.flush(); }
+  HWY_INLINE void finish() { stream_.finish(); }
+
+  /// Begins a vector of lookups. `blur`: part of a texel's stretch that the lookups average, 0..1. `most`: the largest
+  /// number of quads in place of one.
+  HWY_INLINE void place(D d, const ProjectedBlock& points, size_t i, V blur, V most) {
+    most_ = most;
+    face_ = hn::BitCast(hn::RebindToSigned<D>(), hn::Load(hn::RebindToUnsigned<D>(), points.face + i));
+    stretch_ = (hn::Load(d, points.stretch + i) - hn::Set(d, 1.0f)) * blur;
+    stretched_ = !hn::AllTrue(d, hn::Le(stretch_, hn::Set(d, kParallelStep - 1.0f)));
+  }
+
+  template <class... AnyShare>
+  HWY_INLINE void texel(D d, uint32_t op, VI index, MaskOf<D> in, const AnyShare&... share) {
+    stream_.texel(d, op, index, in, share...);
+  }
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, VI x, VI y, MaskOf<D> in) {
+    stream_.texel(d, op, level, x, y, in);
+  }
+  HWY_INLINE void merge(D d, V share) { stream_.merge(d, share); }
+
+  HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, V u, V v) {
+    quad(d, op, level, u, v, hn::Set(d, 1.0f));
+  }
+  HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
+    if (HWY_UNLIKELY(stretched_)) return along_parallel(d, op, level, u, v, share);
+    one_quad(d, op, level, u, v, share);
+  }
+
+  /// Index of the texel whose direction is that of the centre of texel (x, y), which may lie outside the image.
+  HWY_INLINE VI folded(D d, const Level<D>& level, V x, V y) const {
+    const V zero = hn::Zero(d);
+    auto inside = hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, level.across.real)),
+                          hn::And(hn::Ge(y, zero), hn::Lt(y, level.down.real)));
+    if (is_disc_) {
+      const V last = level.across.real - hn::Set(d, 1.0f), p = x + x - last, q = y + y - last;
+      inside = hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
+    }
+    if (HWY_LIKELY(hn::AllTrue(d, inside))) return index_of(d, level, {x, y, face_});
+    return folded_at_edge(d, level, x, y, inside);
+  }
+
+ private:
+  /// Points of a level before the fold.
+  struct Taps {
+    V x, y;  // first column and first row, whole numbers
+    V s, t;
+    VI face;
+  };
+
+  HWY_INLINE static Taps TapsAt(D d, const Level<D>& level, V u, V v, VI face) {
+    const V half = hn::Set(d, 0.5f), below_one = hn::Set(d, 0x1.fffffep-1f);
+    const V x = u * level.across.real - half, y = v * level.down.real - half;
+    const V left = RoundDown(x), top = RoundDown(y);
+    return {left, top, hn::Min(x - left, below_one), hn::Min(y - top, below_one), face};
+  }
+
+  /// Lanes whose four texels lie inside the image.
+  HWY_INLINE MaskOf<D> are_inside(D d, const Level<D>& level, const Taps& taps) const {
+    const V two = hn::Set(d, 2.0f), zero = hn::Zero(d);
+    const auto across = hn::And(hn::Ge(taps.x, zero), hn::Le(taps.x, level.across.real - two));
+    const auto down = hn::And(hn::Ge(taps.y, zero), hn::Le(taps.y, level.down.real - two));
+    const auto inside = hn::And(across, down);
+    if (HWY_LIKELY(!is_disc_)) return inside;
+    // The texel farthest from the centre lies in the disc.
+    const V last = level.across.real - hn::Set(d, 1.0f);
+    const V p = hn::Max(last - (taps.x + taps.x), (taps.x + taps.x) + two - last);
+    const V q = hn::Max(last - (taps.y + taps.y), (taps.y + taps.y) + two - last);
+    return hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
+  }
+
+  HWY_INLINE VI index_of(D, const Level<D>& level, const FoldedTexel<D>& texel) const {
+    const hn::RebindToSigned<D> di;
+    return (texel.face - face_) * hn::Set(di, layer_texels_) + RowIndex(D(), level, ToInt(texel.y)) + ToInt(texel.x);
+  }
+
+  HWY_INLINE void one_quad(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
+    const Taps taps = TapsAt(d, level, u, v, face_);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, are_inside(d, level, taps)))) return at_edge(d, op, level, u, v, share);
+    const hn::RebindToSigned<D> di;
+    const auto in = hn::Eq(u, u);
+    const VI x = ToInt(taps.x), y = ToInt(taps.y), one = hn::Set(di, 1);
+    const LinearTaps<D> across = {taps.s, u, x, x + one, in, in}, down = {taps.t, v, y, y + one, in, in};
+    stream_.quad(d, op, level, across, down, share);
+  }
+
+  HWY_NOINLINE VI folded_at_edge(D d, const Level<D>& level, V x, V y, MaskOf<D> inside) const {
+    const V zero = hn::Zero(d), half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
+    const V width = level.across.real, height = level.down.real;
+    const FoldedPoint<D> point = FoldPoint(d, projection_, (x + half) / width, (y + half) / height, face_);
+    FoldedTexel<D> texel = {hn::Min(RoundDown(point.u * width), width - one),
+                            hn::Min(RoundDown(point.v * height), height - one), point.face};
+    if (is_disc_) texel = FoldDisc(d, x, y, width, face_);
+    return index_of(
+        d, level,
+        {hn::IfThenElse(inside, x, hn::Max(texel.x, zero)), hn::IfThenElse(inside, y, hn::Max(texel.y, zero)),
+         hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), inside), face_, texel.face)});
+  }
+
+  /// The quad of lookups that may touch an edge, in any lane.
+  HWY_NOINLINE void at_edge(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    FoldedPoint<D> at = {u, v, face_};
+    const auto beside = hn::Or(hn::Or(hn::Lt(u, zero), hn::Gt(u, one)), hn::Or(hn::Lt(v, zero), hn::Gt(v, one)));
+    const auto outside = is_disc_ ? hn::Eq(u, u) : beside;  // FoldPoint() keeps points inside the disc
+    if (!hn::AllFalse(d, outside)) {
+      const FoldedPoint<D> inner = FoldPoint(d, projection_, u, v, face_);
+      at = {hn::IfThenElse(outside, inner.u, u), hn::IfThenElse(outside, inner.v, v),
+            hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), outside), inner.face, face_)};
+    }
+    const Taps taps = TapsAt(d, level, at.u, at.v, at.face);
+    if (projection_ == SHD_PROJECTION_LAT_LONG) return at_pole(d, op, level, at.u, taps, share);
+    if (projection_ == SHD_PROJECTION_CUBE) return at_corner(d, op, level, taps, share);
+    VI index[4];
+    fold_quad(d, level, taps, index);
+    stream_.quad_of(d, op, index, taps.s, taps.t, share);
+  }
+
+  HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, VI (&index)[4]) const {
+    const V one = hn::Set(d, 1.0f);
+    for (int k = 0; k < 4; ++k) {
+      const V x = k % 2 ? taps.x + one : taps.x, y = k / 2 ? taps.y + one : taps.y;
+      index[k] = index_of(d, level, Fold(d, projection_, level, x, y, taps.face));
+    }
+  }
+
+  /// A share without the mark of kReplace.
+  HWY_INLINE static V Plain(D d, V share) { return hn::Min(share, hn::Set(d, 1.0f)); }
+
+  /// LAT_LONG. A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its
+  /// columns lie between those of the row.
+  HWY_INLINE void at_pole(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps, V share) {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V last = level.down.real - one;
+    const auto north = hn::Lt(taps.y, zero), pole = hn::Or(north, hn::Ge(taps.y, last));
+    VI index[4];
+    fold_quad(d, level, taps, index);
+    if (hn::AllFalse(d, pole)) return stream_.quad_of(d, op, index, taps.s, taps.t, share);
+    // Both rows of the quad are the row beside the pole: first with this meridian, then with the opposite one.
+    const V opposite = hn::IfThenElseZero(pole, hn::IfThenElse(north, one - taps.t, taps.t));
+    const V plain = (op & kHow) == kStart ? one : Plain(d, share);
+    const auto whole = hn::Gt(share, one);
+    const V first = plain * (one - opposite) / (one - plain * opposite);
+    stream_.quad_of(d, op, index, taps.s, taps.t, hn::IfThenElse(whole, share, first));
+    const V turned = u + half;
+    Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
+    other.y = taps.y;
+    fold_quad(d, level, other, index);
+    stream_.quad_of(d, kBlend | (op & kSecond), index, other.s, taps.t, plain * opposite);
+  }
+
+  /// CUBE. The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
+  /// functional specification, 7.18.12): the average of the three is a row in place of the quad.
+  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, V share) {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.across.real - one;
+    VI index[4];
+    fold_quad(d, level, taps, index);
+    const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, last);
+    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last);
+    const auto corner = hn::And(hn::Or(left, right), hn::Or(top, bottom));
+    if (HWY_LIKELY(hn::AllFalse(d, corner))) return stream_.quad_of(d, op, index, taps.s, taps.t, share);
+    const uint32_t how = op & kHow;
+    stream_.quad_of(d, op, index, taps.s, taps.t, how == kStart ? share : hn::IfThenZeroElse(corner, share));
+    // Texels and weights in the order: on the face, beside it across, beside it down. The fourth is missing. A face of
+    // one texel is beside itself on both sides; its left and top neighbours then count.
+    const hn::RebindToSigned<D> di;
+    const auto swap_x = hn::RebindMask(di, left), swap_y = hn::RebindMask(di, top);
+    const auto pick = [&](VI a, VI b, VI c, VI e) SHD_INLINE_LAMBDA {
+      return hn::IfThenElse(swap_y, hn::IfThenElse(swap_x, e, c), hn::IfThenElse(swap_x, b, a));
+    };
+    const V s = hn::IfThenElse(left, one - taps.s, taps.s), t = hn::IfThenElse(top, one - taps.t, taps.t);
+    const V third = s * t * hn::Set(d, 1.0f / 3.0f);
+    const V own = (one - s) * (one - t) + third, across = s * (one - t) + third, down = (one - s) * t + third;
+    Row<D> row;
+    row.level = nullptr;
+    row.first = hn::Zero(di);
+    row.column[0] = pick(index[0], index[1], index[2], index[3]);
+    row.column[1] = pick(index[1], index[0], index[3], index[2]);
+    row.column[2] = pick(index[2], index[3], index[0], index[1]);
+    row.column[3] = row.column[0];
+    row.share[0] = across / (own + across);
+    row.share[1] = down;
+    row.share[2] = zero;
+    for (int k = 0; k < 4; ++k) row.in[k] = hn::Eq(s, s);
+    for (int k = 0; k < 3; ++k) row.rate[k] = zero;
+    row.neighbours = false;
+    const V replaced = how == kStart ? hn::Set(d, kWhole) : share;
+    stream_.row(d, (how == kStart ? uint32_t{kReplace} : how) | (op & kSecond), row,
+                hn::IfThenElseZero(corner, replaced));
+  }
+
+  /// LAT_LONG near a pole: texels are narrower than they are high. Quads along the parallel together are as wide as a
+  /// texel on the equator.
+  HWY_NOINLINE void along_parallel(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
+    const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V extent = hn::Min(stretch_, level.across.real);  // [texels]
+    const V count = hn::Max(hn::Min(RoundUp((extent + one) * hn::Set(d, 1.0f / kParallelStep)), most_), one);
+    const auto single = hn::Eq(count, one);
+    const V width = extent / level.across.real, step = width / count, begin = u - half * width;
+    const float steps = hn::GetLane(hn::MaxOfLanes(d, count));
+    const V plain = (op & kHow) == kStart ? one : Plain(d, share);
+    for (float k = 0.0f; k < steps; k += 1.0f) {
+      const V place = begin + (hn::Set(d, k) + half) * step, fraction = place - RoundDown(place);
+      const V part = plain / (count * (one - plain) + plain * hn::Set(d, k + 1.0f));
+      const V first = hn::IfThenElse(hn::Or(single, hn::Gt(share, one)), share, part);
+      const V later = hn::IfThenElseZero(hn::Lt(hn::Set(d, k), count), part);
+      one_quad(d, k == 0.0f ? op : kBlend | (op & kSecond), level, hn::IfThenElse(single, u, fraction), v,
+               k == 0.0f ? first : later);
+    }
+  }
+
+  StreamSink stream_;
+  const shd_projection projection_;
+  const int32_t layer_texels_;
+  const bool is_disc_;
+  bool stretched_ = false;
+  VI face_ = hn::Zero(hn::RebindToSigned<D>());
+  V stretch_ = hn::Zero(D()), most_ = hn::Zero(D());
+};
+
+/// Part of the footprint that is stretched along the parallel: none where the lookup is not minified.
+template <class D>
+HWY_INLINE hn::Vec<D> BlurOf(D d, const PointBlock&, size_t) {
+  return hn::Zero(d);
+}
+template <class D>
+HWY_INLINE hn::Vec<D> BlurOf(D d, const LodBlock& block, size_t i) {
+  return hn::Min(hn::Max(hn::Load(d, block.lod + i), hn::Zero(d)), hn::Set(d, 1.0f));
+}
+
+/// Quads along a parallel in place of one: fewer for each probe of a line.
+template <class D>
+HWY_INLINE hn::Vec<D> MostOf(D d, const PointBlock&, size_t) {
+  return hn::Set(d, kMaxParallel);
+}
+template <class D>
+HWY_INLINE hn::Vec<D> MostOf(D d, const ProbeBlock& block, size_t i) {
+  return hn::Min(RoundDown(hn::Set(d, kMaxQuads) / hn::Load(d, block.probes + i)), hn::Set(d, kMaxParallel));
+}
+
+/// The block that FindShapes() fills.
+template <class Block>
+HWY_INLINE auto ShapesOf(Block* block) {
+  using Shapes = std::conditional_t<std::is_base_of_v<EllipseBlock, Block>, EllipseBlock, Block>;
+  return static_cast<Shapes*>(block);
+}
+
+/// Brings the shapes of LAT_LONG from the equator to their parallels.
+inline void StretchShapes(const ProjectedBlock&, const Texture&, PointBlock*) {}
+inline void StretchShapes(const ProjectedBlock& points, const Texture&, ProbeBlock* block) {
+  const BatchTag d;
+  for (size_t i = 0; i < block->count; i += hn::Lanes(d)) {
+    const auto limit = hn::Set(d, 0.5f) / hn::Load(d, block->probes + i);  // together one circle
+    const auto step = hn::Load(d, block->step_u + i) * hn::Load(d, points.stretch + i);
+    hn::Store(hn::Min(hn::Max(step, hn::Neg(limit)), limit), d, block->step_u + i);
+  }
+}
+
+/// Runs a filter over a batch of directions; a RunFilter.
+template <class Filter>
+HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
+  const BatchTag d;
+  const Sampler sampler = sampler_of_directions(given.texture, given.sampler);
+  const FilterCall call = {given.texture, sampler,      given.in,        given.out,
+                           given.format,  given.record, given.recording, given.blocks};
+  const Filter filter(call.texture, call.sampler);
+  const bool lat_long = call.texture.projection == SHD_PROJECTION_LAT_LONG;
+  ProjectedBlock points;
+  typename Filter::Block block;
+  DirectionSink sink(call);
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < call.in.count; first += kBlock) {
+    nonfinite += ProjectLookups(call.texture, block_of(call.in, first), &points);
+    FindShapes(call.texture, call.sampler, points.points, ShapesOf(&block));
+    if (lat_long) StretchShapes(points, call.texture, &block);
+    sink.begin(first, Filter::is_scattered(call.texture, block));
+    for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+      sink.place(d, points, i, BlurOf(d, block, i), MostOf(d, block, i));
+      filter.emit(d, block, i, sink);
+    }
+    sink.flush();
+  }
+  return nonfinite;
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_DIRECTION_SINK_INL_H_

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Dispatch of a lookup to the kernels of its filter and format on one target; the swizzle of the results.
+#include "texture/lookup/sample.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/simd_narrow.h"
+#include "core/status.h"
+#include "texture/lookup/coarser.h"
+#include "texture/lookup/magnify.h"
+#include "texture/store/bc/cache.h"
+#include "texture/store/tiles/lease.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/lookup/sample.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/directions-inl.h"
+#include "texture/filter/filters-inl.h"
+#include "texture/format/formats-inl.h"
+#include "texture/format/record-inl.h"
+#include "texture/lookup/fixed-inl.h"
+#include "texture/lookup/fused-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+RunFilter FilterOf(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return run;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return nullptr;
+}
+
+RunFilter SliceFilterOf(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run) \
+  case name: return run;
+    SHD_TEXTURE_SLICE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    default: return nullptr;
+  }
+}
+
+/// Kernels of a 3D texture. kDeep: derivatives in w.
+void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
+  Kernels& kernels = *out;
+  kernels.run = SliceFilterOf(sampler.filter);
+  kernels.format.values = has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
+  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+  if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(texture.component);
+  if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
+}
+
+/// Returns whether streams of a texture are placed in a cache before they are consumed.
+bool is_placed(const Texture& texture) {
+  return has_blocks(texture) || has_tiles(texture);
+}
+
+/// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup. They are
+/// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
+void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
+  if (HWY_UNLIKELY(texture.depth != 0)) return FindSliceKernels(texture, sampler, gradient, out);
+  const image::Component component = texture.component;
+  const bool bordered = has_border(sampler);
+  Kernels& kernels = *out;
+  if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
+    kernels.run = DirectionFilterOf(sampler.filter);
+    kernels.format.values = ValuesOf(component);
+    kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+    return;
+  }
+  kernels.run = FilterOf(sampler.filter);
+  kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
+  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+  if (gradient != Gradient::kNone) {
+    kernels.format.gradient = GradientOf(component);
+  } else if (!bordered && !is_placed(texture)) {
+    kernels.fused = FusedOf(sampler.filter, component);
+  }
+  if (sampler.precision == SHD_PRECISION_FAST && !is_placed(texture)) {
+    kernels.format.fixed = FixedOf(component);
+    if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(FindKernels);
+
+/// Returns whether every output is the stored channel of its number, as those of textures of four channels usually are.
+bool is_stored_as_read(const Texture& texture) {
+  constexpr uint32_t kSame[4] = {0, 1, 2, 3};
+  return std::memcmp(texture.channel_source, kSame, sizeof kSame) == 0;
+}
+
+/// Returns the wanted columns of the stored channels. Column 4 k + c holds values of the stored channel c (k = 0) or
+/// their derivatives in u (k = 1) or v (k = 2).
+Texels stored_columns(const Texture& texture, const Texels& out) {
+  Texels stored = {};
+  stored.coarser = out.coarser;
+  for (size_t i = 0; i < kOutputColumns; ++i) {
+    const uint32_t source = texture.channel_source[i % 4];
+    if (source == kFill) continue;
+    float*& column = stored.column(i / 4 * 4 + source);
+    if (!column) column = out.column(i);
+  }
+  return stored;
+}
+
+Texels without_values(Texels columns) {
+  for (float*& channel : columns.channel) channel = nullptr;
+  return columns;
+}
+Texels without_gradient(Texels columns) {
+  for (size_t i = 4; i < kOutputColumns; ++i) columns.column(i) = nullptr;
+  return columns;
+}
+
+/// Writes the columns that stored_columns() left out: constants, and copies of other columns.
+void complete_columns(const Texture& texture, const Texels& stored, size_t count, const Texels& out) {
+  for (size_t i = 0; i < kOutputColumns; ++i) {
+    if (!out.column(i)) continue;
+    const uint32_t source = texture.channel_source[i % 4];
+    if (source == kFill) {
+      std::fill_n(out.column(i), count, i < 4 ? texture.fill[i] : 0.0f);
+      continue;
+    }
+    const float* column = stored.column(i / 4 * 4 + source);
+    if (column != out.column(i)) std::memcpy(out.column(i), column, count * sizeof(float));
+  }
+}
+
+Texels of_columns(const Texels& columns, size_t first, size_t end) {
+  Texels some = {};
+  for (size_t i = first; i < end; ++i) some.column(i) = columns.column(i);
+  return some;
+}
+
+/// Filters the stored channels. `wanted` holds their columns. `blocks`, `tiles`: see FilterCall.
+size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks,
+                     TileCall* tiles = nullptr) {
+  const bool gradient = wanted.wants_gradient();
+  const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
+  Kernels kernels = {};
+  const auto find_kernels = [&](Gradient kind) {
+    HWY_DISPATCH_TABLE(FindKernels)[target](texture, sampler, kind, &kernels);
+  };
+  if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
+    const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
+    find_kernels(Gradient::kDeep);
+    const size_t nonfinite = kernels.run({texture, sampler, lookups, deep, kernels.format, nullptr, nullptr, blocks});
+    if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
+    return sample_stored(texture, sampler, simd, lookups, others, nullptr, blocks);
+  }
+  find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
+  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
+  const auto run = [&](RunFilter filter, const Texels& to) {
+    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording,
+                   blocks, tiles});
+  };
+  if (recording) return run(kernels.run, wanted);
+  if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
+  if (!gradient) return run(kernels.fixed, wanted);
+  if (wanted.wants_values()) run(kernels.fixed, without_gradient(wanted));
+  return run(kernels.run, without_values(wanted));
+}
+/// sample_stored() of a compressed texture. Calls for other textures do not pay for its stack frame.
+[[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                       const Lookups& lookups, const Texels& wanted) {
+  CacheLease lease(texture);
+  return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, lease.cache());
+}
+
+/// sample_stored() of a texture in tiles.
+[[gnu::noinline]] size_t sample_tiles(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                      const Lookups& lookups, const Texels& wanted) {
+  TileCall call(texture);
+  const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
+    call.lookup = 0;
+    call.lookup_end = in.count;
+    call.needed = needed;
+    return sample_stored(texture, with, simd, in, out, nullptr, nullptr, &call);
+  };
+  if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
+    return sample_coarser(texture, sampler, lookups, wanted, filter);
+  if (wanted.coarser) std::fill_n(wanted.coarser, lookups.count, 0u);
+  return filter(sampler, lookups, wanted, nullptr);
+}
+
+size_t sample_any(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& wanted, Recording* recording) {
+  if (HWY_UNLIKELY(has_blocks(texture)) && !recording) return sample_blocks(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(has_tiles(texture))) return sample_tiles(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
+  return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr);
+}
+}  // namespace
+
+size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+              const Texels& out, Recording* recording) {
+  if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
+  if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
+  const Texels stored = stored_columns(texture, out);
+  const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);
+  complete_columns(texture, stored, lookups.count, out);
+  return nonfinite;
+}
+
+shd_filter last_filter() {
+  shd_filter last = SHD_FILTER_NEAREST;
+#define SHD_TEXTURE_LATER(name, run, gradient) last = name > last ? name : last;
+  SHD_TEXTURE_FILTERS(SHD_TEXTURE_LATER)
+#undef SHD_TEXTURE_LATER
+  return last;
+}
+
+bool has_gradient(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return gradient;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return false;
+}
+
+}  // namespace shd::texture
+#endif

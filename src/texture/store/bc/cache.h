@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Decoded blocks. A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows.
+/// Blocks that are neighbours in a row of blocks have neighbouring places. Neighbouring texels are therefore neighbours
+/// in memory, as in a level of a texture without blocks.
+///
+/// A block has one place. The rows of blocks begin at places far apart, by the golden section (Knuth, "The Art of
+/// Computer Programming", volume 3 (1998), 6.4), so that a walk in any direction of a level uses all its places. Levels
+/// alternate between the halves of the cache, so that two adjacent levels of a lookup do not evict each other.
+#pragma once
+
+#include "core/cache_pool.h"
+#include "texture/store/bc/levels.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+struct BlockCache {
+  static constexpr uint32_t kMaxPlaces = 4096;
+  static constexpr uint32_t kSpare = 4 * 256;  // texels of a stream
+  static constexpr uint32_t kMargin = 16;      // texels; rows a power of two apart would alias in the first-level cache
+  static constexpr uint32_t kRowStep = 2531;   // places between rows of blocks: kMaxPlaces times the golden section
+  static constexpr uint32_t kUnused = 0xffffffff;
+  static constexpr uint32_t kAfter = 16;  // entries after those of the places: vectors may read and rewrite them
+
+  uint8_t* texels;
+  uint32_t* block;       // block at each place, or kUnused
+  uint32_t* turn;        // latest stream that reads the place
+  uint32_t places;       // power of two
+  uint32_t pitch;        // texels between rows
+  uint32_t spare;        // first of kSpare texels outside of the places
+  uint32_t now;          // number of the stream that is placed
+  BlockLevel latest[2];  // levels
+
+  /// Returns the place of a block in column x and row y of a level.
+  uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
+    const uint32_t half = places / 2;
+    return ((x + y * kRowStep + level * 307) & (half - 1)) + (level & 1) * half;
+  }
+};
+
+/// The cache of one call: memory of the context's pool, or few places on the stack if the pool has none.
+class CacheLease {
+ public:
+  explicit CacheLease(const Texture& texture);
+  ~CacheLease();
+  CacheLease(const CacheLease&) = delete;
+  CacheLease& operator=(const CacheLease&) = delete;
+
+  BlockCache* cache() { return cache_; }
+
+ private:
+  static constexpr uint32_t kFewPlaces = 16, kLargestTexel = 8;
+  static constexpr size_t kFewBytes =
+      (4 * (4 * kFewPlaces + BlockCache::kMargin) + BlockCache::kSpare) * kLargestTexel + SHD_TEXTURE_PADDING;
+
+  core::CachePool* const pool_;
+  core::CachePool::Lease lease_;
+  BlockCache* cache_;
+  BlockCache few_;
+  uint32_t few_block_[kFewPlaces + BlockCache::kAfter], few_turn_[kFewPlaces + BlockCache::kAfter];
+  alignas(64) uint8_t few_texels_[kFewBytes];
+};
+
+}  // namespace shd::texture

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "texture/store/storage.h"
+#include "texture/store/tiles/lease.h"
+#include "texture/store/tiles/resolve.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/store/tiles/place.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/lanes-inl.h"
+#include "texture/store/tiles/place-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+class TilePlacer {
+  using DI = hn::RebindToSigned<BatchTag>;
+  using VI = hn::Vec<DI>;
+
+ public:
+  TilePlacer(TileCall* call, Stream* stream)
+      : call_(*call),
+        lease_(*call->lease),
+        stream_(*stream),
+        shape_(call->texture.tiles->shape),
+        last_x_((1 << shape_.shift_x) - 1),
+        last_y_((1 << shape_.shift_y) - 1),
+        texel_size_(texel_size(call->texture)) {}
+
+  void place(size_t end) {
+    const size_t lanes = hn::Lanes(DI());
+    WaitingElements apart, waiting;
+    size_t lookup = call_.lookup;
+    lease_.begin_stream();
+    for (size_t e = 0; e < end; ++e) {
+      const uint32_t op = stream_.op[e];
+      const size_t at = e * lanes, left = call_.lookup_end - lookup;
+      if (op & kLast) lookup += lanes;
+      if (op & kMerge) continue;
+      if (HWY_UNLIKELY(left < lanes)) repeat_first(at, left);
+      if (op & kQuad) {
+        if (HWY_UNLIKELY(!place_together(e, at))) apart.add(e);
+      } else if (HWY_UNLIKELY(!(op & kRow ? place_row(e, at) : place_texel(at)))) {
+        waiting.add(e);
+      }
+    }
+    // Their texels have been prefetched.
+    for (size_t i = 0; i < apart.count; ++i) {
+      const size_t e = apart.element[i];
+      if (HWY_UNLIKELY(!place_apart(e, e * lanes))) waiting.add(e);
+    }
+    if (HWY_UNLIKELY(waiting.count != 0)) wait(waiting, end, lanes);
+    call_.lookup = lookup;
+  }
+
+ private:
+  /// A row of texels of a level: the number of its first tile, and its first texel within the tiles.
+  struct TileRow {
+    VI tile, texel;
+  };
+
+  HWY_NOINLINE void wait(const WaitingElements& waiting, size_t end, size_t lanes) {
+    for (size_t i = 0; i < waiting.count; ++i) {
+      uint16_t& op = stream_.op[waiting.element[i]];
+      op = static_cast<uint16_t>(op & ~kNeighbours);
+    }
+    resolve(&call_, waiting, end, lanes, &stream_);
+  }
+
+  /// Lets lanes from `end` on, which have no lookup, read the texels of lane 0.
+  HWY_NOINLINE void repeat_first(size_t at, size_t end) {
+    int32_t* const columns[] = {stream_.index[0], stream_.index[1], stream_.index[2], stream_.index[3],
+                                call_.y[0],       call_.y[1],       call_.first_tile, call_.width};
+    for (int32_t* column : columns) {
+      for (size_t lane = end; lane < hn::Lanes(DI()); ++lane) column[at + lane] = column[at];
+    }
+  }
+
+  HWY_INLINE VI load(const int32_t* values) const { return hn::Load(DI(), values); }
+  HWY_INLINE VI tile_column(VI x) const { return hn::ShiftRightSame(x, static_cast<int>(shape_.shift_x)); }
+  HWY_INLINE VI texel_column(VI x) const { return hn::And(x, hn::Set(DI(), last_x_)); }
+
+  HWY_INLINE VI texel_row(VI y) const {
+    return hn::ShiftLeftSame(hn::And(y, hn::Set(DI(), last_y_)), static_cast<int>(shape_.shift_x));
+  }
+
+  HWY_INLINE TileRow row_at(size_t at, VI y) const {
+    const VI across = tile_column(load(call_.width + at) + hn::Set(DI(), last_x_));
+    const VI down = hn::ShiftRightSame(y, static_cast<int>(shape_.shift_y));
+    return {load(call_.first_tile + at) + down * across, texel_row(y)};
+  }
+
+  /// Returns the tile of a texel of the level of the first lane at `at`.
+  HWY_INLINE uint32_t tile_at(size_t at, int32_t x, int32_t y) const {
+    const int32_t across = (call_.width[at] + last_x_) >> shape_.shift_x;
+    return static_cast<uint32_t>(call_.first_tile[at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
+  }
+
+  /// Returns the memory for copies of texels of an element.
+  HWY_INLINE uint8_t* spare_of(size_t e) const { return lease_.spare_bytes + 4 * e * hn::Lanes(DI()) * texel_size_; }
+
+  HWY_INLINE static bool all_equal(VI a, VI b) { return hn::AllTrue(DI(), hn::Eq(a, b)); }
+
+  /// Returns the index of the first texel of a tile, or -1 if the lease does not keep it and cannot.
+  HWY_INLINE int32_t first_texel_of(uint32_t tile) {
+    const uint32_t entry = TileLease::entry_of(tile);
+    if (HWY_UNLIKELY(lease_.tile[entry] != tile)) {
+      if (!lease_.keep(tile)) return -1;
+    }
+    lease_.turn[entry] = lease_.now;
+    return lease_.first[entry];
+  }
+
+  /// Prefetches the texels of the first and the last lane: those between them are near.
+  HWY_INLINE void prefetch_ends(const int32_t* index) const {
+    __builtin_prefetch(call_.origin + static_cast<size_t>(index[0]) * texel_size_);
+    __builtin_prefetch(call_.origin + static_cast<size_t>(index[hn::Lanes(DI()) - 1]) * texel_size_);
+  }
+
+  /// Writes the tile and the texel within it for resolve().
+  HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row, VI x, VI y) {
+    const DI di;
+    const auto outside = hn::Lt(hn::Or(x, y), hn::Zero(di));
+    hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, call_.wanted[k] + at);
+    hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
+  }
+
+  /// Places texels whose tiles the lease keeps. Returns false and changes nothing if it does not keep them all.
+  HWY_INLINE bool find_kept(VI tile, VI texel, VI* index) const {
+    const DI di;
+    const hn::RebindToUnsigned<DI> du;
+    const auto hash = hn::BitCast(du, tile) * hn::Set(du, 0x9e3779b1u);
+    const VI entry = hn::BitCast(di, hn::ShiftRight<22>(hash));
+    if (!all_equal(hn::GatherIndex(di, reinterpret_cast<const int32_t*>(lease_.tile), entry), tile)) return false;
+    *index = hn::GatherIndex(di, lease_.first, entry) + texel;
+    return true;
+  }
+  HWY_INLINE void mark_read(VI tile) {
+    const DI di;
+    alignas(64) uint32_t tiles[kMaxLanes];
+    hn::Store(hn::BitCast(hn::RebindToUnsigned<DI>(), tile), hn::RebindToUnsigned<DI>(), tiles);
+    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) lease_.turn[TileLease::entry_of(tiles[lane])] = lease_.now;
+  }
+
+  /// Places quads of columns side by side in one tile. Otherwise, prefetches texels and returns false.
+  HWY_INLINE bool place_together(size_t e, size_t at) {
+    const DI di;
+    const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
+    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
+    const int32_t column = stream_.index[0][at], row = call_.y[0][at];
+    // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level, and columns are side by side.
+    const VI x = hn::Set(di, column), y = hn::Set(di, row);
+    const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
+    const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
+    const VI level = hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
+                            load(call_.width + at) ^ hn::Set(di, call_.width[at]));
+    const VI gap = (x1 - x0) ^ hn::Set(di, 1);
+    const VI apart = hn::Or(hn::Or(across, down), hn::Or(level, gap));
+    if (HWY_LIKELY(all_equal(apart, hn::Zero(di)) && (column | row) >= 0)) {
+      const int32_t first = first_texel_of(tile_at(at, column, row));
+      if (HWY_LIKELY(first >= 0)) {
+        const VI texel = hn::Set(di, first) + texel_column(x0);
+        hn::Store(texel + texel_row(y0), di, stream_.index[0] + at);
+        hn::Store(texel + texel_row(y1), di, stream_.index[2] + at);
+        prefetch_ends(stream_.index[0] + at);
+        prefetch_ends(stream_.index[2] + at);
+        stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
+        return true;
+      }
+    }
+    prefetch_apart(at);
+    prefetch_apart(at + hn::Lanes(di) - 1);
+    return false;
+  }
+
+  /// Prefetches the texels of a lane if its tiles are kept.
+  HWY_INLINE void prefetch_apart(size_t at) const {
+    const int32_t x = stream_.index[0][at];
+    if (x < 0) return;
+    for (const auto& row : call_.y) {
+      const int32_t y = row[at];
+      const uint32_t tile = tile_at(at, x, y), entry = TileLease::entry_of(tile);
+      if (y < 0 || lease_.tile[entry] != tile) continue;
+      const int32_t texel = lease_.first[entry] + ((y & last_y_) << shape_.shift_x) + (x & last_x_);
+      __builtin_prefetch(call_.origin + static_cast<size_t>(texel) * texel_size_);
+    }
+  }
+
+  /// Places a quad in several tiles.
+  HWY_NOINLINE bool place_apart(size_t e, size_t at) {
+    const DI di;
+    const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
+    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
+    const TileRow top = row_at(at, y0), bottom = row_at(at, y1);
+    const auto outside = hn::Lt(hn::Or(hn::Or(x0, x1), hn::Or(y0, y1)), hn::Zero(di));
+    if (HWY_LIKELY(hn::AllFalse(di, outside))) {
+      if (all_equal(x1, x0 + hn::Set(di, 1))) {
+        if (stitch(e, at) || place_pairs(e, at, top, bottom, x0)) return true;
+      } else if (place_texels(e, at, top, bottom, x0, x1)) {
+        return true;
+      }
+    }
+    wait_for(0, at, top, x0, y0);
+    wait_for(1, at, top, x1, y0);
+    wait_for(2, at, bottom, x0, y1);
+    wait_for(3, at, bottom, x1, y1);
+    return false;
+  }
+
+  /// Places quads on two rows of texels that cross tiles: both rows are copied without a gap, so that consumers load
+  /// them as they load rows of a level. Returns false and changes nothing if the quads are elsewhere.
+  HWY_INLINE bool stitch(size_t e, size_t at) {
+    const DI di;
+    const int32_t lanes = static_cast<int32_t>(hn::Lanes(di)), *const x = stream_.index[0] + at;
+    const int32_t first = x[0] < x[lanes - 1] ? x[0] : x[lanes - 1], end = x[0] + x[lanes - 1] - first + 2;
+    if (end - first > 2 * lanes) return false;
+    const VI column = load(x) - hn::Set(di, first);
+    const VI range = hn::Min(hn::Max(column, hn::Zero(di)), hn::Set(di, end - first - 2));
+    const VI other = hn::Or(hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
+                                   load(call_.width + at) ^ hn::Set(di, call_.width[at])),
+                            hn::Or(load(call_.y[0] + at) ^ hn::Set(di, call_.y[0][at]),
+                                   load(call_.y[1] + at) ^ hn::Set(di, call_.y[1][at])));
+    if (!all_equal(hn::Or(range ^ column, other), hn::Zero(di))) return false;
+    for (size_t k = 0; k < 2; ++k) {
+      if (!copy_row(at, first, end, call_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
+    }
+    const VI copy = column + hn::Set(di, lease_.spare + static_cast<int32_t>(4 * at));
+    hn::Store(copy, di, stream_.index[0] + at);
+    hn::Store(copy + hn::Set(di, 2 * lanes), di, stream_.index[2] + at);
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
+    return true;
+  }
+
+  /// Copies columns first..end - 1 of a row of the level of lane 0. Returns false if a tile is not at hand.
+  HWY_INLINE bool copy_row(size_t at, int32_t first, int32_t end, int32_t y, uint8_t* to) {
+    const int32_t row = (y & last_y_) << shape_.shift_x;
+    for (int32_t x = first; x < end;) {
+      const int32_t texel = first_texel_of(tile_at(at, x, y));
+      if (texel < 0) return false;
+      const int32_t tile_end = (x | last_x_) + 1, run = (end < tile_end ? end : tile_end) - x;
+      const size_t bytes = static_cast<size_t>(run) * texel_size_;
+      std::memcpy(to, call_.origin + static_cast<size_t>(texel + row + (x & last_x_)) * texel_size_, bytes);
+      to += bytes;
+      x += run;
+    }
+    return true;
+  }
+
+  /// Places quads of columns side by side. Pairs that cross tiles are copied. Returns false if tiles are not at hand.
+  HWY_INLINE bool place_pairs(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0) {
+    const DI di;
+    const VI x1 = x0 + hn::Set(di, 1), column = tile_column(x0);
+    VI index[2], right[2];
+    if (!find_kept(top.tile + column, top.texel + texel_column(x0), &index[0])) return false;
+    if (!find_kept(bottom.tile + column, bottom.texel + texel_column(x0), &index[1])) return false;
+    const auto crosses = hn::Ne(column, tile_column(x1));
+    const bool some_cross = !hn::AllFalse(di, crosses);
+    if (some_cross) {
+      if (!find_kept(top.tile + tile_column(x1), top.texel + texel_column(x1), &right[0])) return false;
+      if (!find_kept(bottom.tile + tile_column(x1), bottom.texel + texel_column(x1), &right[1])) return false;
+    }
+    for (size_t k = 0; k < 2; ++k) {
+      const TileRow& row = k == 0 ? top : bottom;
+      hn::Store(index[k], di, stream_.index[2 * k] + at);
+      mark_read(row.tile + column);
+      if (!some_cross) continue;
+      mark_read(row.tile + tile_column(x1));
+      copy_pairs(e, at, k, hn::IfThenElse(crosses, right[k], hn::Set(di, -1)));
+    }
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
+    return true;
+  }
+
+  /// Copies the pairs of row k whose right texel is at `right`, if it is not negative.
+  HWY_INLINE void copy_pairs(size_t e, size_t at, size_t k, VI right) {
+    alignas(64) int32_t texel[kMaxLanes];
+    hn::Store(right, DI(), texel);
+    const size_t lanes = hn::Lanes(DI());
+    for (size_t lane = 0; lane < lanes; ++lane) {
+      if (texel[lane] < 0) continue;
+      int32_t& index = stream_.index[2 * k][at + lane];
+      const size_t pair = 2 * (k * lanes + lane);
+      uint8_t* const to = spare_of(e) + pair * texel_size_;
+      std::memcpy(to, call_.origin + static_cast<size_t>(index) * texel_size_, texel_size_);
+      std::memcpy(to + texel_size_, call_.origin + static_cast<size_t>(texel[lane]) * texel_size_, texel_size_);
+      index = lease_.spare + static_cast<int32_t>(4 * at + pair);
+    }
+  }
+
+  /// Places the four texels of quads one by one. Returns false if tiles are not at hand.
+  HWY_INLINE bool place_texels(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0, VI x1) {
+    VI index[4];
+    for (size_t k = 0; k < 4; ++k) {
+      const TileRow& row = k < 2 ? top : bottom;
+      const VI x = k % 2 ? x1 : x0;
+      if (!find_kept(row.tile + tile_column(x), row.texel + texel_column(x), &index[k])) return false;
+    }
+    for (size_t k = 0; k < 4; ++k) {
+      const TileRow& row = k < 2 ? top : bottom;
+      hn::Store(index[k], DI(), stream_.index[k] + at);
+      mark_read(row.tile + tile_column(k % 2 ? x1 : x0));
+    }
+    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
+    return true;
+  }
+
+  HWY_INLINE bool place_row(size_t e, size_t at) {
+    const DI di;
+    const VI y = load(call_.y[0] + at);
+    const TileRow row = row_at(at, y);
+    const VI left = load(stream_.index[2] + at), right = load(stream_.index[3] + at);
+    const VI first = row.tile + tile_column(left);
+    if (stream_.op[e] & kNeighbours && all_equal(first, row.tile + tile_column(right))) {
+      VI index;
+      if (find_kept(first, row.texel + texel_column(left), &index)) {
+        mark_read(first);
+        hn::Store(index, di, stream_.index[2] + at);
+        return true;
+      }
+    }
+    for (size_t k = 0; k < 4; ++k) wait_for(k, at, row, load(stream_.index[k] + at), y);
+    return false;
+  }
+
+  HWY_INLINE bool place_texel(size_t at) {
+    const DI di;
+    const VI x = load(stream_.index[0] + at), y = load(call_.y[0] + at);
+    const TileRow row = row_at(at, y);
+    const VI tile = row.tile + tile_column(x);
+    VI index;
+    if (hn::AllFalse(di, hn::Lt(hn::Or(x, y), hn::Zero(di))) && find_kept(tile, row.texel + texel_column(x), &index)) {
+      mark_read(tile);
+      hn::Store(index, di, stream_.index[0] + at);
+      return true;
+    }
+    wait_for(0, at, row, x, y);
+    return false;
+  }
+
+  TileCall& call_;
+  TileLease& lease_;  // until resolve()
+  Stream& stream_;
+  const TileShape shape_;
+  const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
+  const size_t texel_size_;
+};
+
+}  // namespace
+
+void PlaceInTiles(TileCall* call, size_t end, Stream* stream) {
+  TilePlacer(call, stream).place(end);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "texture/store/tiles/regions.h"
+
+#include <cstring>
+
+#include "texture/store/storage.h"
+#include "texture/store/tiles/cache.h"
+
+namespace shd::texture {
+namespace {
+
+/// Rows and columns of tiles that cover a region.
+struct TileRange {
+  uint32_t first;  // number of tile (0, 0) of the level
+  uint32_t across;
+  AxisRange x, y;
+
+  uint64_t size() const { return uint64_t{x.size()} * y.size(); }
+  uint32_t tile(uint64_t i) const {
+    const auto row = static_cast<uint32_t>(i / x.size()), column = static_cast<uint32_t>(i % x.size());
+    return first + (y.first + row) * across + x.first + column;
+  }
+};
+
+TileRange range_of(const Texture& texture, const shd_tile_region& region) {
+  const TileShape shape = texture.tiles->shape;
+  const auto range = [](uint32_t first, uint32_t size, uint32_t shift) {
+    return AxisRange{first >> shift, ((first + size - 1) >> shift) + 1};
+  };
+  const uint32_t width = level_size(texture.width, region.level);
+  return {region.layer * texture.layer_texels + texture.offset[region.level],
+          (width + (1u << shape.shift_x) - 1) >> shape.shift_x, range(region.x, region.width, shape.shift_x),
+          range(region.y, region.height, shape.shift_y)};
+}
+
+bool overlap(const AxisRange& range, uint32_t first, uint32_t size) {
+  return first < range.end && range.first < first + size;
+}
+
+}  // namespace
+
+void load_region(const Texture& texture, const shd_tile_region& region) {
+  const TileRange range = range_of(texture, region);
+  uint32_t tiles[kMaxTileBatch];
+  for (uint64_t i = 0; i < range.size();) {
+    size_t count = 0;
+    while (count < kMaxTileBatch && i < range.size()) tiles[count++] = range.tile(i++);
+    texture.tiles->cache->load(*texture.tiles, tiles, count);
+  }
+}
+
+bool pin_region(const Texture& texture, const shd_tile_region& region) {
+  const TileSet& set = *texture.tiles;
+  const TileRange range = range_of(texture, region);
+  uint64_t pinned = 0;
+  const auto unpin = [&] {
+    while (pinned > 0) set.cache->unpin(set, range.tile(--pinned));
+  };
+  try {
+    for (; pinned < range.size(); ++pinned) {
+      if (set.cache->pin(set, range.tile(pinned))) continue;
+      unpin();
+      return false;
+    }
+  } catch (...) {
+    unpin();
+    throw;
+  }
+  return true;
+}
+
+bool unpin_region(const Texture& texture, const shd_tile_region& region) {
+  const TileSet& set = *texture.tiles;
+  const TileRange range = range_of(texture, region);
+  for (uint64_t i = 0; i < range.size(); ++i) {
+    if (!set.cache->is_pinned(set, range.tile(i))) return false;
+  }
+  for (uint64_t i = 0; i < range.size(); ++i) set.cache->unpin(set, range.tile(i));
+  return true;
+}
+
+void drop_region(const Texture& texture, const shd_tile_region& region) {
+  const uint32_t width = level_size(texture.width, region.level), height = level_size(texture.height, region.level);
+  texture.tiles->cache->drop(*texture.tiles, [&](uint32_t tile) {
+    const shd_tile at = tile_at(texture, tile);
+    if (at.layer != region.layer || at.level < region.level) return false;
+    const AxisRange x = level_range({region.x, region.x + region.width}, width, level_size(texture.width, at.level));
+    const AxisRange y = level_range({region.y, region.y + region.height}, height, level_size(texture.height, at.level));
+    return overlap(x, at.x, at.width) && overlap(y, at.y, at.height);
+  });
+}
+
+void read_level(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out) {
+  TileCache& cache = *texture.tiles->cache;
+  shd_tile_region region = shd_tile_region_default();
+  region.layer = layer;
+  region.level = level;
+  region.width = level_size(texture.width, level);
+  region.height = level_size(texture.height, level);
+  const TileRange range = range_of(texture, region);
+  const size_t size = texel_size(texture), pitch = size << texture.tiles->shape.shift_x;
+  for (uint64_t i = 0; i < range.size(); ++i) {
+    const uint32_t tile = range.tile(i);
+    const shd_tile at = tile_at(texture, tile);
+    TileHold held[kMaxTileBatch];
+    uint32_t loaded = 0;
+    cache.fetch(*texture.tiles, &tile, 1, held, &loaded);
+    for (uint32_t y = 0; y < at.height; ++y) {
+      std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y + y) * out.row_stride + at.x * size,
+                  cache.tile_memory(held[0].slot) + y * pitch, at.width * size);
+    }
+    cache.stop_reading(held[0].slot);
+  }
+}
+
+}  // namespace shd::texture
