@@ -38,14 +38,10 @@ shd_result check_model(const shd_bounds_desc& desc) {
 /// Whether bounds are defined for a texture and a sampler.
 shd_result check_bounded(const texture::Texture& texture, const texture::Sampler& sampler, uint32_t rules) {
   const auto refuse = [](const char* what) { return core::fail(SHD_ERROR_UNSUPPORTED, "%s has no bounds", what); };
-  if (!texture::has_bounds(sampler.filter)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %s has no bounds", filter_name(sampler.filter));
-  }
-  if (texture.depth != 0) return refuse("texture.depth: a 3D texture");
+  SHD_TRY(check_use(texture, sampler, texture::Use::kBounds));
   if (texture.projection != SHD_PROJECTION_NONE && texture.projection != SHD_PROJECTION_CUBE) {
     return refuse("texture.projection: a projection other than CUBE");
   }
-  if (sampler.magnification == SHD_MAGNIFICATION_BICUBIC) return refuse("sampler.magnification: BICUBIC");
   if (sampler.magnification == SHD_MAGNIFICATION_NEAREST && sampler.filter == SHD_FILTER_ANISOTROPIC) {
     return refuse("sampler.magnification: NEAREST of ANISOTROPIC");
   }
@@ -109,7 +105,6 @@ shd_result shd_texture_bounds(const shd_texture* texture, const shd_sampler* sam
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    SHD_TRY(check_resident(*texture_body));
     shd_bounds_desc bounds = shd_bounds_desc_default();
     SHD_TRY(read_desc("bounds", desc, true, &bounds));
     SHD_TRY(check_model(bounds));

@@ -40,8 +40,7 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    SHD_TRY(check_tables(*texture_body, *sampler_body));
-    SHD_TRY(check_resident(*texture_body));
+    SHD_TRY(check_use(*texture_body, *sampler_body, texture::Use::kExplanation));
     Batch<kLookupColumns, 0> batch;
     SHD_TRY(read_lookups(lookups, *texture_body, &batch.in, &batch.count));
     if (index >= batch.count) {
@@ -50,10 +49,6 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
     shd_explanation out = shd_explanation_default();
     SHD_TRY(read_desc("explanation", explanation, false, &out));
     SHD_TRY(check_explanation(out));
-    if (!texture::is_explainable(sampler_body->filter)) {
-      return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d is not a tree of blends",
-                        static_cast<int>(sampler_body->filter));
-    }
     const core::Context& context = *object_of(texture)->context;
     run_element(batch, index, [&](const auto& piece) {
       texture::explain(context, *texture_body, *sampler_body, lookups_of(piece), &out);

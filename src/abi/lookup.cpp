@@ -3,13 +3,16 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
+
+#include <hwy/base.h>
 
 #include "abi/call_in_place.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "texture/domain/direction.h"
+#include "texture/lookup/magnify.h"
 #include "texture/lookup/sample.h"
 
 namespace shd::abi {
@@ -46,25 +49,6 @@ shd_result read_lookups(const shd_lookups* in, const texture::Texture& texture, 
   return check_columns(columns->data(), columns->size(), read.count);
 }
 
-const char* filter_name(shd_filter filter) {
-  switch (filter) {
-    case SHD_FILTER_TRILINEAR: return "TRILINEAR";
-    case SHD_FILTER_NEAREST: return "NEAREST";
-    case SHD_FILTER_BILINEAR: return "BILINEAR";
-    case SHD_FILTER_BICUBIC: return "BICUBIC";
-    case SHD_FILTER_NEAREST_MIP: return "NEAREST_MIP";
-    case SHD_FILTER_BILINEAR_MIP: return "BILINEAR_MIP";
-    case SHD_FILTER_RIPMAP: return "RIPMAP";
-    case SHD_FILTER_SUMMED_AREA: return "SUMMED_AREA";
-    case SHD_FILTER_ANISOTROPIC: return "ANISOTROPIC";
-    case SHD_FILTER_EWA: return "EWA";
-    case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
-    case SHD_FILTER_EXACT: return "EXACT";
-    case SHD_FILTER_MAX_ENUM: break;
-  }
-  return "unknown";
-}
-
 namespace {
 
 const char* profile_name(shd_profile profile) {
@@ -92,22 +76,32 @@ const char* projection_name(shd_projection projection) {
   return "unknown";
 }
 
-/// Whether a sampler has a meaning for 3D textures.
+/// Writes what a texture is: "is 3D", "has projection CUBE", "is in tiles".
+struct TextureKind {
+  char text[64];
+
+  explicit TextureKind(const texture::Texture& texture) {
+    if (texture.projection != SHD_PROJECTION_NONE) {
+      std::snprintf(text, sizeof text, "has projection %s", projection_name(texture.projection));
+    } else {
+      const bool flat = texture.depth == 0;
+      std::snprintf(text, sizeof text, "is %s%s", flat ? "in " : "",
+                    flat ? name_of(store_of(texture)) : name_of(domain_of(texture)));
+    }
+  }
+};
+
+shd_result refuse(const char* field, const char* value, const texture::Texture& texture, texture::Use use,
+                  const char* reason) {
+  const TextureKind kind(texture);
+  if (use == texture::Use::kValues)
+    return core::fail(SHD_ERROR_UNSUPPORTED, "%s: %s, but the texture %s: %s", field, value, kind.text, reason);
+  return core::fail(SHD_ERROR_UNSUPPORTED, "%s: %s has no %s (the texture %s): %s", field, value, name_of(use),
+                    kind.text, reason);
+}
+
+/// Options of samplers that 3D textures do not have.
 shd_result check_slices(const texture::Sampler& sampler) {
-  switch (sampler.filter) {
-    case SHD_FILTER_NEAREST:
-    case SHD_FILTER_BILINEAR:
-    case SHD_FILTER_NEAREST_MIP:
-    case SHD_FILTER_BILINEAR_MIP:
-    case SHD_FILTER_TRILINEAR:
-    case SHD_FILTER_ANISOTROPIC: break;
-    default:
-      return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %s, but the texture is 3D",
-                        filter_name(sampler.filter));
-  }
-  if (sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture is 3D");
-  }
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR && sampler.profile != SHD_PROFILE_EXACT) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "sampler.profile: %s, but the texture is 3D, which needs LEAST_ERROR or EXACT",
@@ -120,16 +114,16 @@ shd_result check_slices(const texture::Sampler& sampler) {
   return SHD_OK;
 }
 
-/// Whether a sampler has a meaning for textures of directions.
-shd_result check_directions(const texture::Sampler& sampler, shd_projection projection) {
-  if (!texture::filters_directions(sampler.filter)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %s, but the texture has projection %s",
-                      filter_name(sampler.filter), projection_name(projection));
-  }
-  if (sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture has projection %s",
-                      projection_name(projection));
-  }
+/// check_use() of the cells of support.h.
+shd_result check_cells(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
+  texture::SupportCell cell = {sampler.filter, domain_of(texture), store_of(texture), use};
+  if (const char* const reason = refusal_of(cell))
+    return refuse("sampler.filter", texture::name_of(sampler.filter), texture, use, reason);
+  const shd_filter near = texture::magnifier(sampler).filter;
+  if (near == sampler.filter) return SHD_OK;
+  cell.filter = near;
+  if (const char* const reason = refusal_of(cell))
+    return refuse("sampler.magnification", texture::name_of(near), texture, use, reason);
   return SHD_OK;
 }
 
@@ -141,17 +135,12 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
                     texture.depth != 0 ? "of 3D" : "of directions");
 }
 
-shd_result check_resident(const texture::Texture& texture) {
-  if (!texture::has_tiles(texture)) return SHD_OK;
-  return core::fail(SHD_ERROR_UNSUPPORTED, "texture: in tiles");
-}
-
-shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
-  if (texture.depth != 0) return check_slices(sampler);
-  if (texture.projection != SHD_PROJECTION_NONE) return check_directions(sampler, texture.projection);
-  if (sampler.filter == SHD_FILTER_EXACT && texture::has_tiles(texture)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: EXACT, but the texture is in tiles");
-  }
+shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
+  // All filters have values in 2D and in memory.
+  const bool common = use == texture::Use::kValues && !needs_w(texture) && !has_tiles(texture) && !has_blocks(texture);
+  if (HWY_UNLIKELY(!common)) SHD_TRY(check_cells(texture, sampler, texture::Use::kValues));
+  if (use != texture::Use::kValues) SHD_TRY(check_cells(texture, sampler, use));
+  if (HWY_UNLIKELY(texture.depth != 0)) SHD_TRY(check_slices(sampler));
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
   }
@@ -200,18 +189,7 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Texture& text
   if (along_w && texture.depth == 0) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
   }
-  if (texture.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: set, but the texture has projection %s",
-                      projection_name(texture.projection));
-  }
-  if (!texture::has_gradient(sampler.filter)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %s of the sampler has no derivatives",
-                      filter_name(sampler.filter));
-  }
-  if (sampler.magnification == SHD_MAGNIFICATION_NEAREST) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: NEAREST magnification has no derivatives");
-  }
-  return SHD_OK;
+  return check_use(texture, sampler, texture::Use::kGradients);
 }
 
 /// Reads the caller's texels. A struct_size of 0 is that of 0.1.
@@ -259,7 +237,7 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    SHD_TRY(check_tables(*texture_body, *sampler_body));
+    SHD_TRY(check_use(*texture_body, *sampler_body, texture::Use::kValues));
     const core::Context& context = *object_of(texture)->context;
     CallInPlace call;
     if (!call.read(lookups, out, texture::needs_w(*texture_body)))

@@ -8,6 +8,7 @@
 #include <shd/lookup.h>
 
 #include "abi/batch.h"
+#include "texture/support.h"
 #include "texture/texture.h"
 
 namespace shd::abi {
@@ -56,16 +57,11 @@ texture::Lookups lookups_of(const Piece<kLookupColumns, kOut>& piece) {
   return lookups;
 }
 
-/// Returns the name of a filter without its prefix.
-const char* filter_name(shd_filter filter);
-
 /// Whether a texture has two coordinates.
 shd_result check_flat(const char* field, const texture::Texture& texture);
 
-/// SHD_ERROR_UNSUPPORTED for a texture in tiles.
-shd_result check_resident(const texture::Texture& texture);
-
-/// Whether the filter has a meaning for the texture, and the texture has the table that the filter needs.
-shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler);
+/// Whether a sampler works with a texture for a use (texture/support.h), and the texture has the table that its filter
+/// reads.
+shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use);
 
 }  // namespace shd::abi

@@ -137,7 +137,8 @@ const Refused kRefused[] = {
      "sampler.magnification: NEAREST of ANISOTROPIC"},
     {"blur", [](auto *, auto *s) { s->blur_v = 0.1f; }, "sampler.blur_u, blur_v"},
     {"level_blend", [](auto *, auto *s) { s->level_blend = 0.5f; }, "sampler.level_blend"},
-    {"depth", [](auto *t, auto *) { t->depth = 4, t->width = t->height = 4; }, "texture.depth: a 3D texture"},
+    {"depth", [](auto *t, auto *) { t->depth = 4, t->width = t->height = 4; },
+     "TRILINEAR has no bounds (the texture is 3D)"},
     {"octahedral", [](auto *t, auto *) { t->projection = SHD_PROJECTION_OCTAHEDRAL; }, "texture.projection"},
 };
 

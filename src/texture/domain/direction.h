@@ -39,13 +39,6 @@ struct ProjectedBlock {
   alignas(64) float stretch[kBlock];
 };
 
-/// Returns whether a filter can read textures of directions.
-constexpr bool filters_directions(shd_filter filter) {
-  return filter == SHD_FILTER_NEAREST || filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_NEAREST_MIP ||
-         filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR || filter == SHD_FILTER_ANISOTROPIC ||
-         filter == SHD_FILTER_EWA;
-}
-
 /// Returns a sampler with the wraps of a projection, without border and without rounded weights.
 Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler);
 

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-/// The run of a filter with filters_directions() (filters.cpp).
+/// The run of a filter on directions, or null (directions.cpp).
 RunFilter DirectionFilterOf(shd_filter filter);
 
 size_t RunEwaDirections(const FilterCall& call);

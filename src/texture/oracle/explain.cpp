@@ -130,10 +130,6 @@ void write_tree(const core::Context& context, const Texture& texture, const Samp
 
 }  // namespace
 
-bool is_explainable(shd_filter filter) {
-  return filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
-}
-
 void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
              shd_explanation* out) {
   const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);

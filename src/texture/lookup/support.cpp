@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "texture/support.h"
+
+#include "texture/texture.h"
+
+namespace shd::texture {
+namespace {
+
+template <class... Values>
+constexpr uint32_t bits(Values... values) {
+  return ((1u << static_cast<uint32_t>(values)) | ... | 0u);
+}
+
+constexpr uint32_t kAny = ~0u;
+
+/// Cells that do not work: filters x domains x stores x uses. The first row that has a cell gives the reason.
+struct Refusal {
+  uint32_t filters, domains, stores, uses;
+  const char* reason;
+};
+
+constexpr Refusal kRefusals[] = {
+    // Stores of a domain.
+    {kAny, kAny, bits(Store::kTilesOfBlocks), kAny, "tiles have texels, not compressed blocks"},
+    {kAny, bits(Domain::kSlices, Domain::kDirections), bits(Store::kTiles), kAny, "tiles are 2D"},
+    {kAny, bits(Domain::kSlices), bits(Store::kBlocks), kAny, "compressed blocks are 2D"},
+    // Filters of a domain.
+    {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
+          SHD_FILTER_EXACT),
+     bits(Domain::kSlices), kAny, kAny, "the filter is 2D"},
+    {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
+     bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
+    // Tables of a store.
+    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), kAny, bits(Store::kBlocks, Store::kTiles), kAny,
+     "the table is built of texels in memory"},
+    {bits(SHD_FILTER_EXACT), kAny, bits(Store::kTiles), kAny, "the filter reads texels in memory"},
+    // Uses.
+    {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_STOCHASTIC), kAny, kAny, bits(Use::kGradients),
+     "its values have steps"},
+    {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kGradients),
+     "it is not a tree of blends with derivatives"},
+    {kAny, bits(Domain::kDirections), kAny, bits(Use::kGradients), "directions have no derivatives"},
+    {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
+    {kAny, kAny, bits(Store::kTiles), bits(Use::kExplanation, Use::kBounds), "its texels may be absent"},
+    {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
+          SHD_FILTER_EXACT),
+     kAny, kAny, bits(Use::kBounds), "no standard defines the filter"},
+    {kAny, bits(Domain::kSlices), kAny, bits(Use::kBounds), "bounds are those of 2D and CUBE"},
+};
+
+}  // namespace
+
+const char* refusal_of(const SupportCell& cell) {
+  for (const Refusal& row : kRefusals) {
+    if (row.filters & bits(cell.filter) && row.domains & bits(cell.domain) && row.stores & bits(cell.store) &&
+        row.uses & bits(cell.use)) {
+      return row.reason;
+    }
+  }
+  return nullptr;
+}
+
+Domain domain_of(const Texture& texture) {
+  if (texture.depth != 0) return Domain::kSlices;
+  return texture.projection != SHD_PROJECTION_NONE ? Domain::kDirections : Domain::kPlane;
+}
+
+Store store_of(const Texture& texture) {
+  if (has_tiles(texture)) return has_blocks(texture) ? Store::kTilesOfBlocks : Store::kTiles;
+  if (has_blocks(texture)) return Store::kBlocks;
+  return texture.borrowed ? Store::kBorrowed : Store::kMemory;
+}
+
+const char* name_of(Domain domain) {
+  constexpr const char* kNames[kDomains] = {"2D", "3D", "directions"};
+  return kNames[static_cast<uint32_t>(domain)];
+}
+
+const char* name_of(Store store) {
+  constexpr const char* kNames[kStores] = {"memory", "borrowed memory", "compressed blocks", "tiles",
+                                           "tiles of compressed blocks"};
+  return kNames[static_cast<uint32_t>(store)];
+}
+
+const char* name_of(Use use) {
+  constexpr const char* kNames[kUses] = {"values", "derivatives", "explanation", "bounds", "fixed point"};
+  return kNames[static_cast<uint32_t>(use)];
+}
+
+const char* name_of(shd_filter filter) {
+  switch (filter) {
+    case SHD_FILTER_TRILINEAR: return "TRILINEAR";
+    case SHD_FILTER_NEAREST: return "NEAREST";
+    case SHD_FILTER_BILINEAR: return "BILINEAR";
+    case SHD_FILTER_BICUBIC: return "BICUBIC";
+    case SHD_FILTER_NEAREST_MIP: return "NEAREST_MIP";
+    case SHD_FILTER_BILINEAR_MIP: return "BILINEAR_MIP";
+    case SHD_FILTER_RIPMAP: return "RIPMAP";
+    case SHD_FILTER_SUMMED_AREA: return "SUMMED_AREA";
+    case SHD_FILTER_ANISOTROPIC: return "ANISOTROPIC";
+    case SHD_FILTER_EWA: return "EWA";
+    case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
+    case SHD_FILTER_EXACT: return "EXACT";
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return "unknown";
+}
+
+}  // namespace shd::texture
