@@ -22,7 +22,7 @@ using namespace shd::abi;
 shd_texture_flags flags_of(const texture::Texture& texture) {
   const shd_texture_flags state = texture.premultiplied ? SHD_TEXTURE_PREMULTIPLIED : SHD_TEXTURE_NONE;
   if (!texture.borrowed) return state;
-  const bool base_only = texture.borrowed_texels <= texture.width * texture.height * texture::image_count(texture);
+  const bool base_only = texture.borrowed_units <= texture.width * texture.height * texture::image_count(texture);
   return state | SHD_TEXTURE_BORROW | (base_only ? 0u : uint32_t{SHD_TEXTURE_BORROW_LEVELS});
 }
 

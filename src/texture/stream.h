@@ -46,6 +46,7 @@ enum StreamOp : uint16_t {
   kNewLine = 128,    // the texel begins a row (hint for prefetching)
   kLast = 256,       // last element of its vector of lookups
   kDeep = 1024,      // as kRated, but the share depends on w alone; its rate in w is in share_rate_u
+  kApart = 2048,     // places only: each texel has a row and an image of its own
 };
 
 /// Share that makes a lane of a kReplace element start with the value.
@@ -66,6 +67,18 @@ struct Elements {
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
+/// Places of the texels of elements, for stores that place streams. Columns are in Elements::index; those of neighbours
+/// follow column 0 of a quad, or column 2 of a row. A column or a row of -1 is the border. Texel k of a quad has the row
+/// k / 2, a row of texels has one row, and all texels are in one image; an element with kApart has a row and an image for
+/// each texel.
+struct StreamPlaces {
+  static constexpr size_t kColumn = Elements<256>::kColumn;
+
+  alignas(64) int32_t y[4][kColumn];
+  alignas(64) int32_t first[4][kColumn];  // first unit of the level of the image (Layout)
+  alignas(64) int32_t width[kColumn];     // width of the level [texels]
+};
+
 /// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache. Prefetched texels have the time of
 /// a buffer to arrive.
 struct Stream : Elements<256> {
@@ -73,6 +86,24 @@ struct Stream : Elements<256> {
 
   size_t elements;  // elements in use, one vector each
   uint16_t op[kMaxElements];
+  StreamPlaces places;  // written if a store places the stream
+
+  /// Returns the row and the image of texel k of element e.
+  size_t row_of(size_t e, size_t k) const { return op[e] & kApart ? k : op[e] & kQuad ? k / 2 : 0; }
+  size_t image_of(size_t e, size_t k) const { return op[e] & kApart ? k : 0; }
+  /// Returns the number of texels of element e.
+  size_t texels_of(size_t e) const { return op[e] & kMerge ? 0 : op[e] & (kQuad | kRow) ? 4 : 1; }
+};
+
+/// Replaces the columns of elements 0..end - 1, which have `lanes` lanes, by indices of texels in the memory of a store.
+/// Clears kNeighbours where columns are not adjacent there.
+using PlaceStream = void (*)(void* state, size_t end, size_t lanes, Stream* stream);
+
+/// How a store places streams. Without `place`, filters write indices themselves.
+struct Placement {
+  PlaceStream place = nullptr;
+  void* state = nullptr;
+  const uint8_t* origin = nullptr;  // texel 0
 };
 
 struct FilterCall;
@@ -112,9 +143,7 @@ struct Consumption {
 /// Consumes elements 0..end - 1.
 using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
-struct BlockCache;
 struct FixedVector;
-struct TileCall;
 
 /// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
 struct FixedKernels {
@@ -141,10 +170,9 @@ struct FilterCall {
   const Lookups& in;
   const Texels& out;
   const FormatKernels& format;
-  Consume record;                // null, or the consumer that replaces those of the format
-  Recording* recording;          // output of `record`, or null
-  BlockCache* blocks = nullptr;  // decoded blocks of a compressed texture; null for others, and for recordings
-  TileCall* tiles = nullptr;     // a call of a texture in tiles; null for others
+  Consume record;        // null, or the consumer that replaces those of the format
+  Recording* recording;  // output of `record`, or null
+  Placement placement;   // of the store
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)
@@ -160,6 +188,7 @@ struct Kernels {
   RunFilter fixed;  // null, or the filter in fixed point, for values without border (fixed.cpp)
   FormatKernels format;
   Consume record;
+  PlaceStream place;  // of the texture's store; null if filters write indices
 };
 
 }  // namespace shd::texture

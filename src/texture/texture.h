@@ -57,15 +57,25 @@ constexpr uint32_t kFill = 4;  // channel_source of an output that takes its con
 /// Decodes a block into four rows of four texels, whose first texels lie `pitch` bytes apart.
 using DecodeBlock = void (*)(const uint8_t* block, uint8_t* texels, size_t pitch);
 
-/// Blocks of a compressed texture in memory. Indices of texels are those of a texture without blocks.
-struct BlockLayout {
-  DecodeBlock decode;           // null: the texture has texels, and nothing else here is set
-  uint32_t size;                // bytes of a block
-  uint32_t offset[kMaxLevels];  // first block of level l, whose rows have ceil(width / 4) blocks
-  uint32_t layer_blocks;        // blocks of all levels of one layer
-  uint32_t borrowed;            // blocks of the borrowed base; 0 if not borrowed
-  uint64_t owner;               // number of the texture among the owners of `caches`
-  core::CachePool* caches;      // caches of the context; may be null
+/// log2 of the width and the height of the units of a store [texels]. A unit is a texel of memory, a block or a tile.
+struct UnitShape {
+  uint32_t shift_x, shift_y;
+};
+
+/// Numbers of units: layer by layer, level by level, slice by slice, row by row. Level l of a layer has
+/// max(1, width >> l) x max(1, height >> l) texels.
+struct Layout {
+  UnitShape unit;
+  uint32_t layer_units;         // units of all levels of one layer
+  uint32_t offset[kMaxLevels];  // first unit of each level
+};
+
+/// Blocks of a compressed texture in memory.
+struct BlockStore {
+  DecodeBlock decode;       // null: the texture has texels, and nothing else here is set
+  uint32_t size;            // bytes of a block
+  uint64_t owner;           // number of the texture among the owners of `caches`
+  core::CachePool* caches;  // caches of the context; may be null
 };
 
 struct TileSet;
@@ -94,22 +104,20 @@ class TileSetOwner {
 
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
 struct Texture {
-  shd_format format;            // stored format: one, two or four channels, or blocks
-  shd_format given_format;      // format of the texels that the texture was made from
-  image::Component component;   // component type of `format`, or of its decoded blocks
-  uint32_t channels;            // channels of `format`, or of its decoded blocks
-  uint32_t channel_source[4];   // stored channel of each output, or kFill
-  float fill[4];                // constant of each output whose source is kFill
-  bool premultiplied;           // outputs r, g and b are multiplied by a
-  uint32_t tables;              // shd_table bits
-  uint32_t width, height;       // size of level 0 [texels]
-  uint32_t layers;              // 1..kMaxLayers
-  uint32_t depth;               // slices of level 0 of a 3D texture; 0 = 2D
-  shd_projection projection;    // directions that coordinates are
-  uint32_t layer_texels;        // texels of all levels of one layer; tiles, if the texture is in tiles
-  uint32_t level_count;         // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];  // first texel of level l, whose size is max(1, width >> l) x max(1, height >> l); or
-                                // the first tile
+  shd_format format;                                // stored format: one, two or four channels, or blocks
+  shd_format given_format;                          // format of the texels that the texture was made from
+  image::Component component;                       // component type of `format`, or of its decoded blocks
+  uint32_t channels;                                // channels of `format`, or of its decoded blocks
+  uint32_t channel_source[4];                       // stored channel of each output, or kFill
+  float fill[4];                                    // constant of each output whose source is kFill
+  bool premultiplied;                               // outputs r, g and b are multiplied by a
+  uint32_t tables;                                  // shd_table bits
+  uint32_t width, height;                           // size of level 0 [texels]
+  uint32_t layers;                                  // 1..kMaxLayers
+  uint32_t depth;                                   // slices of level 0 of a 3D texture; 0 = 2D
+  shd_projection projection;                        // directions that coordinates are
+  uint32_t level_count;                             // 1..kMaxLevels
+  Layout layout;                                    // numbers of texels, blocks or tiles
   uint32_t ripmap_columns, ripmap_rows;             // ripmap levels along each axis, or 0; the size of level (i, j) is
                                                     // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
@@ -118,9 +126,9 @@ struct Texture {
                                 // level if the base is borrowed
   const uint8_t* borrowed;      // the caller's base level, or null
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
-  uint32_t borrowed_texels;  // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed, or blocks
-  BlockLayout blocks;        // layout, if `texels` are compressed blocks
-  TileSetOwner tiles;        // tiles of a texture in tiles, which has neither texels nor a borrowed base
+  uint32_t borrowed_units;      // size of the borrowed base: texels or blocks 0..borrowed_units - 1; 0 if not borrowed
+  BlockStore blocks;            // set if `texels` are compressed blocks
+  TileSetOwner tiles;           // tiles of a texture in tiles, which has neither texels nor a borrowed base
   core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
   uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
   core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double

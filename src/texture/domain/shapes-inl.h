@@ -51,7 +51,7 @@ HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, 
   const hn::RebindToUnsigned<D> du;
   if (!in.layer) return hn::Zero(di);
   const auto layer = hn::Min(hn::LoadU(du, in.layer + i), hn::Set(du, texture.layers - 1));
-  return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layer_texels));
+  return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layout.layer_units));
 }
 
 template <class D>

@@ -39,9 +39,7 @@ struct Bicubic : OnBaseLevel {
     const bool neighbours = hn::AllTrue(di, hn::And(right, hn::Eq(x.index[2], x.index[1] + hn::Set(di, 1))));
     for (int k = 0; k < 4; ++k) {
       Row<D> row;
-      row.level = &base;
       row.y = y.index[kOrder[k]];
-      row.first = RowIndex(d, base, row.y);
       row.neighbours = neighbours;
       for (int c = 0; c < 4; ++c) {
         row.column[c] = x.index[kOrder[c]];
@@ -52,7 +50,7 @@ struct Bicubic : OnBaseLevel {
         row.rate[c] = across.rate[c];
       }
       const int step = k == 0 ? 0 : k - 1;
-      sink.row(d, k == 0 ? kStart : kBlend, row, Share<D>{down.step[step], hn::Zero(d), down.rate[step]});
+      sink.row(d, k == 0 ? kStart : kBlend, base, row, Share<D>{down.step[step], hn::Zero(d), down.rate[step]});
     }
     sink.finish();
   }

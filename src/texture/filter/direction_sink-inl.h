@@ -34,7 +34,7 @@ class DirectionSink {
   explicit DirectionSink(const FilterCall& call)
       : stream_(call),
         projection_(call.texture.projection),
-        layer_texels_(static_cast<int32_t>(call.texture.layer_texels)),
+        layer_units_(static_cast<int32_t>(call.texture.layout.layer_units)),
         is_disc_(projection_ == SHD_PROJECTION_MIRROR_BALL || projection_ == SHD_PROJECTION_ANGULAR) {}
 
   HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
@@ -55,8 +55,9 @@ class DirectionSink {
   }
 
   template <class... AnyShare>
-  HWY_INLINE void texel(D d, uint32_t op, VI index, MaskOf<D> in, const AnyShare&... share) {
-    stream_.texel(d, op, index, in, share...);
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, const TexelPlace<D>& texel, MaskOf<D> in,
+                        const AnyShare&... share) {
+    stream_.texel(d, op, level, texel, in, share...);
   }
   HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, VI x, VI y, MaskOf<D> in) {
     stream_.texel(d, op, level, x, y, in);
@@ -71,8 +72,8 @@ class DirectionSink {
     one_quad(d, op, level, u, v, share);
   }
 
-  /// Index of the texel whose direction is that of the centre of texel (x, y), which may lie outside the image.
-  HWY_INLINE VI folded(D d, const Level<D>& level, V x, V y) const {
+  /// The texel whose direction is that of the centre of texel (x, y), which may lie outside the image.
+  HWY_INLINE TexelPlace<D> folded(D d, const Level<D>& level, V x, V y) const {
     const V zero = hn::Zero(d);
     auto inside = hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, level.across.real)),
                           hn::And(hn::Ge(y, zero), hn::Lt(y, level.down.real)));
@@ -80,7 +81,7 @@ class DirectionSink {
       const V last = level.across.real - hn::Set(d, 1.0f), p = x + x - last, q = y + y - last;
       inside = hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
     }
-    if (HWY_LIKELY(hn::AllTrue(d, inside))) return index_of(d, level, {x, y, face_});
+    if (HWY_LIKELY(hn::AllTrue(d, inside))) return place_of(d, level, {x, y, face_});
     return folded_at_edge(d, level, x, y, inside);
   }
 
@@ -113,9 +114,9 @@ class DirectionSink {
     return hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
   }
 
-  HWY_INLINE VI index_of(D, const Level<D>& level, const FoldedTexel<D>& texel) const {
+  HWY_INLINE TexelPlace<D> place_of(D, const Level<D>& level, const FoldedTexel<D>& texel) const {
     const hn::RebindToSigned<D> di;
-    return (texel.face - face_) * hn::Set(di, layer_texels_) + RowIndex(D(), level, ToInt(texel.y)) + ToInt(texel.x);
+    return {ToInt(texel.x), ToInt(texel.y), (texel.face - face_) * hn::Set(di, layer_units_) + level.offset};
   }
 
   HWY_INLINE void one_quad(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
@@ -128,14 +129,14 @@ class DirectionSink {
     stream_.quad(d, op, level, across, down, share);
   }
 
-  HWY_NOINLINE VI folded_at_edge(D d, const Level<D>& level, V x, V y, MaskOf<D> inside) const {
+  HWY_NOINLINE TexelPlace<D> folded_at_edge(D d, const Level<D>& level, V x, V y, MaskOf<D> inside) const {
     const V zero = hn::Zero(d), half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
     const V width = level.across.real, height = level.down.real;
     const FoldedPoint<D> point = FoldPoint(d, projection_, (x + half) / width, (y + half) / height, face_);
     FoldedTexel<D> texel = {hn::Min(RoundDown(point.u * width), width - one),
                             hn::Min(RoundDown(point.v * height), height - one), point.face};
     if (is_disc_) texel = FoldDisc(d, x, y, width, face_);
-    return index_of(
+    return place_of(
         d, level,
         {hn::IfThenElse(inside, x, hn::Max(texel.x, zero)), hn::IfThenElse(inside, y, hn::Max(texel.y, zero)),
          hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), inside), face_, texel.face)});
@@ -155,16 +156,16 @@ class DirectionSink {
     const Taps taps = TapsAt(d, level, at.u, at.v, at.face);
     if (projection_ == SHD_PROJECTION_LAT_LONG) return at_pole(d, op, level, at.u, taps, share);
     if (projection_ == SHD_PROJECTION_CUBE) return at_corner(d, op, level, taps, share);
-    VI index[4];
-    fold_quad(d, level, taps, index);
-    stream_.quad_of(d, op, index, taps.s, taps.t, share);
+    TexelPlace<D> quad[4];
+    fold_quad(d, level, taps, quad);
+    stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
   }
 
-  HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, VI (&index)[4]) const {
+  HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, TexelPlace<D> (&quad)[4]) const {
     const V one = hn::Set(d, 1.0f);
     for (int k = 0; k < 4; ++k) {
       const V x = k % 2 ? taps.x + one : taps.x, y = k / 2 ? taps.y + one : taps.y;
-      index[k] = index_of(d, level, Fold(d, projection_, level, x, y, taps.face));
+      quad[k] = place_of(d, level, Fold(d, projection_, level, x, y, taps.face));
     }
   }
 
@@ -177,60 +178,55 @@ class DirectionSink {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const V last = level.down.real - one;
     const auto north = hn::Lt(taps.y, zero), pole = hn::Or(north, hn::Ge(taps.y, last));
-    VI index[4];
-    fold_quad(d, level, taps, index);
-    if (hn::AllFalse(d, pole)) return stream_.quad_of(d, op, index, taps.s, taps.t, share);
+    TexelPlace<D> quad[4];
+    fold_quad(d, level, taps, quad);
+    if (hn::AllFalse(d, pole)) return stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
     // Both rows of the quad are the row beside the pole: first with this meridian, then with the opposite one.
     const V opposite = hn::IfThenElseZero(pole, hn::IfThenElse(north, one - taps.t, taps.t));
     const V plain = (op & kHow) == kStart ? one : Plain(d, share);
     const auto whole = hn::Gt(share, one);
     const V first = plain * (one - opposite) / (one - plain * opposite);
-    stream_.quad_of(d, op, index, taps.s, taps.t, hn::IfThenElse(whole, share, first));
+    stream_.quad_of(d, op, level, quad, taps.s, taps.t, hn::IfThenElse(whole, share, first));
     const V turned = u + half;
     Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
     other.y = taps.y;
-    fold_quad(d, level, other, index);
-    stream_.quad_of(d, kBlend | (op & kSecond), index, other.s, taps.t, plain * opposite);
+    fold_quad(d, level, other, quad);
+    stream_.quad_of(d, kBlend | (op & kSecond), level, quad, other.s, taps.t, plain * opposite);
   }
 
   /// CUBE. The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
   /// functional specification, 7.18.12): the average of the three is a row in place of the quad.
   HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.across.real - one;
-    VI index[4];
-    fold_quad(d, level, taps, index);
+    TexelPlace<D> quad[4];
+    fold_quad(d, level, taps, quad);
     const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, last);
     const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last);
     const auto corner = hn::And(hn::Or(left, right), hn::Or(top, bottom));
-    if (HWY_LIKELY(hn::AllFalse(d, corner))) return stream_.quad_of(d, op, index, taps.s, taps.t, share);
+    if (HWY_LIKELY(hn::AllFalse(d, corner))) return stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
     const uint32_t how = op & kHow;
-    stream_.quad_of(d, op, index, taps.s, taps.t, how == kStart ? share : hn::IfThenZeroElse(corner, share));
+    stream_.quad_of(d, op, level, quad, taps.s, taps.t, how == kStart ? share : hn::IfThenZeroElse(corner, share));
     // Texels and weights in the order: on the face, beside it across, beside it down. The fourth is missing. A face of
     // one texel is beside itself on both sides; its left and top neighbours then count.
     const hn::RebindToSigned<D> di;
     const auto swap_x = hn::RebindMask(di, left), swap_y = hn::RebindMask(di, top);
-    const auto pick = [&](VI a, VI b, VI c, VI e) SHD_INLINE_LAMBDA {
+    const auto pick_of = [&](VI a, VI b, VI c, VI e) SHD_INLINE_LAMBDA {
       return hn::IfThenElse(swap_y, hn::IfThenElse(swap_x, e, c), hn::IfThenElse(swap_x, b, a));
+    };
+    const auto pick = [&](size_t a, size_t b, size_t c, size_t e) SHD_INLINE_LAMBDA {
+      return TexelPlace<D>{pick_of(quad[a].x, quad[b].x, quad[c].x, quad[e].x),
+                           pick_of(quad[a].y, quad[b].y, quad[c].y, quad[e].y),
+                           pick_of(quad[a].first, quad[b].first, quad[c].first, quad[e].first)};
     };
     const V s = hn::IfThenElse(left, one - taps.s, taps.s), t = hn::IfThenElse(top, one - taps.t, taps.t);
     const V third = s * t * hn::Set(d, 1.0f / 3.0f);
     const V own = (one - s) * (one - t) + third, across = s * (one - t) + third, down = (one - s) * t + third;
-    Row<D> row;
-    row.level = nullptr;
-    row.first = hn::Zero(di);
-    row.column[0] = pick(index[0], index[1], index[2], index[3]);
-    row.column[1] = pick(index[1], index[0], index[3], index[2]);
-    row.column[2] = pick(index[2], index[3], index[0], index[1]);
-    row.column[3] = row.column[0];
-    row.share[0] = across / (own + across);
-    row.share[1] = down;
-    row.share[2] = zero;
-    for (int k = 0; k < 4; ++k) row.in[k] = hn::Eq(s, s);
-    for (int k = 0; k < 3; ++k) row.rate[k] = zero;
-    row.neighbours = false;
+    const TexelPlace<D> own_texel = pick(0, 1, 2, 3);
+    const TexelPlace<D> row[4] = {own_texel, pick(1, 0, 3, 2), pick(2, 3, 0, 1), own_texel};
+    const RowShares<D> shares = {{across / (own + across), down, zero}, {zero, zero, zero}};
     const V replaced = how == kStart ? hn::Set(d, kWhole) : share;
-    stream_.row(d, (how == kStart ? uint32_t{kReplace} : how) | (op & kSecond), row,
-                hn::IfThenElseZero(corner, replaced));
+    stream_.row_of(d, (how == kStart ? uint32_t{kReplace} : how) | (op & kSecond), level, row, shares,
+                   hn::IfThenElseZero(corner, replaced));
   }
 
   /// LAT_LONG near a pole: texels are narrower than they are high. Quads along the parallel together are as wide as a
@@ -255,7 +251,7 @@ class DirectionSink {
 
   StreamSink stream_;
   const shd_projection projection_;
-  const int32_t layer_texels_;
+  const int32_t layer_units_;
   const bool is_disc_;
   bool stretched_ = false;
   VI face_ = hn::Zero(hn::RebindToSigned<D>());
@@ -306,7 +302,7 @@ HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
   const BatchTag d;
   const Sampler sampler = sampler_of_directions(given.texture, given.sampler);
   const FilterCall call = {given.texture, sampler,      given.in,        given.out,
-                           given.format,  given.record, given.recording, given.blocks};
+                           given.format,  given.record, given.recording, given.placement};
   const Filter filter(call.texture, call.sampler);
   const bool lat_long = call.texture.projection == SHD_PROJECTION_LAT_LONG;
   ProjectedBlock points;

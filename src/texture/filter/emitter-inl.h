@@ -12,7 +12,6 @@
 
 #include "texture/domain/wrap-inl.h"
 #include "texture/store/level-inl.h"
-#include "texture/store/tiles/lease.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,15 +30,24 @@ struct DeepShare {
   hn::Vec<D> value, rate;
 };
 
+/// A texel of an image: its column and its row, and the first unit of the level of the image (Level::offset).
+template <class D>
+struct TexelPlace {
+  Ints<D> x, y, first;
+};
+
+/// Shares of the last three of four texels in their running average, and their derivatives.
+template <class D>
+struct RowShares {
+  hn::Vec<D> share[3], rate[3];
+};
+
 /// Four texels of a row of a level around a point, in the order of columns 1, 2, 0, 3.
 template <class D>
-struct Row {
-  Ints<D> first, column[4];  // index of a texel of the texture, and the distances of the four texels from it
-  Ints<D> y;                 // row of `level`, whose columns are `column`
-  const Level<D>* level;     // null: the texture is not in tiles, and y is not set
+struct Row : RowShares<D> {
+  Ints<D> column[4], y;
   MaskOf<D> in[4];
-  hn::Vec<D> share[3], rate[3];  // shares of the last three texels in their running average, and their derivatives
-  bool neighbours;               // columns are adjacent
+  bool neighbours;  // columns are adjacent
 };
 
 /// Base of sinks, to which filters emit elements. A Sink has these members:
@@ -49,7 +57,7 @@ struct Row {
 ///   finish()       marks the latest element as the last one of its vector of lookups
 ///   sampler()      the sampler
 ///   bordered()     texels may be the border colour
-///   tiles()        null, or the call of a texture in tiles, which takes rows and levels beside the columns
+///   places()       null, or the places of texels, if a store places the stream later
 ///   kTakesLines    takes whole lines of probes with equal weights
 ///   has_rates()    shares need their derivatives
 ///
@@ -61,7 +69,7 @@ class Emitter {
  public:
   Emitter() = default;
   static constexpr bool kTakesLines = false;
-  static constexpr TileCall* tiles() { return nullptr; }
+  static constexpr StreamPlaces* places() { return nullptr; }
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 
@@ -92,11 +100,16 @@ class Emitter {
       hn::Store(y.rate, d, to.rate_t + at);
     }
     op |= kQuad | write_share(d, at, share...);
-    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
-      write_place(d, 0, at, x.i0, x.in0);
-      write_place(d, 1, at, x.i1, x.in1);
-      write_rows(d, at, level, y.i0, y.in0);
+    if (HWY_UNLIKELY(self().places() != nullptr)) {
+      write_row(d, 0, at, y.i0, y.in0);
       write_row(d, 1, at, y.i1, y.in1);
+      write_image(d, 0, at, level.offset, level);
+      const bool adjacent = !self().bordered() && hn::AllTrue(di, hn::Eq(x.i1, x.i0 + hn::Set(di, 1)));
+      write_column(d, 0, at, x.i0, x.in0);
+      if (HWY_LIKELY(adjacent)) return self().commit(d, op | kNeighbours);
+      write_column(d, 1, at, x.i1, x.in1);
+      write_column(d, 2, at, x.i0, x.in0);
+      write_column(d, 3, at, x.i1, x.in1);
       return self().commit(d, op);
     }
     const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
@@ -115,58 +128,64 @@ class Emitter {
     self().commit(d, op);
   }
 
-  /// Emits the quad of four given texels, none of which is the border.
+  /// Emits the quad of four texels of images of one size, none of which is the border.
   template <class D, class... AnyShare>
-  HWY_INLINE void quad_of(D d, uint32_t op, const Ints<D> (&index)[4], hn::Vec<D> s, hn::Vec<D> t,
-                          const AnyShare&... share) {
+  HWY_INLINE void quad_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4], hn::Vec<D> s,
+                          hn::Vec<D> t, const AnyShare&... share) {
     const size_t at = self().add(d);
     auto& to = self().elements();
     hn::Store(s, d, to.s + at);
     hn::Store(t, d, to.t + at);
-    for (size_t k = 0; k < 4; ++k) hn::Store(index[k], hn::RebindToSigned<D>(), to.index[k] + at);
-    self().commit(d, op | kQuad | write_share(d, at, share...));
+    op |= kQuad | write_share(d, at, share...);
+    self().commit(d, op | write_apart(d, at, level, texel));
   }
 
   template <class D, class AnyShare>
-  HWY_INLINE void row(D d, uint32_t op, const Row<D>& row, const AnyShare& share) {
+  HWY_INLINE void row(D d, uint32_t op, const Level<D>& level, const Row<D>& row, const AnyShare& share) {
     const size_t at = self().add(d);
-    auto& to = self().elements();
-    float* const shares[3] = {to.s, to.t, to.r};
-    float* const rates[3] = {to.rate_s, to.rate_t, to.rate_r};
-    for (size_t k = 0; k < 3; ++k) {
-      hn::Store(row.share[k], d, shares[k] + at);
-      if (HWY_UNLIKELY(self().has_rates())) hn::Store(row.rate[k], d, rates[k] + at);
-    }
-    op |= kRow | write_share(d, at, share);
+    op |= kRow | write_row_shares(d, at, row, share);
     const bool neighbours = row.neighbours && !self().bordered();
-    if (HWY_UNLIKELY(self().tiles() != nullptr)) {
-      for (size_t k = 0; k < 4; ++k) write_place(d, k, at, row.column[k], row.in[k]);
-      write_rows(d, at, *row.level, row.y, hn::Eq(row.share[0], row.share[0]));
+    if (HWY_UNLIKELY(self().places() != nullptr)) {
+      for (size_t k = 0; k < 4; ++k) write_column(d, k, at, row.column[k], row.in[k]);
+      write_row(d, 0, at, row.y, hn::Eq(row.share[0], row.share[0]));
+      write_image(d, 0, at, level.offset, level);
       return self().commit(d, neighbours ? op | kNeighbours : op);
     }
+    const auto first = RowIndex(d, level, row.y);
     if (HWY_LIKELY(neighbours)) {
-      hn::Store(row.first + row.column[2], hn::RebindToSigned<D>(), to.index[2] + at);
+      hn::Store(first + row.column[2], hn::RebindToSigned<D>(), self().elements().index[2] + at);
       return self().commit(d, op | kNeighbours);
     }
-    for (size_t k = 0; k < 4; ++k) write_texel(d, k, at, row.first + row.column[k], row.in[k]);
+    for (size_t k = 0; k < 4; ++k) write_texel(d, k, at, first + row.column[k], row.in[k]);
     self().commit(d, op);
+  }
+
+  /// Emits the average of four texels of images of one size, as row() does, none of which is the border.
+  template <class D, class AnyShare>
+  HWY_INLINE void row_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4],
+                         const RowShares<D>& shares, const AnyShare& share) {
+    const size_t at = self().add(d);
+    op |= kRow | write_row_shares(d, at, shares, share);
+    self().commit(d, op | write_apart(d, at, level, texel));
   }
 
   /// Emits the texel of a level.
   template <class D, class... AnyShare>
   HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, Ints<D> x, Ints<D> y, MaskOf<D> in,
                         const AnyShare&... share) {
-    if (HWY_LIKELY(self().tiles() == nullptr)) return texel(d, op, RowIndex(d, level, y) + x, in, share...);
-    const size_t at = self().add(d);
-    write_place(d, 0, at, x, in);
-    write_rows(d, at, level, y, in);
-    self().commit(d, op | write_share(d, at, share...));
+    texel(d, op, level, TexelPlace<D>{x, y, level.offset}, in, share...);
   }
-
   template <class D, class... AnyShare>
-  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const AnyShare&... share) {
+  HWY_INLINE void texel(D d, uint32_t op, const Level<D>& level, const TexelPlace<D>& texel, MaskOf<D> in,
+                        const AnyShare&... share) {
     const size_t at = self().add(d);
-    write_texel(d, 0, at, index, in);
+    if (HWY_UNLIKELY(self().places() != nullptr)) {
+      write_column(d, 0, at, texel.x, in);
+      write_row(d, 0, at, texel.y, in);
+      write_image(d, 0, at, texel.first, level);
+    } else {
+      write_texel(d, 0, at, IndexOf(d, level, texel), in);
+    }
     self().commit(d, op | write_share(d, at, share...));
   }
 
@@ -186,24 +205,55 @@ class Emitter {
     hn::Store(texel, hn::RebindToSigned<D>(), self().elements().index[k] + at);
   }
 
-  /// Write the place of a texel in its level, for a texture in tiles: -1 on the border.
+  /// Write parts of the place of a texel. Texels that are not `in` are the border.
   template <class D>
-  HWY_INLINE void write_place(D, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
+  HWY_INLINE void write_column(D, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
     const hn::RebindToSigned<D> di;
     hn::Store(hn::IfThenElse(hn::RebindMask(di, in), column, hn::Set(di, -1)), di, self().elements().index[k] + at);
   }
   template <class D>
   HWY_INLINE void write_row(D, size_t k, size_t at, Ints<D> y, MaskOf<D> in) {
     const hn::RebindToSigned<D> di;
-    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), y, hn::Set(di, -1)), di, self().tiles()->y[k] + at);
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), y, hn::Set(di, -1)), di, self().places()->y[k] + at);
   }
-  /// Writes the first row of an element, and its level.
   template <class D>
-  HWY_INLINE void write_rows(D d, size_t at, const Level<D>& level, Ints<D> y, MaskOf<D> in) {
+  HWY_INLINE void write_image(D, size_t k, size_t at, Ints<D> first, const Level<D>& level) {
     const hn::RebindToSigned<D> di;
-    write_row(d, 0, at, y, in);
-    hn::Store(level.offset, di, self().tiles()->first_tile + at);
-    hn::Store(level.across.whole, di, self().tiles()->width + at);
+    hn::Store(first, di, self().places()->first[k] + at);
+    hn::Store(level.across.whole, di, self().places()->width + at);
+  }
+
+  /// Writes four texels with rows and images of their own. Returns flags of the element.
+  template <class D>
+  HWY_INLINE uint32_t write_apart(D d, size_t at, const Level<D>& level, const TexelPlace<D> (&texel)[4]) {
+    const hn::RebindToSigned<D> di;
+    const bool placed = self().places() != nullptr;
+    for (size_t k = 0; k < 4; ++k) {
+      hn::Store(placed ? texel[k].x : IndexOf(d, level, texel[k]), di, self().elements().index[k] + at);
+      if (HWY_LIKELY(!placed)) continue;
+      hn::Store(texel[k].y, di, self().places()->y[k] + at);
+      write_image(d, k, at, texel[k].first, level);
+    }
+    return placed ? kApart : 0;
+  }
+
+  /// Returns the index of a texel in memory.
+  template <class D>
+  static HWY_INLINE Ints<D> IndexOf(D, const Level<D>& level, const TexelPlace<D>& texel) {
+    return (texel.y * level.across.whole + texel.first) + texel.x;
+  }
+
+  /// Writes the shares within a row, and the share of the row. Returns flags of the element.
+  template <class D, class AnyShare>
+  HWY_INLINE uint32_t write_row_shares(D d, size_t at, const RowShares<D>& row, const AnyShare& share) {
+    auto& to = self().elements();
+    float* const shares[3] = {to.s, to.t, to.r};
+    float* const rates[3] = {to.rate_s, to.rate_t, to.rate_r};
+    for (size_t k = 0; k < 3; ++k) {
+      hn::Store(row.share[k], d, shares[k] + at);
+      if (HWY_UNLIKELY(self().has_rates())) hn::Store(row.rate[k], d, rates[k] + at);
+    }
+    return write_share(d, at, share);
   }
 
   /// Writes the share of an element. Returns its flags.

@@ -160,7 +160,8 @@ struct EllipseWalk {
     share.value = hn::IfThenElse(first, hn::Set(d, kWhole), share.value);
     const bool starts = !hn::AllFalse(d, first);
     if constexpr (Axis::kFolds) {
-      sink.texel(d, how(starts) | flags, sink.folded(d, ellipse.level, across.at, down.at), active, share);
+      sink.texel(d, how(starts) | flags, ellipse.level, sink.folded(d, ellipse.level, across.at, down.at), active,
+                 share);
     } else {
       MaskOf<D> in_x, in_y;
       const auto row_y = down.index(d, &in_y), column_x = across.index(d, &in_x);

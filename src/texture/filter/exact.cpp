@@ -11,8 +11,9 @@
 #include "texture/domain/exact_footprint.h"
 #include "texture/domain/wrap.h"
 #include "texture/format/formats.h"
-#include "texture/store/bc/levels.h"
+#include "texture/store/reader.h"
 #include "texture/store/storage.h"
+#include "texture/store/tiles/lease.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/filter/exact.cpp"
@@ -59,7 +60,12 @@ template <class Codec>
 class Integral {
  public:
   Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
-      : texture_(texture), sampler_(sampler), footprint_(footprint), negligible_(footprint.thin ? 0x1p-20 : 0x1p-40) {
+      : texture_(texture),
+        sampler_(sampler),
+        footprint_(footprint),
+        negligible_(footprint.thin ? 0x1p-20 : 0x1p-40),
+        first_(first_unit(texture, footprint.layer, footprint.level)),
+        reader_(texture) {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
     for (size_t c = 0; c < Codec::kChannels; ++c) {
@@ -90,20 +96,16 @@ class Integral {
   float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
-  /// Returns the first texel of row j after wrapping, or -1 for the border colour.
-  int64_t row(int64_t j) const {
-    const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
-    if (y < 0) return -1;
-    const uint32_t first = footprint_.layer * texture_.layer_texels + texture_.offset[footprint_.level];
-    return int64_t{first} + y * width_;
-  }
+  /// Returns row j after wrapping, or -1 for the border colour.
+  int64_t row(int64_t j) const { return wrap_index(sampler_.wrap_v, footprint_.y + j, height_); }
 
-  void add(int64_t from, int64_t i, double weight) {
+  void add(int64_t y, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
     double loaded[Codec::kChannels];
     const double* value = border_;
-    if (from >= 0 && x >= 0) {
-      Codec::load(texel_of(texture_, static_cast<uint32_t>(from + x), &decoded_), loaded);
+    if (y >= 0 && x >= 0) {
+      Codec::load(reader_.at(first_, static_cast<uint32_t>(width_), static_cast<uint32_t>(x), static_cast<uint32_t>(y)),
+                  loaded);
       value = loaded;
     }
     weight_ += weight;
@@ -118,7 +120,8 @@ class Integral {
   int64_t width_, height_;
   double border_[Codec::kChannels];
   double weight_ = 0;
-  DecodedBlock decoded_;
+  uint32_t first_;
+  TexelReader reader_;
   Mean mean_[Codec::kChannels];
 };
 
@@ -130,6 +133,14 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
       if (out.channel[c]) *out.channel[c] = integral.channel(c);
     }
   });
+}
+
+/// integrate() without the lease of a call of a texture in tiles: it may load tiles.
+void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, const Texels& out) {
+  auto* const tiles = has_tiles(call.texture) ? static_cast<TileCall*>(call.placement.state) : nullptr;
+  if (tiles) tiles->give_lease();
+  integrate(call.texture, call.sampler, footprint, out);
+  if (tiles) tiles->take_lease();
 }
 
 }  // namespace
@@ -144,9 +155,9 @@ size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
     nonfinite += !footprint.finite;
     if (footprint.point) {
       const Lookups lookup = part_of(call.in, i, 1);
-      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.blocks});
+      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
     } else {
-      integrate(call.texture, call.sampler, footprint, out);
+      integrate_alone(call, footprint, out);
     }
   }
   return nonfinite;

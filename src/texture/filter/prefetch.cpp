@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "texture/store/bc/cache.h"
 #include "texture/store/storage.h"
-#include "texture/store/tiles/lease.h"
 
 namespace shd::texture {
 
@@ -15,7 +13,7 @@ namespace {
 bool is_far_apart(const Texture& texture, const PointBlock& block, const float* w, const float* lod) {
   constexpr size_t kPairs = 8, kNear = size_t{1} << 20;
   constexpr float kApart = 16.0f;  // [texels of the level]
-  if (texture.texels.size() + texture.borrowed_texels * texel_size(texture) <= kNear || block.count <= kPairs) {
+  if (texture.texels.size() + texture.borrowed_units * texel_size(texture) <= kNear || block.count <= kPairs) {
     return false;
   }
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
@@ -64,14 +62,13 @@ void InputColumns::find(const Lookups& in) {
 }
 
 TexelSource::TexelSource(const FilterCall& call) : TexelSource(call.texture) {
-  if (call.blocks) origin = call.blocks->texels;
-  if (call.tiles) origin = call.tiles->origin;
+  if (call.placement.place) origin = call.placement.origin;
 }
 
 TexelSource::TexelSource(const Texture& texture)
     : origin(texture.origin),
       borrowed(has_blocks(texture) ? nullptr : texture.borrowed),
-      borrowed_texels(texture.borrowed_texels),
+      borrowed_texels(has_blocks(texture) ? 0 : texture.borrowed_units),
       channels(texture.channels),
       texel_size(static_cast<uint32_t>(shd::texture::texel_size(texture))) {}
 

@@ -20,10 +20,7 @@
 #include "texture/domain/shapes-inl.h"
 #include "texture/filter/emitter-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/store/bc/place-inl.h"
 #include "texture/store/level-inl.h"
-#include "texture/store/tiles/lease.h"
-#include "texture/store/tiles/place-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,10 +35,8 @@ class StreamSink : public Emitter<StreamSink> {
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
         bordered_(has_border(call.texture, call.sampler)),
-        texture_(call.texture),
-        blocks_(call.blocks),
-        tiles_(call.tiles),
-        placed_(call.blocks != nullptr || call.tiles != nullptr),
+        placement_(call.placement),
+        places_(placement_.place ? &stream_.places : nullptr),
         first_(call, TexelSource(call), call.recording),
         second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;
@@ -54,12 +49,12 @@ class StreamSink : public Emitter<StreamSink> {
   HWY_INLINE Stream& elements() { return stream_; }
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
   HWY_INLINE bool bordered() const { return bordered_; }
-  HWY_INLINE TileCall* tiles() const { return tiles_; }
+  HWY_INLINE StreamPlaces* places() const { return places_; }
 
   /// Begins the block of lookups whose first one is `first`. `scattered`: is_scattered() of the block.
   void begin(size_t first, bool scattered) {
     first_.done = second_.done = first;
-    scattered_ = scattered && !placed_;
+    scattered_ = scattered && !places_;
   }
 
   HWY_INLINE size_t add(BatchTag d) {
@@ -73,7 +68,7 @@ class StreamSink : public Emitter<StreamSink> {
     if (HWY_UNLIKELY(scattered_)) {
       const size_t at = e * hn::Lanes(d);
       prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
-    } else if (op & kNeighbours && op & kQuad && HWY_LIKELY(!placed_)) {
+    } else if (op & kNeighbours && op & kQuad && HWY_LIKELY(!places_)) {
       prefetch_ends(stream_.index[0] + e * hn::Lanes(d));
       prefetch_ends(stream_.index[2] + e * hn::Lanes(d));
     }
@@ -85,18 +80,14 @@ class StreamSink : public Emitter<StreamSink> {
     const size_t end = stream_.elements;
     if (end == 0) return;
     stream_.elements = 0;
-    if (HWY_UNLIKELY(placed_)) place(end);
+    if (HWY_UNLIKELY(places_ != nullptr)) {
+      placement_.place(placement_.state, end, hn::Lanes(BatchTag()), &stream_);
+    }
     if (consume_first_) consume_first_(stream_, end, &first_);
     if (consume_second_) consume_second_(stream_, end, &second_);
   }
 
  private:
-  /// Finds the places of texels in a cache.
-  HWY_NOINLINE void place(size_t end) {
-    if (blocks_) PlaceStream(texture_, blocks_, end, &stream_);
-    if (tiles_) PlaceInTiles(tiles_, end, &stream_);
-  }
-
   /// Prefetches the texels of the first and the last lookup of a vector: those between them are near.
   HWY_INLINE void prefetch_ends(const int32_t* index) const {
     const size_t lanes = hn::Lanes(BatchTag());
@@ -108,10 +99,8 @@ class StreamSink : public Emitter<StreamSink> {
   const Sampler& sampler_;
   const bool bordered_;
   bool scattered_ = false;
-  const Texture& texture_;
-  BlockCache* const blocks_;
-  TileCall* const tiles_;
-  const bool placed_;
+  const Placement placement_;
+  StreamPlaces* const places_;  // null: filters write indices
   Consume consume_first_, consume_second_ = nullptr;
   Consumption first_, second_;
 };

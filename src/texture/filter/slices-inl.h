@@ -31,6 +31,7 @@ template <class D>
 struct Slices {
   Level<D> level;  // its offset is that of slice 0
   AxisSize<D> deep;
+  UnitShape unit;
 };
 
 /// Returns one level per lane. `level` contains integer-valued floats.
@@ -38,14 +39,26 @@ template <class D>
 SHD_KERNEL_PART Slices<D> SlicesAt(D d, const Texture& texture, hn::Vec<D> level) {
   const hn::RebindToSigned<D> di;
   const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - ToInt(level)));
-  return {LevelAt(d, texture, hn::Zero(di), level), ScaledSize(d, texture.depth, scale)};
+  return {LevelAt(d, texture, hn::Zero(di), level), ScaledSize(d, texture.depth, scale), texture.layout.unit};
+}
+
+/// Returns the number of units along an axis (units_along()).
+template <class D>
+HWY_INLINE Ints<D> UnitsAlong(D, Ints<D> texels, uint32_t shift) {
+  const hn::RebindToSigned<D> di;
+  return hn::ShiftRightSame(texels + hn::Set(di, (1 << shift) - 1), static_cast<int>(shift));
 }
 
 /// Returns a slice as a level.
 template <class D>
 HWY_INLINE Level<D> SliceOf(D, const Slices<D>& slices, Ints<D> z) {
   Level<D> slice = slices.level;
-  slice.offset = slice.offset + z * (slice.across.whole * slice.down.whole);
+  Ints<D> across = slice.across.whole, down = slice.down.whole;
+  if (HWY_UNLIKELY((slices.unit.shift_x | slices.unit.shift_y) != 0)) {
+    across = UnitsAlong(D(), across, slices.unit.shift_x);
+    down = UnitsAlong(D(), down, slices.unit.shift_y);
+  }
+  slice.offset = slice.offset + z * (across * down);
   return slice;
 }
 
@@ -122,8 +135,7 @@ HWY_INLINE void EmitNearestTexel(D d, const Sampler& sampler, const Slices<D>& s
   const auto x = WrapNearest(d, sampler.wrap_u, hn::Load(d, block.u + i), slices.level.across, &in_x);
   const auto y = WrapNearest(d, sampler.wrap_v, hn::Load(d, block.v + i), slices.level.down, &in_y);
   const auto z = WrapNearest(d, sampler.wrap_w, hn::Load(d, block.w + i), slices.deep, &in_z);
-  const auto index = RowIndex(d, SliceOf(d, slices, z), y) + x;
-  sink.texel(d, kStart | kNewLine, index, hn::And(hn::And(in_x, in_y), in_z));
+  sink.texel(d, kStart | kNewLine, SliceOf(d, slices, z), x, y, hn::And(hn::And(in_x, in_y), in_z));
   sink.finish();
 }
 

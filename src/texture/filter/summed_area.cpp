@@ -260,7 +260,7 @@ struct SummedArea {
     const V parts = hn::Load(d, block.parts + i);
     const size_t lanes = block.count - i < hn::Lanes(d) ? block.count - i : hn::Lanes(d);
     const auto layer_of = [&](size_t lane) -> size_t {
-      return texture.layers == 1 ? 0 : static_cast<uint32_t>(block.first_texel[i + lane]) / texture.layer_texels;
+      return texture.layers == 1 ? 0 : static_cast<uint32_t>(block.first_texel[i + lane]) / texture.layout.layer_units;
     };
 
     Totals totals;

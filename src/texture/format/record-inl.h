@@ -53,8 +53,8 @@ struct RecordedBlend {
   explicit RecordedBlend(const Consumption& consumption) : recording(consumption.recording) {}
 
   template <size_t C, class D>
-  HWY_INLINE Node tap(D d, Ints<D> index, MaskOf<D> in) const {
-    return {recording->tap(static_cast<uint32_t>(hn::GetLane(index)), hn::AllFalse(d, in))};
+  HWY_INLINE Node tap(D, Ints<D> index, MaskOf<D>) const {
+    return {recording->tap(static_cast<uint32_t>(hn::GetLane(index)))};
   }
   template <class D>
   HWY_INLINE Node blend(D, Node a, Node b, hn::Vec<D> s) const {

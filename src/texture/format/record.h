@@ -12,10 +12,12 @@
 
 namespace shd::texture {
 
-/// A texel, or the border colour.
+struct Stream;
+
+/// A texel of a level, or the border colour.
 struct RecordedTap {
-  uint32_t index;  // texel of the texture
-  bool border;     // the border colour replaces the texel
+  uint32_t x, y, first;  // column, row, and first unit of the level of the image (Layout)
+  bool border;           // the border colour replaces the texel
 };
 
 /// Flag of nodes that are blends. The other bits of a node are the number of its tap or blend.
@@ -31,16 +33,18 @@ struct RecordedBlend {
 struct Recording {
   static constexpr size_t kMaxTaps = 4096;
 
+  core::Array<RecordedTap> places;  // of the texels of the streams
   core::Array<RecordedTap> taps;
   core::Array<RecordedBlend> blends;
-  size_t tap_count = 0, blend_count = 0;
+  size_t place_count = 0, tap_count = 0, blend_count = 0;
   bool finished_taps = false;  // texels leave the lerp domain before they are blended
 
-  explicit Recording(const core::Allocator& allocator) : taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}
+  explicit Recording(const core::Allocator& allocator)
+      : places(allocator, kMaxTaps), taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}
 
-  uint32_t tap(uint32_t index, bool border) {
-    SHD_ASSERT(tap_count < kMaxTaps);
-    taps[tap_count] = {index, border};
+  uint32_t tap(uint32_t place) {
+    SHD_ASSERT(tap_count < kMaxTaps && place < place_count);
+    taps[tap_count] = places[place];
     return static_cast<uint32_t>(tap_count++);
   }
   uint32_t blend(uint32_t a, uint32_t b, float s) {
@@ -49,5 +53,9 @@ struct Recording {
     return static_cast<uint32_t>(blend_count++) | kBlendNode;
   }
 };
+
+/// The placement of a recording, for every store: it keeps the places of the texels of lane 0, and replaces the columns
+/// by their numbers.
+void place_taps(void* recording, size_t end, size_t lanes, Stream* stream);
 
 }  // namespace shd::texture

@@ -7,6 +7,7 @@
 
 #include "core/simd_narrow.h"
 #include "core/status.h"
+#include "texture/format/record.h"
 #include "texture/lookup/coarser.h"
 #include "texture/lookup/magnify.h"
 #include "texture/store/bc/cache.h"
@@ -23,6 +24,7 @@
 #include "texture/format/record-inl.h"
 #include "texture/lookup/fixed-inl.h"
 #include "texture/lookup/fused-inl.h"
+#include "texture/store/place-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -58,14 +60,11 @@ void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient g
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
 }
 
-/// Returns whether streams of a texture are placed in a cache before they are consumed.
-bool is_placed(const Texture& texture) {
-  return has_blocks(texture) || has_tiles(texture);
-}
-
 /// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup. They are
 /// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
 void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
+  const bool is_placed = has_blocks(texture) || has_tiles(texture);
+  if (HWY_UNLIKELY(is_placed)) out->place = has_tiles(texture) ? PlaceInTiles : PlaceInBlocks;
   if (HWY_UNLIKELY(texture.depth != 0)) return FindSliceKernels(texture, sampler, gradient, out);
   const image::Component component = texture.component;
   const bool bordered = has_border(sampler);
@@ -81,10 +80,10 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient != Gradient::kNone) {
     kernels.format.gradient = GradientOf(component);
-  } else if (!bordered && !is_placed(texture)) {
+  } else if (!bordered && !is_placed) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
-  if (sampler.precision == SHD_PRECISION_FAST && !is_placed(texture)) {
+  if (sampler.precision == SHD_PRECISION_FAST && !is_placed) {
     kernels.format.fixed = FixedOf(component);
     if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
   }
@@ -147,29 +146,33 @@ Texels of_columns(const Texels& columns, size_t first, size_t end) {
   return some;
 }
 
-/// Filters the stored channels. `wanted` holds their columns. `blocks`, `tiles`: see FilterCall.
+/// Filters the stored channels. `wanted` holds their columns. `store`: state of the placement, for textures whose
+/// streams are placed.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& wanted, Recording* recording, BlockCache* blocks,
-                     TileCall* tiles = nullptr) {
+                     const Lookups& lookups, const Texels& wanted, Recording* recording, void* store,
+                     const uint8_t* origin) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
   Kernels kernels = {};
   const auto find_kernels = [&](Gradient kind) {
     HWY_DISPATCH_TABLE(FindKernels)[target](texture, sampler, kind, &kernels);
   };
+  const auto run = [&](RunFilter filter, const Texels& to) {
+    if (HWY_UNLIKELY(recording != nullptr)) {
+      return filter(
+          {texture, sampler, lookups, to, kernels.format, kernels.record, recording, {place_taps, recording}});
+    }
+    return filter({texture, sampler, lookups, to, kernels.format, nullptr, nullptr, {kernels.place, store, origin}});
+  };
   if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
     const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
     find_kernels(Gradient::kDeep);
-    const size_t nonfinite = kernels.run({texture, sampler, lookups, deep, kernels.format, nullptr, nullptr, blocks});
+    const size_t nonfinite = run(kernels.run, deep);
     if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
-    return sample_stored(texture, sampler, simd, lookups, others, nullptr, blocks);
+    return sample_stored(texture, sampler, simd, lookups, others, nullptr, store, origin);
   }
   find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
-  const auto run = [&](RunFilter filter, const Texels& to) {
-    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording,
-                   blocks, tiles});
-  };
   if (recording) return run(kernels.run, wanted);
   if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
   if (!gradient) return run(kernels.fixed, wanted);
@@ -180,7 +183,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
 [[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                                        const Lookups& lookups, const Texels& wanted) {
   CacheLease lease(texture);
-  return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, lease.cache());
+  return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, &lease, lease.cache()->texels);
 }
 
 /// sample_stored() of a texture in tiles.
@@ -191,7 +194,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
     call.lookup = 0;
     call.lookup_end = in.count;
     call.needed = needed;
-    return sample_stored(texture, with, simd, in, out, nullptr, nullptr, &call);
+    return sample_stored(texture, with, simd, in, out, nullptr, &call, call.origin);
   };
   if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
     return sample_coarser(texture, sampler, lookups, wanted, filter);
@@ -201,10 +204,12 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
 
 size_t sample_any(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& wanted, Recording* recording) {
-  if (HWY_UNLIKELY(has_blocks(texture)) && !recording) return sample_blocks(texture, sampler, simd, lookups, wanted);
-  if (HWY_UNLIKELY(has_tiles(texture))) return sample_tiles(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(has_blocks(texture) || has_tiles(texture)) && !recording) {
+    return has_tiles(texture) ? sample_tiles(texture, sampler, simd, lookups, wanted)
+                              : sample_blocks(texture, sampler, simd, lookups, wanted);
+  }
   if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
-  return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr);
+  return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr, nullptr);
 }
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/oracle/explain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -10,7 +11,7 @@
 #include "texture/format/record.h"
 #include "texture/lookup/magnify.h"
 #include "texture/lookup/sample.h"
-#include "texture/store/bc/levels.h"
+#include "texture/store/reader.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
@@ -35,47 +36,47 @@ float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, b
   return finished ? finish(scale_of(texture.component, channel), number) : number;
 }
 
-/// Level of a texel, and the first texel of this level in the layer.
+/// The image and the level whose first unit is `first`.
 struct Place {
-  uint32_t level_u, level_v, first;
+  uint32_t image, level_u, level_v;
 };
 
-Place mip_place(const Texture& texture, uint32_t texel) {
+Place mip_place(const Texture& texture, uint32_t first) {
+  const Layout& layout = texture.layout;
+  const uint32_t in_layer = first % layout.layer_units;
   uint32_t level = 0;
-  while (level + 1 < texture.level_count && texel >= texture.offset[level + 1]) ++level;
-  return {level, level, texture.offset[level]};
+  while (level + 1 < texture.level_count && in_layer >= layout.offset[level + 1]) ++level;
+  const uint32_t slice = (in_layer - layout.offset[level]) / slice_units(texture, level);
+  return {texture.depth != 0 ? slice : first / layout.layer_units, level, level};
 }
 
-Place ripmap_place(const Texture& texture, uint32_t texel) {
+Place ripmap_place(const Texture& texture, uint32_t first) {
+  const uint32_t in_layer = first % texture.layout.layer_units;
   for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
     for (uint32_t i = 0; i < texture.ripmap_columns; ++i) {
-      const uint32_t first = texture.ripmap_offset[j * kMaxLevels + i];
-      const uint32_t count = level_size(texture.width, i) * level_size(texture.height, j);
-      if (texel >= first && texel - first < count) return {i, j, first};
+      if (texture.ripmap_offset[j * kMaxLevels + i] == in_layer) return {first / texture.layout.layer_units, i, j};
     }
   }
-  return {0, 0, 0};
+  return {};
 }
 
-shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap) {
+shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap,
+                 TexelReader* reader) {
   shd_tap out = {};
-  out.layer = tap.index / texture.layer_texels;  // 0 for 3D textures
-  const uint32_t in_layer = tap.index % texture.layer_texels;
-  const Place place =
-      sampler.filter == SHD_FILTER_RIPMAP ? ripmap_place(texture, in_layer) : mip_place(texture, in_layer);
-  const uint32_t width = level_size(texture.width, place.level_u);
+  const bool ripmap = sampler.filter == SHD_FILTER_RIPMAP;
+  const Place place = ripmap ? ripmap_place(texture, tap.first) : mip_place(texture, tap.first);
+  (texture.depth != 0 ? out.z : out.layer) = place.image;
   out.level_u = place.level_u;
   out.level_v = place.level_v;
-  out.x = (in_layer - place.first) % width;
-  const uint32_t row = (in_layer - place.first) / width, height = level_size(texture.height, place.level_v);
-  out.y = texture.depth != 0 ? row % height : row;
-  out.z = texture.depth != 0 ? row / height : 0;
+  out.x = tap.x;
+  out.y = tap.y;
   out.border = tap.border;
-  DecodedBlock decoded;
-  const uint8_t* texel = texel_of(texture, tap.index, &decoded);
-  for (size_t c = 0; c < texture.channels; ++c) {
-    out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
+  if (tap.border) {
+    std::copy_n(sampler.border, texture.channels, out.value);
+    return out;
   }
+  const uint8_t* const texel = reader->at(tap.first, level_size(texture.width, place.level_u), tap.x, tap.y);
+  for (size_t c = 0; c < texture.channels; ++c) out.value[c] = lerp_value(texture, texel, c, recording.finished_taps);
   return out;
 }
 
@@ -109,8 +110,9 @@ void store_element(const Element& element, Element* elements, size_t i, size_t s
 void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,
                 const Recording& recording, shd_explanation* out) {
   const core::Array<float> weight = weights(context.allocator, recording);
+  TexelReader reader(texture);
   for (size_t i = 0; i < recording.tap_count && i < out->tap_capacity; ++i) {
-    shd_tap tap = describe(texture, sampler, recording, recording.taps[i]);
+    shd_tap tap = describe(texture, sampler, recording, recording.taps[i], &reader);
     tap.weight = weight[i];
     store_element(tap, out->taps, i, out->tap_size);
   }

@@ -43,7 +43,7 @@ SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_te
   const auto height = static_cast<int32_t>(level_size(texture.height, level));
   return {{hn::Set(d, static_cast<float>(width)), hn::Set(di, width)},
           {hn::Set(d, static_cast<float>(height)), hn::Set(di, height)},
-          first_texel + hn::Set(di, static_cast<int32_t>(texture.offset[level]))};
+          first_texel + hn::Set(di, static_cast<int32_t>(texture.layout.offset[level]))};
 }
 
 /// Returns max(1, floor(base * scale)), where scale is a power of two. This is exact, because sizes are below 2^24.
@@ -58,7 +58,7 @@ SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first
   const hn::RebindToSigned<D> di;
   const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - level));
   return {ScaledSize(d, texture.width, scale), ScaledSize(d, texture.height, scale),
-          first_texel + hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level)};
+          first_texel + hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.layout.offset), level)};
 }
 
 /// Returns one level per lane. `level` contains integer-valued floats. A faster path with the same bits is used if all

@@ -39,6 +39,26 @@ inline uint32_t level_size(uint32_t base, uint32_t level) {
   return size ? size : 1;
 }
 
+/// Returns the number of units along an axis.
+constexpr uint32_t units_along(uint32_t texels, uint32_t shift) {
+  return (texels + (1u << shift) - 1) >> shift;
+}
+
+/// Returns the units of one slice of a level.
+inline uint32_t slice_units(const Texture& texture, uint32_t level) {
+  return units_along(level_size(texture.width, level), texture.layout.unit.shift_x) *
+         units_along(level_size(texture.height, level), texture.layout.unit.shift_y);
+}
+
+/// Returns the first unit of a level of an image: of a layer, or of a slice of a 3D texture.
+inline uint32_t first_unit(const Texture& texture, uint32_t image, uint32_t level) {
+  const uint32_t before = texture.depth != 0 ? slice_units(texture, level) : texture.layout.layer_units;
+  return image * before + texture.layout.offset[level];
+}
+
+/// Numbers the units of a texture whose sizes and levels are set. Returns the units of one layer.
+uint64_t lay_out(const UnitShape& unit, Texture* texture);
+
 /// Returns the number of levels down to one texel: floor(log2(max(width, height, depth))) + 1.
 uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth = 1);
 
@@ -60,20 +80,16 @@ inline Region whole(const Texture& texture) {
 
 /// Returns the first byte of a texel, which may be borrowed.
 inline const uint8_t* texel_at(const Texture& texture, size_t index) {
-  return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
+  return (index < texture.borrowed_units ? texture.borrowed : texture.origin) + index * texel_size(texture);
 }
 /// Returns the first byte of a texel for writing. The texel must not be borrowed.
 inline uint8_t* texel_at(Texture& texture, size_t index) {
   return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
 }
 
-/// Returns the first byte of row y of a level of a layer, or of a slice of the level of a 3D texture. Rows and slices
-/// are packed.
-inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
-  const size_t before = texture.depth != 0 ? size_t{layer} * level_size(texture.height, level) : 0;
-  const size_t first = (texture.depth != 0 ? 0 : size_t{layer} * texture.layer_texels) + texture.offset[level] +
-                       (before + y) * level_size(texture.width, level);
-  return texel_at(texture, first);
+/// Returns the first byte of row y of a level of an image in memory. Rows and slices are packed.
+inline uint8_t* row_of(Texture& texture, uint32_t image, uint32_t level, uint32_t y) {
+  return texel_at(texture, first_unit(texture, image, level) + size_t{y} * level_size(texture.width, level));
 }
 inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   return row_of(const_cast<Texture&>(texture), layer, level, y);
@@ -93,7 +109,7 @@ inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
 
 /// Returns the first byte of row y of ripmap level (i, j) of a layer.
 inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
-  const size_t first = size_t{layer} * texture.layer_texels + texture.ripmap_offset[j * kMaxLevels + i] +
+  const size_t first = size_t{layer} * texture.layout.layer_units + texture.ripmap_offset[j * kMaxLevels + i] +
                        size_t{y} * level_size(texture.width, i);
   return texel_at(texture, first);
 }

@@ -53,7 +53,7 @@ size_t lay_out_ripmap(Texture* texture, size_t texels) {
     for (uint32_t i = 0; i < texture->ripmap_columns; ++i) {
       uint32_t* offset = &texture->ripmap_offset[j * kMaxLevels + i];
       if (is_mip_level(*texture, i, j)) {
-        *offset = texture->offset[i > j ? i : j];
+        *offset = texture->layout.offset[i > j ? i : j];
       } else {
         *offset = static_cast<uint32_t>(texels);
         texels += size_t{level_size(texture->width, i)} * level_size(texture->height, j);
@@ -78,20 +78,11 @@ void set_size(const shd_texture_desc& desc, Texture* texture) {
   }
 }
 
-/// Sets the sizes of the texture and the offset of every level. Returns the number of texels of all layers.
-size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
-  set_size(desc, texture);
-  const auto slices = [&](uint32_t level) { return desc.depth != 0 ? level_size(desc.depth, level) : 1; };
-  size_t texels = 0;
-  for (uint32_t level = 0; level < kMaxLevels; ++level) {
-    texture->offset[level] = static_cast<uint32_t>(texels);
-    if (level < texture->level_count) {
-      texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level) * slices(level);
-    }
-  }
-  texture->ripmap_columns = texture->ripmap_rows = 0;
+/// Sets the numbers of the texels in memory. Returns the number of texels of all layers.
+size_t lay_out_memory(const shd_texture_desc& desc, Texture* texture) {
+  size_t texels = lay_out({0, 0}, texture);
   if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(texture, texels);
-  texture->layer_texels = static_cast<uint32_t>(texels);
+  texture->layout.layer_units = static_cast<uint32_t>(texels);
   return texels * desc.layers;
 }
 
@@ -117,30 +108,13 @@ void copy_base(const core::Context& context, const shd_texture_desc& desc, Textu
   });
 }
 
-/// Copies the levels of a 3D texture that the caller gave: the slices of level 1, then of level 2 and so on.
-void copy_slices(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
-  const image::FormatInfo format = image::format_info(desc.format);
-  size_t first = 0;
-  for (uint32_t level = 1; level <= desc.level_count; ++level) {
-    const uint32_t slices = level_size(desc.depth, level);
-    core::parallel_for(context, slices, [&](uint32_t slice, uint32_t) {
-      const shd_image image = image_at(desc.levels, first + slice);
-      const GivenTexels given = {static_cast<const uint8_t*>(image.pixels), image.row_stride, format};
-      const Region region = {{0, image.width}, {0, image.height}};
-      copy_rows(given, slice, level, region, region.y, texture);
-    });
-    first += slices;
-  }
-}
-
 /// Copies the levels that the caller gave.
 void copy_levels(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   const image::FormatInfo format = image::format_info(desc.format);
-  core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
-    const shd_image image = image_at(desc.levels, task);
+  for_given_levels(context, desc, [&](const shd_image& image, uint32_t number, uint32_t level) {
     const GivenTexels given = {static_cast<const uint8_t*>(image.pixels), image.row_stride, format};
     const Region region = {{0, image.width}, {0, image.height}};
-    copy_rows(given, task / desc.level_count, task % desc.level_count + 1, region, region.y, texture);
+    copy_rows(given, number, level, region, region.y, texture);
   });
 }
 
@@ -149,14 +123,14 @@ void allocate(const core::Context& context, const shd_texture_desc& desc, size_t
   if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     // Several layers have no other levels.
-    texture->borrowed_texels = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layers);
-    if (desc.flags & SHD_TEXTURE_BORROW_LEVELS) texture->borrowed_texels = static_cast<uint32_t>(texels);
+    texture->borrowed_units = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layers);
+    if (desc.flags & SHD_TEXTURE_BORROW_LEVELS) texture->borrowed_units = static_cast<uint32_t>(texels);
   }
-  const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
+  const size_t size = core::checked_mul(texels - texture->borrowed_units, texel_size(*texture));
   texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
   std::memset(texture->texels.data() + size, 0, kPadding);
   const auto first = reinterpret_cast<uintptr_t>(texture->texels.data());
-  texture->origin = reinterpret_cast<const uint8_t*>(first - texture->borrowed_texels * texel_size(*texture));
+  texture->origin = reinterpret_cast<const uint8_t*>(first - texture->borrowed_units * texel_size(*texture));
 }
 
 void build_tables(const core::Context& context, Texture* texture) {
@@ -195,24 +169,20 @@ void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const R
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
   Texture texture = {};
   set_format(desc, &texture);
+  set_size(desc, &texture);
   if (desc.tiles.cache) {
-    set_size(desc, &texture);
     *out = static_cast<Texture&&>(texture);
     return build_tiles(context, desc, out);
   }
-  const size_t texels = lay_out(desc, &texture);
   if (image::block_info(desc.format).block_size) {
     copy_blocks(context, desc, &texture);
     *out = static_cast<Texture&&>(texture);
     return;
   }
+  const size_t texels = lay_out_memory(desc, &texture);
   allocate(context, desc, texels, &texture);
   if (!texture.borrowed) copy_base(context, desc, &texture);
-  if (desc.depth != 0) {
-    copy_slices(context, desc, &texture);
-  } else if (desc.level_count > 0 && !(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) {
-    copy_levels(context, desc, &texture);
-  }
+  if (!(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) copy_levels(context, desc, &texture);
   build_tables(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }

@@ -12,6 +12,7 @@
 #include "core/status.cpp"
 
 #include "core/call.cpp"
+#include "texture/store/storage.cpp"
 #include "texture/store/tiles/budget.cpp"
 #include "texture/store/tiles/cache.cpp"
 #include "texture/store/tiles/fork.cpp"
@@ -94,9 +95,8 @@ struct World {
     set->source = {nullptr, load_tiles, nullptr, this};
     set->allocator = &allocator;
     set->texture = &texture;
-    set->shape = tile_shape(kTileBytes, 1);
     set->handle = &handle;
-    lay_out_tiles(set->shape, &texture);
+    lay_out(tile_shape(kTileBytes, 1), &texture);
     cache->add(set);
     texture.tiles = TileSetOwner(set);
   }

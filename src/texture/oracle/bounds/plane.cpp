@@ -4,7 +4,7 @@
 #include "texture/domain/wrap.h"
 #include "texture/format/formats.h"
 #include "texture/oracle/bounds/cube.h"
-#include "texture/store/bc/levels.h"
+#include "texture/store/reader.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
@@ -12,9 +12,9 @@ namespace {
 
 Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
   const Texture& texture = *plane.texture;
-  DecodedBlock decoded;
-  const uint32_t first = layer * texture.layer_texels + texture.offset[plane.level];
-  const uint8_t* texel = texel_of(texture, first + static_cast<uint32_t>(y * plane.width + x), &decoded);
+  TexelReader reader(texture);
+  const uint8_t* texel = reader.at(first_unit(texture, layer, plane.level), static_cast<uint32_t>(plane.width),
+                                   static_cast<uint32_t>(x), static_cast<uint32_t>(y));
   Color color;
   if (texture.component == image::Component::kSrgb8) {
     for (uint32_t c = 0; c < texture.channels; ++c) {

@@ -25,14 +25,13 @@ void begin(uint32_t places, uint32_t* block, uint32_t* turn, uint8_t* texels, Bl
   cache->pitch = 4 * places + BlockCache::kMargin;
   cache->spare = 4 * cache->pitch;
   cache->now = 0;
-  cache->latest[0] = cache->latest[1] = BlockLevel();  // empty
   std::fill_n(block, places + BlockCache::kAfter, BlockCache::kUnused);
   std::fill_n(turn, places + BlockCache::kAfter, 0u);
 }
 
 }  // namespace
 
-CacheLease::CacheLease(const Texture& texture) : pool_(texture.blocks.caches) {
+CacheLease::CacheLease(const Texture& texture) : texture_(texture), pool_(texture.blocks.caches) {
   if (pool_) lease_ = pool_->take(texture.blocks.owner);
   if (!lease_.memory) {
     begin(kFewPlaces, few_block_, few_turn_, few_texels_, &few_);

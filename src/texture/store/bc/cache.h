@@ -24,18 +24,22 @@ struct BlockCache {
   static constexpr uint32_t kAfter = 16;  // entries after those of the places: vectors may read and rewrite them
 
   uint8_t* texels;
-  uint32_t* block;       // block at each place, or kUnused
-  uint32_t* turn;        // latest stream that reads the place
-  uint32_t places;       // power of two
-  uint32_t pitch;        // texels between rows
-  uint32_t spare;        // first of kSpare texels outside of the places
-  uint32_t now;          // number of the stream that is placed
-  BlockLevel latest[2];  // levels
+  uint32_t* block;  // block at each place, or kUnused
+  uint32_t* turn;   // latest stream that reads the place
+  uint32_t places;  // power of two
+  uint32_t pitch;   // texels between rows
+  uint32_t spare;   // first of kSpare texels outside of the places
+  uint32_t now;     // number of the stream that is placed
 
-  /// Returns the place of a block in column x and row y of a level.
-  uint32_t place_of(uint32_t x, uint32_t y, uint32_t level) const {
+  /// Returns the place of block (0, 0) of a level with its first block and its width in texels.
+  uint32_t zeroth_place(uint32_t first, uint32_t width) const {
+    const uint32_t half = places / 2, odd = static_cast<uint32_t>(31 - __builtin_clz(width)) & 1;
+    return ((first * 0x9e3779b1u >> 20) & (half - 1)) + odd * half;
+  }
+  /// Returns the place of the block in column x and row y of a level.
+  uint32_t place_of(uint32_t x, uint32_t y, uint32_t zeroth) const {
     const uint32_t half = places / 2;
-    return ((x + y * kRowStep + level * 307) & (half - 1)) + (level & 1) * half;
+    return ((x + y * kRowStep + zeroth) & (half - 1)) + (zeroth & half);
   }
 };
 
@@ -47,13 +51,15 @@ class CacheLease {
   CacheLease(const CacheLease&) = delete;
   CacheLease& operator=(const CacheLease&) = delete;
 
-  BlockCache* cache() { return cache_; }
+  BlockCache* cache() const { return cache_; }
+  const Texture& texture() const { return texture_; }
 
  private:
   static constexpr uint32_t kFewPlaces = 16, kLargestTexel = 8;
   static constexpr size_t kFewBytes =
       (4 * (4 * kFewPlaces + BlockCache::kMargin) + BlockCache::kSpare) * kLargestTexel + SHD_TEXTURE_PADDING;
 
+  const Texture& texture_;
   core::CachePool* const pool_;
   core::CachePool::Lease lease_;
   BlockCache* cache_;

@@ -68,11 +68,6 @@ struct TileCall {
   size_t lookup = 0, lookup_end = 0;  // first lookup of the stream that is not finished; end of the lookups
   uint8_t* needed = nullptr;          // [lookups] finest levels that lookups can use, if they must not wait; else null
 
-  // Texels of the stream, from the filter: columns are in Stream::index, -1 on the border.
-  alignas(64) int32_t y[2][kColumn];
-  alignas(64) int32_t first_tile[kColumn];  // first tile of the level
-  alignas(64) int32_t width[kColumn];       // width of the level [texels]
-
   // Tiles of texels that wait for resolve(); Stream::index then has the texels within the tiles.
   alignas(64) int32_t wanted[4][kColumn];
 };

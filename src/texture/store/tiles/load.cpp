@@ -159,7 +159,7 @@ bool TileCache::take_slots(Lock* lock, TileWait* wait, TileLoad* load) {
 shd_result TileCache::call(TileLoad* load) const {
   const TileSet& set = *load->set;
   shd_tile tiles[kMaxTileBatch];
-  const size_t pitch = texel_size(*set.texture) << set.shape.shift_x;
+  const size_t pitch = texel_size(*set.texture) << set.texture->layout.unit.shift_x;
   for (uint32_t i = 0; i < load->count; ++i) {
     tiles[i] = tile_at(*set.texture, load->tile[i]);
     tiles[i].texels = tile_memory(load->slot[i]);

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 #include "texture/lanes-inl.h"
-#include "texture/store/tiles/place-inl.h"
+#include "texture/store/place-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -27,7 +27,8 @@ class TilePlacer {
       : call_(*call),
         lease_(*call->lease),
         stream_(*stream),
-        shape_(call->texture.tiles->shape),
+        places_(stream->places),
+        shape_(call->texture.layout.unit),
         last_x_((1 << shape_.shift_x) - 1),
         last_y_((1 << shape_.shift_y) - 1),
         texel_size_(texel_size(call->texture)) {}
@@ -44,8 +45,12 @@ class TilePlacer {
       if (op & kMerge) continue;
       if (HWY_UNLIKELY(left < lanes)) repeat_first(at, left);
       if (op & kQuad) {
-        if (HWY_UNLIKELY(!place_together(e, at))) apart.add(e);
-      } else if (HWY_UNLIKELY(!(op & kRow ? place_row(e, at) : place_texel(at)))) {
+        if (HWY_UNLIKELY(!(op & kNeighbours && place_together(at)))) {
+          prefetch_apart(at);
+          prefetch_apart(at + lanes - 1);
+          apart.add(e);
+        }
+      } else if (HWY_UNLIKELY(!(op & kRow ? place_row(e, at) : place_texels(e, at, 1)))) {
         waiting.add(e);
       }
     }
@@ -59,9 +64,9 @@ class TilePlacer {
   }
 
  private:
-  /// A row of texels of a level: the number of its first tile, and its first texel within the tiles.
+  /// A row of texels of a level: the number of its first tile, its first texel within the tiles, and its number.
   struct TileRow {
-    VI tile, texel;
+    VI tile, texel, y;
   };
 
   HWY_NOINLINE void wait(const WaitingElements& waiting, size_t end, size_t lanes) {
@@ -74,8 +79,12 @@ class TilePlacer {
 
   /// Lets lanes from `end` on, which have no lookup, read the texels of lane 0.
   HWY_NOINLINE void repeat_first(size_t at, size_t end) {
-    int32_t* const columns[] = {stream_.index[0], stream_.index[1], stream_.index[2], stream_.index[3],
-                                call_.y[0],       call_.y[1],       call_.first_tile, call_.width};
+    int32_t* columns[13] = {places_.width};
+    for (size_t k = 0; k < 4; ++k) {
+      columns[1 + k] = stream_.index[k];
+      columns[5 + k] = places_.y[k];
+      columns[9 + k] = places_.first[k];
+    }
     for (int32_t* column : columns) {
       for (size_t lane = end; lane < hn::Lanes(DI()); ++lane) column[at + lane] = column[at];
     }
@@ -89,16 +98,18 @@ class TilePlacer {
     return hn::ShiftLeftSame(hn::And(y, hn::Set(DI(), last_y_)), static_cast<int>(shape_.shift_x));
   }
 
-  HWY_INLINE TileRow row_at(size_t at, VI y) const {
-    const VI across = tile_column(load(call_.width + at) + hn::Set(DI(), last_x_));
+  /// Returns the row of texel k of element e.
+  HWY_INLINE TileRow row_at(size_t e, size_t at, size_t k) const {
+    const VI y = load(places_.y[stream_.row_of(e, k)] + at);
+    const VI across = tile_column(load(places_.width + at) + hn::Set(DI(), last_x_));
     const VI down = hn::ShiftRightSame(y, static_cast<int>(shape_.shift_y));
-    return {load(call_.first_tile + at) + down * across, texel_row(y)};
+    return {load(places_.first[stream_.image_of(e, k)] + at) + down * across, texel_row(y), y};
   }
 
   /// Returns the tile of a texel of the level of the first lane at `at`.
   HWY_INLINE uint32_t tile_at(size_t at, int32_t x, int32_t y) const {
-    const int32_t across = (call_.width[at] + last_x_) >> shape_.shift_x;
-    return static_cast<uint32_t>(call_.first_tile[at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
+    const int32_t across = (places_.width[at] + last_x_) >> shape_.shift_x;
+    return static_cast<uint32_t>(places_.first[0][at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
   }
 
   /// Returns the memory for copies of texels of an element.
@@ -123,9 +134,10 @@ class TilePlacer {
   }
 
   /// Writes the tile and the texel within it for resolve().
-  HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row, VI x, VI y) {
+  HWY_INLINE void wait_for(size_t k, size_t at, const TileRow& row) {
     const DI di;
-    const auto outside = hn::Lt(hn::Or(x, y), hn::Zero(di));
+    const VI x = load(stream_.index[k] + at);
+    const auto outside = hn::Lt(hn::Or(x, row.y), hn::Zero(di));
     hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, call_.wanted[k] + at);
     hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
   }
@@ -147,43 +159,34 @@ class TilePlacer {
     for (size_t lane = 0; lane < hn::Lanes(di); ++lane) lease_.turn[TileLease::entry_of(tiles[lane])] = lease_.now;
   }
 
-  /// Places quads of columns side by side in one tile. Otherwise, prefetches texels and returns false.
-  HWY_INLINE bool place_together(size_t e, size_t at) {
+  /// Places quads of columns side by side in one tile.
+  HWY_INLINE bool place_together(size_t at) {
     const DI di;
-    const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
-    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
-    const int32_t column = stream_.index[0][at], row = call_.y[0][at];
-    // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level, and columns are side by side.
-    const VI x = hn::Set(di, column), y = hn::Set(di, row);
+    const VI x0 = load(stream_.index[0] + at), y0 = load(places_.y[0] + at), y1 = load(places_.y[1] + at);
+    const int32_t column = stream_.index[0][at], row = places_.y[0][at];
+    // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level.
+    const VI x = hn::Set(di, column), y = hn::Set(di, row), x1 = x0 + hn::Set(di, 1);
     const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
     const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
-    const VI level = hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
-                            load(call_.width + at) ^ hn::Set(di, call_.width[at]));
-    const VI gap = (x1 - x0) ^ hn::Set(di, 1);
-    const VI apart = hn::Or(hn::Or(across, down), hn::Or(level, gap));
-    if (HWY_LIKELY(all_equal(apart, hn::Zero(di)) && (column | row) >= 0)) {
-      const int32_t first = first_texel_of(tile_at(at, column, row));
-      if (HWY_LIKELY(first >= 0)) {
-        const VI texel = hn::Set(di, first) + texel_column(x0);
-        hn::Store(texel + texel_row(y0), di, stream_.index[0] + at);
-        hn::Store(texel + texel_row(y1), di, stream_.index[2] + at);
-        prefetch_ends(stream_.index[0] + at);
-        prefetch_ends(stream_.index[2] + at);
-        stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
-        return true;
-      }
-    }
-    prefetch_apart(at);
-    prefetch_apart(at + hn::Lanes(di) - 1);
-    return false;
+    const VI level = hn::Or(load(places_.first[0] + at) ^ hn::Set(di, places_.first[0][at]),
+                            load(places_.width + at) ^ hn::Set(di, places_.width[at]));
+    if (HWY_UNLIKELY(!all_equal(hn::Or(hn::Or(across, down), level), hn::Zero(di)))) return false;
+    const int32_t first = first_texel_of(tile_at(at, column, row));
+    if (HWY_UNLIKELY(first < 0)) return false;
+    const VI texel = hn::Set(di, first) + texel_column(x0);
+    hn::Store(texel + texel_row(y0), di, stream_.index[0] + at);
+    hn::Store(texel + texel_row(y1), di, stream_.index[2] + at);
+    prefetch_ends(stream_.index[0] + at);
+    prefetch_ends(stream_.index[2] + at);
+    return true;
   }
 
   /// Prefetches the texels of a lane if its tiles are kept.
   HWY_INLINE void prefetch_apart(size_t at) const {
     const int32_t x = stream_.index[0][at];
     if (x < 0) return;
-    for (const auto& row : call_.y) {
-      const int32_t y = row[at];
+    for (size_t k = 0; k < 2; ++k) {
+      const int32_t y = places_.y[k][at];
       const uint32_t tile = tile_at(at, x, y), entry = TileLease::entry_of(tile);
       if (y < 0 || lease_.tile[entry] != tile) continue;
       const int32_t texel = lease_.first[entry] + ((y & last_y_) << shape_.shift_x) + (x & last_x_);
@@ -193,23 +196,12 @@ class TilePlacer {
 
   /// Places a quad in several tiles.
   HWY_NOINLINE bool place_apart(size_t e, size_t at) {
-    const DI di;
-    const VI x0 = load(stream_.index[0] + at), x1 = load(stream_.index[1] + at);
-    const VI y0 = load(call_.y[0] + at), y1 = load(call_.y[1] + at);
-    const TileRow top = row_at(at, y0), bottom = row_at(at, y1);
-    const auto outside = hn::Lt(hn::Or(hn::Or(x0, x1), hn::Or(y0, y1)), hn::Zero(di));
-    if (HWY_LIKELY(hn::AllFalse(di, outside))) {
-      if (all_equal(x1, x0 + hn::Set(di, 1))) {
-        if (stitch(e, at) || place_pairs(e, at, top, bottom, x0)) return true;
-      } else if (place_texels(e, at, top, bottom, x0, x1)) {
-        return true;
-      }
+    if (stream_.op[e] & kNeighbours) {
+      if (stitch(e, at) || place_pairs(e, at)) return true;
+      const VI left = load(stream_.index[0] + at), right = left + hn::Set(DI(), 1);
+      for (size_t k = 1; k < 4; ++k) hn::Store(k % 2 ? right : left, DI(), stream_.index[k] + at);
     }
-    wait_for(0, at, top, x0, y0);
-    wait_for(1, at, top, x1, y0);
-    wait_for(2, at, bottom, x0, y1);
-    wait_for(3, at, bottom, x1, y1);
-    return false;
+    return place_texels(e, at, 4);
   }
 
   /// Places quads on two rows of texels that cross tiles: both rows are copied without a gap, so that consumers load
@@ -221,18 +213,17 @@ class TilePlacer {
     if (end - first > 2 * lanes) return false;
     const VI column = load(x) - hn::Set(di, first);
     const VI range = hn::Min(hn::Max(column, hn::Zero(di)), hn::Set(di, end - first - 2));
-    const VI other = hn::Or(hn::Or(load(call_.first_tile + at) ^ hn::Set(di, call_.first_tile[at]),
-                                   load(call_.width + at) ^ hn::Set(di, call_.width[at])),
-                            hn::Or(load(call_.y[0] + at) ^ hn::Set(di, call_.y[0][at]),
-                                   load(call_.y[1] + at) ^ hn::Set(di, call_.y[1][at])));
+    VI other = load(places_.width + at) ^ hn::Set(di, places_.width[at]);
+    for (const int32_t* line : {places_.first[0] + at, places_.y[0] + at, places_.y[1] + at}) {
+      other = hn::Or(other, load(line) ^ hn::Set(di, line[0]));
+    }
     if (!all_equal(hn::Or(range ^ column, other), hn::Zero(di))) return false;
     for (size_t k = 0; k < 2; ++k) {
-      if (!copy_row(at, first, end, call_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
+      if (!copy_row(at, first, end, places_.y[k][at], spare_of(e) + k * 2 * hn::Lanes(di) * texel_size_)) return false;
     }
     const VI copy = column + hn::Set(di, lease_.spare + static_cast<int32_t>(4 * at));
     hn::Store(copy, di, stream_.index[0] + at);
     hn::Store(copy + hn::Set(di, 2 * lanes), di, stream_.index[2] + at);
-    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
     return true;
   }
 
@@ -252,9 +243,10 @@ class TilePlacer {
   }
 
   /// Places quads of columns side by side. Pairs that cross tiles are copied. Returns false if tiles are not at hand.
-  HWY_INLINE bool place_pairs(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0) {
+  HWY_INLINE bool place_pairs(size_t e, size_t at) {
     const DI di;
-    const VI x1 = x0 + hn::Set(di, 1), column = tile_column(x0);
+    const TileRow top = row_at(e, at, 0), bottom = row_at(e, at, 2);
+    const VI x0 = load(stream_.index[0] + at), x1 = x0 + hn::Set(di, 1), column = tile_column(x0);
     VI index[2], right[2];
     if (!find_kept(top.tile + column, top.texel + texel_column(x0), &index[0])) return false;
     if (!find_kept(bottom.tile + column, bottom.texel + texel_column(x0), &index[1])) return false;
@@ -272,7 +264,6 @@ class TilePlacer {
       mark_read(row.tile + tile_column(x1));
       copy_pairs(e, at, k, hn::IfThenElse(crosses, right[k], hn::Set(di, -1)));
     }
-    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] | kNeighbours);
     return true;
   }
 
@@ -292,27 +283,33 @@ class TilePlacer {
     }
   }
 
-  /// Places the four texels of quads one by one. Returns false if tiles are not at hand.
-  HWY_INLINE bool place_texels(size_t e, size_t at, const TileRow& top, const TileRow& bottom, VI x0, VI x1) {
-    VI index[4];
-    for (size_t k = 0; k < 4; ++k) {
-      const TileRow& row = k < 2 ? top : bottom;
-      const VI x = k % 2 ? x1 : x0;
-      if (!find_kept(row.tile + tile_column(x), row.texel + texel_column(x), &index[k])) return false;
+  /// Places texels one by one. Returns false if tiles are not at hand or texels are the border; they then wait.
+  HWY_INLINE bool place_texels(size_t e, size_t at, size_t count) {
+    const DI di;
+    VI index[4] = {}, tile[4] = {};
+    bool found = true;
+    for (size_t k = 0; k < count && found; ++k) {
+      const TileRow row = row_at(e, at, k);
+      const VI x = load(stream_.index[k] + at);
+      tile[k] = row.tile + tile_column(x);
+      found = hn::AllFalse(di, hn::Lt(hn::Or(x, row.y), hn::Zero(di))) &&
+              find_kept(tile[k], row.texel + texel_column(x), &index[k]);
     }
-    for (size_t k = 0; k < 4; ++k) {
-      const TileRow& row = k < 2 ? top : bottom;
-      hn::Store(index[k], DI(), stream_.index[k] + at);
-      mark_read(row.tile + tile_column(k % 2 ? x1 : x0));
+    for (size_t k = 0; k < count; ++k) {
+      if (HWY_UNLIKELY(!found)) {
+        wait_for(k, at, row_at(e, at, k));
+        continue;
+      }
+      hn::Store(index[k], di, stream_.index[k] + at);
+      mark_read(tile[k]);
     }
-    stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
-    return true;
+    if (found) stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
+    return found;
   }
 
   HWY_INLINE bool place_row(size_t e, size_t at) {
     const DI di;
-    const VI y = load(call_.y[0] + at);
-    const TileRow row = row_at(at, y);
+    const TileRow row = row_at(e, at, 0);
     const VI left = load(stream_.index[2] + at), right = load(stream_.index[3] + at);
     const VI first = row.tile + tile_column(left);
     if (stream_.op[e] & kNeighbours && all_equal(first, row.tile + tile_column(right))) {
@@ -323,37 +320,22 @@ class TilePlacer {
         return true;
       }
     }
-    for (size_t k = 0; k < 4; ++k) wait_for(k, at, row, load(stream_.index[k] + at), y);
-    return false;
-  }
-
-  HWY_INLINE bool place_texel(size_t at) {
-    const DI di;
-    const VI x = load(stream_.index[0] + at), y = load(call_.y[0] + at);
-    const TileRow row = row_at(at, y);
-    const VI tile = row.tile + tile_column(x);
-    VI index;
-    if (hn::AllFalse(di, hn::Lt(hn::Or(x, y), hn::Zero(di))) && find_kept(tile, row.texel + texel_column(x), &index)) {
-      mark_read(tile);
-      hn::Store(index, di, stream_.index[0] + at);
-      return true;
-    }
-    wait_for(0, at, row, x, y);
-    return false;
+    return place_texels(e, at, 4);
   }
 
   TileCall& call_;
   TileLease& lease_;  // until resolve()
   Stream& stream_;
-  const TileShape shape_;
+  StreamPlaces& places_;
+  const UnitShape shape_;
   const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
   const size_t texel_size_;
 };
 
 }  // namespace
 
-void PlaceInTiles(TileCall* call, size_t end, Stream* stream) {
-  TilePlacer(call, stream).place(end);
+void PlaceInTiles(void* call, size_t end, size_t, Stream* stream) {
+  TilePlacer(static_cast<TileCall*>(call), stream).place(end);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

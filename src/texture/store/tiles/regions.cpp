@@ -23,14 +23,20 @@ struct TileRange {
 };
 
 TileRange range_of(const Texture& texture, const shd_tile_region& region) {
-  const TileShape shape = texture.tiles->shape;
+  const UnitShape unit = texture.layout.unit;
   const auto range = [](uint32_t first, uint32_t size, uint32_t shift) {
     return AxisRange{first >> shift, ((first + size - 1) >> shift) + 1};
   };
-  const uint32_t width = level_size(texture.width, region.level);
-  return {region.layer * texture.layer_texels + texture.offset[region.level],
-          (width + (1u << shape.shift_x) - 1) >> shape.shift_x, range(region.x, region.width, shape.shift_x),
-          range(region.y, region.height, shape.shift_y)};
+  return {first_unit(texture, region.layer, region.level),
+          units_along(level_size(texture.width, region.level), unit.shift_x),
+          range(region.x, region.width, unit.shift_x), range(region.y, region.height, unit.shift_y)};
+}
+
+/// Returns whether the slice of a tile averages the slice of a region.
+bool is_above(const Texture& texture, const shd_tile_region& region, const shd_tile& tile) {
+  const AxisRange z = level_range({region.layer, region.layer + 1}, level_size(texture.depth, region.level),
+                                  level_size(texture.depth, tile.level));
+  return z.first <= tile.layer && tile.layer < z.end;
 }
 
 bool overlap(const AxisRange& range, uint32_t first, uint32_t size) {
@@ -83,7 +89,8 @@ void drop_region(const Texture& texture, const shd_tile_region& region) {
   const uint32_t width = level_size(texture.width, region.level), height = level_size(texture.height, region.level);
   texture.tiles->cache->drop(*texture.tiles, [&](uint32_t tile) {
     const shd_tile at = tile_at(texture, tile);
-    if (at.layer != region.layer || at.level < region.level) return false;
+    if (at.level < region.level) return false;
+    if (texture.depth == 0 ? at.layer != region.layer : !is_above(texture, region, at)) return false;
     const AxisRange x = level_range({region.x, region.x + region.width}, width, level_size(texture.width, at.level));
     const AxisRange y = level_range({region.y, region.y + region.height}, height, level_size(texture.height, at.level));
     return overlap(x, at.x, at.width) && overlap(y, at.y, at.height);
@@ -98,7 +105,7 @@ void read_level(const Texture& texture, uint32_t layer, uint32_t level, const sh
   region.width = level_size(texture.width, level);
   region.height = level_size(texture.height, level);
   const TileRange range = range_of(texture, region);
-  const size_t size = texel_size(texture), pitch = size << texture.tiles->shape.shift_x;
+  const size_t size = texel_size(texture), pitch = size << texture.layout.unit.shift_x;
   for (uint64_t i = 0; i < range.size(); ++i) {
     const uint32_t tile = range.tile(i);
     const shd_tile at = tile_at(texture, tile);

@@ -7,15 +7,7 @@
 #include "texture/store/tiles/cache.h"
 
 namespace shd::texture {
-namespace {
-
-uint32_t tiles_along(uint32_t texels, uint32_t shift) {
-  return (texels + (1u << shift) - 1) >> shift;
-}
-
-}  // namespace
-
-TileShape tile_shape(uint32_t tile_bytes, size_t texel_size) {
+UnitShape tile_shape(uint32_t tile_bytes, size_t texel_size) {
   uint32_t shift = 0;
   while ((texel_size << (shift + 1)) <= tile_bytes) ++shift;
   return {(shift + 1) / 2, shift / 2};
@@ -32,26 +24,13 @@ TileSetOwner::~TileSetOwner() {
 }
 
 uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes) {
-  const TileShape shape = tile_shape(tile_bytes, image::format_info(desc.format).pixel_size);
+  Texture texture = {};
+  texture.width = desc.width;
+  texture.height = desc.height;
+  texture.depth = desc.depth;
   const bool full = desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP;
-  const uint32_t levels = full ? full_level_count(desc.width, desc.height) : desc.level_count + 1;
-  uint64_t tiles = 0;
-  for (uint32_t level = 0; level < levels; ++level) {
-    tiles += uint64_t{tiles_along(level_size(desc.width, level), shape.shift_x)} *
-             tiles_along(level_size(desc.height, level), shape.shift_y);
-  }
-  return tiles * desc.layers;
-}
-
-void lay_out_tiles(const TileShape& shape, Texture* texture) {
-  uint64_t tiles = 0;
-  for (uint32_t level = 0; level < kMaxLevels; ++level) {
-    texture->offset[level] = static_cast<uint32_t>(tiles);
-    if (level >= texture->level_count) continue;
-    tiles += uint64_t{tiles_along(level_size(texture->width, level), shape.shift_x)} *
-             tiles_along(level_size(texture->height, level), shape.shift_y);
-  }
-  texture->layer_texels = static_cast<uint32_t>(tiles);
+  texture.level_count = full ? full_level_count(desc.width, desc.height, desc.depth) : desc.level_count + 1;
+  return lay_out(tile_shape(tile_bytes, image::format_info(desc.format).pixel_size), &texture) * desc.layers;
 }
 
 void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
@@ -64,8 +43,7 @@ void build_tiles(const core::Context& context, const shd_texture_desc& desc, Tex
   set->source.release = nullptr;  // until the texture is made
   set->allocator = &context.allocator;
   set->texture = out;
-  set->shape = tile_shape(set->cache->tile_bytes(), texel_size(*out));
-  lay_out_tiles(set->shape, out);
+  lay_out(tile_shape(set->cache->tile_bytes(), texel_size(*out)), out);
   try {
     set->cache->add(set);
   } catch (...) {
@@ -77,27 +55,31 @@ void build_tiles(const core::Context& context, const shd_texture_desc& desc, Tex
 }
 
 uint32_t level_of_tile(const Texture& texture, uint32_t tile) {
-  const uint32_t in_layer = tile % texture.layer_texels;
-  const uint32_t* const end = texture.offset + texture.level_count;
-  return static_cast<uint32_t>(std::upper_bound(texture.offset, end, in_layer) - texture.offset) - 1;
+  const Layout& layout = texture.layout;
+  const uint32_t* const end = layout.offset + texture.level_count;
+  return static_cast<uint32_t>(std::upper_bound(layout.offset, end, tile % layout.layer_units) - layout.offset) - 1;
 }
 
 bool is_same_level(const Texture& texture, uint32_t a, uint32_t b) {
-  return a / texture.layer_texels == b / texture.layer_texels && level_of_tile(texture, a) == level_of_tile(texture, b);
+  const uint32_t layer_units = texture.layout.layer_units;
+  return a / layer_units == b / layer_units && level_of_tile(texture, a) == level_of_tile(texture, b);
 }
 
 shd_tile tile_at(const Texture& texture, uint32_t tile) {
-  const TileShape shape = texture.tiles->shape;
+  const Layout& layout = texture.layout;
   shd_tile at = {};
-  at.layer = tile / texture.layer_texels;
+  at.layer = tile / layout.layer_units;
   at.level = level_of_tile(texture, tile);
   const uint32_t width = level_size(texture.width, at.level), height = level_size(texture.height, at.level);
-  const uint32_t in_level = tile % texture.layer_texels - texture.offset[at.level];
-  const uint32_t across = tiles_along(width, shape.shift_x);
-  at.x = in_level % across << shape.shift_x;
-  at.y = in_level / across << shape.shift_y;
-  at.width = std::min(1u << shape.shift_x, width - at.x);
-  at.height = std::min(1u << shape.shift_y, height - at.y);
+  const uint32_t in_level = tile % layout.layer_units - layout.offset[at.level];
+  const uint32_t in_slice = in_level % slice_units(texture, at.level),
+                 slice = in_level / slice_units(texture, at.level);
+  if (texture.depth != 0) at.layer = slice;
+  const uint32_t across = units_along(width, layout.unit.shift_x);
+  at.x = in_slice % across << layout.unit.shift_x;
+  at.y = in_slice / across << layout.unit.shift_y;
+  at.width = std::min(1u << layout.unit.shift_x, width - at.x);
+  at.height = std::min(1u << layout.unit.shift_y, height - at.y);
   return at;
 }
 

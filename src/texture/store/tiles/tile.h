@@ -40,23 +40,17 @@
 
 #include <shd/texture.h>
 
-#include "core/context.h"
+#include "texture/texture.h"
 
 namespace shd::texture {
 
 class TileCache;
-struct Texture;
 
 /// Names a tile of any texture of a cache: the number of the texture, then the number of the tile. 0 is no tile.
 using TileKey = uint64_t;
 
-/// log2 of the width and the height of tiles [texels].
-struct TileShape {
-  uint32_t shift_x, shift_y;
-};
-
 /// Returns the shape of tiles of a power of two of bytes: as wide as high, or twice as wide.
-TileShape tile_shape(uint32_t tile_bytes, size_t texel_size);
+UnitShape tile_shape(uint32_t tile_bytes, size_t texel_size);
 
 /// The tiles of a texture.
 struct TileSet {
@@ -65,7 +59,6 @@ struct TileSet {
   shd_tile_source source;
   const core::Allocator* allocator;  // allocator of the texture's context
   const Texture* texture;
-  TileShape shape;
   uint32_t number;                 // number of the texture in the cache; never 0
   core::Object* handle = nullptr;  // handle of the texture, when it is made
   TileSet* next = nullptr;         // in the cache's list
@@ -75,9 +68,6 @@ struct TileSet {
 
 /// Returns the number of tiles of all levels and layers of a desc whose sizes and format are checked.
 uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes);
-
-/// Numbers the tiles of a texture, whose size, levels and format are set.
-void lay_out_tiles(const TileShape& shape, Texture* texture);
 
 /// Gives tiles to a texture, whose size, levels and format are set. The caller then sets TileSet::handle, and
 /// TileSet::source.release, which is called with the texture. Throws std::bad_alloc, or Failure, and then keeps

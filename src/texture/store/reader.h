@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "texture/store/bc/levels.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// Reads single texels of a texture, wherever they lie: for oracles, because filters read streams.
+class TexelReader {
+ public:
+  explicit TexelReader(const Texture& texture) : texture_(texture) {}
+
+  /// Returns the first byte of texel (x, y) of an image, as it is stored or decoded. `first` is the first unit of the
+  /// level of the image (first_unit()), `width` the width of the level in texels. The bytes stay until the next call.
+  /// Texels of tiles load their tile; throws Failure if that fails.
+  const uint8_t* at(uint32_t first, uint32_t width, uint32_t x, uint32_t y);
+
+ private:
+  const uint8_t* in_tile(uint32_t tile, uint32_t x, uint32_t y);
+
+  const Texture& texture_;
+  DecodedBlock decoded_;
+};
+
+}  // namespace shd::texture
