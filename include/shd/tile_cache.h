@@ -97,18 +97,20 @@ static inline shd_tile_cache_desc shd_tile_cache_desc_default(void)
 
 /** A tile that a callback fills. Frozen. */
 typedef struct shd_tile {
-    uint32_t layer;    /**< layer of the texture */
+    uint32_t layer;    /**< layer, face, or slice of the level of a 3D texture */
     uint32_t level;    /**< 0 = the base level */
     uint32_t x;        /**< first column of the level, a multiple of the width of whole tiles */
     uint32_t y;        /**< first row of the level, a multiple of the height of whole tiles */
     uint32_t width;    /**< texels to write in a row: the width of a tile, less at the right edge of the level */
     uint32_t height;   /**< rows to write; fewer at the lower edge */
-    void *texels;      /**< [height] rows, `row_stride` apart; aligned to 64 bytes; content undefined */
-    size_t row_stride; /**< bytes between rows */
+    void *texels;      /**< rows of texels or of blocks, `row_stride` apart; aligned to 64 bytes; content undefined */
+    size_t row_stride; /**< bytes between rows of texels or of blocks */
 } shd_tile;
 
 /**
- * Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
+ * Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a compressed
+ * texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The cache keeps
+ * them decoded. It is called without a lock, from
  * any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
  * another. It may call shd: see the rules above.
  * @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,

@@ -24,7 +24,7 @@ SHD_BEGIN_DECLS
 /** A rectangle of a level. Required: width, height. */
 typedef struct shd_tile_region {
     uint32_t struct_size; /**< set by shd_tile_region_default() */
-    uint32_t layer;       /**< 0..layers - 1; default 0 */
+    uint32_t layer;       /**< layer, face, or slice of the level of a 3D texture; default 0 */
     uint32_t level;       /**< 0..level_count - 1; default 0 */
     uint32_t x;           /**< first column, in texels of the level; default 0 */
     uint32_t y;           /**< first row; default 0 */

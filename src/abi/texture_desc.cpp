@@ -128,10 +128,10 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride %zu, not %zu", desc.row_stride, row);
   }
-  if (desc.depth > 1 && desc.layer_stride != 0 && desc.layer_stride != row * desc.height) {
+  if (desc.depth > 1 && desc.layer_stride != 0 && desc.layer_stride != row * layout.rows) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW, but texture.layer_stride %zu, not %zu", desc.layer_stride,
-                      row * desc.height);
+                      row * layout.rows);
   }
   if (image::is_block_format(enum_bits(desc.format))) return SHD_OK;
   const size_t alignment = format.pixel_size < 4 ? format.pixel_size : 4;
@@ -200,16 +200,13 @@ shd_result check_tiles(const shd_texture_desc& desc) {
   if (desc.flags & ~uint32_t{SHD_TEXTURE_PREMULTIPLIED}) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: %#x, but texture.tiles has a cache", desc.flags);
   }
-  const image::FormatInfo format = image::format_info(desc.format);
-  if (image::is_block_format(enum_bits(desc.format)) || format.channels == 3) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has %s, but texture.tiles has a cache",
-                      static_cast<int>(desc.format), format.channels == 3 ? "three channels" : "compressed blocks");
+  if (!image::is_block_format(enum_bits(desc.format)) && image::format_info(desc.format).channels == 3) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has three channels, but texture.tiles has a cache",
+                      static_cast<int>(desc.format));
   }
-  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP} || desc.depth != 0 || desc.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "texture.tables: %#x, depth %u, projection %d, but a texture in tiles is 2D and has "
-                      "SHD_TABLE_MIPMAP only",
-                      desc.tables, desc.depth, static_cast<int>(desc.projection));
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.tables: %#x, but a texture in tiles has SHD_TABLE_MIPMAP only",
+                      desc.tables);
   }
   if (desc.level_count != 0) {
     if (!(desc.tables & SHD_TABLE_MIPMAP)) {
@@ -217,7 +214,7 @@ shd_result check_tiles(const shd_texture_desc& desc) {
                         desc.level_count);
     }
     SHD_TRY(check_count("texture.level_count", desc.level_count, 0,
-                        texture::full_level_count(desc.width, desc.height) - 1));
+                        texture::full_level_count(desc.width, desc.height, desc.depth) - 1));
   }
   const uint64_t tiles = texture::tile_count(desc, cache->tile_bytes());
   return check_count("texture.tiles: number of tiles of all levels and layers", tiles, 1, kMaxTiles);
@@ -226,11 +223,6 @@ shd_result check_tiles(const shd_texture_desc& desc) {
 /// Kind, tables and levels of a texture of compressed blocks.
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
-  if (desc.depth != 0) {
-    return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "texture.depth: %u, but format %u has compressed blocks, which 2D has only", desc.depth,
-                      desc.format);
-  }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "texture.tables: %#x, but a texture of compressed blocks has SHD_TABLE_MIPMAP only", desc.tables);

@@ -20,8 +20,9 @@ shd_result read_region(const shd_texture* handle, const shd_tile_region* region,
   if (!texture::has_tiles(body)) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture: not in tiles");
   *out = shd_tile_region_default();
   SHD_TRY(read_desc("region", region, false, out));
-  SHD_TRY(check_count("region.layer", out->layer, 0, body.layers - 1));
   SHD_TRY(check_count("region.level", out->level, 0, body.level_count - 1));
+  const uint32_t images = body.depth != 0 ? texture::level_size(body.depth, out->level) : body.layers;
+  SHD_TRY(check_count("region.layer", out->layer, 0, images - 1));
   const uint32_t width = texture::level_size(body.width, out->level);
   const uint32_t height = texture::level_size(body.height, out->level);
   SHD_TRY(check_count("region.x", out->x, 0, width - 1));

@@ -75,7 +75,7 @@ struct StreamPlaces {
   static constexpr size_t kColumn = Elements<256>::kColumn;
 
   alignas(64) int32_t y[4][kColumn];
-  alignas(64) int32_t first[4][kColumn];  // first unit of the level of the image (Layout)
+  alignas(64) int32_t first[4][kColumn];  // first unit of the level of the image (Layout), which no other level has
   alignas(64) int32_t width[kColumn];     // width of the level [texels]
 };
 

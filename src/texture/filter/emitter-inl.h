@@ -207,14 +207,17 @@ class Emitter {
 
   /// Write parts of the place of a texel. Texels that are not `in` are the border.
   template <class D>
-  HWY_INLINE void write_column(D, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
-    const hn::RebindToSigned<D> di;
-    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), column, hn::Set(di, -1)), di, self().elements().index[k] + at);
+  HWY_INLINE void write_column(D d, size_t k, size_t at, Ints<D> column, MaskOf<D> in) {
+    hn::Store(place_or_border(d, column, in), hn::RebindToSigned<D>(), self().elements().index[k] + at);
   }
   template <class D>
-  HWY_INLINE void write_row(D, size_t k, size_t at, Ints<D> y, MaskOf<D> in) {
+  HWY_INLINE void write_row(D d, size_t k, size_t at, Ints<D> y, MaskOf<D> in) {
+    hn::Store(place_or_border(d, y, in), hn::RebindToSigned<D>(), self().places()->y[k] + at);
+  }
+  template <class D>
+  HWY_INLINE Ints<D> place_or_border(D, Ints<D> place, MaskOf<D> in) {
     const hn::RebindToSigned<D> di;
-    hn::Store(hn::IfThenElse(hn::RebindMask(di, in), y, hn::Set(di, -1)), di, self().places()->y[k] + at);
+    return HWY_UNLIKELY(self().bordered()) ? hn::IfThenElse(hn::RebindMask(di, in), place, hn::Set(di, -1)) : place;
   }
   template <class D>
   HWY_INLINE void write_image(D, size_t k, size_t at, Ints<D> first, const Level<D>& level) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/support.h"
 
+#include "texture/store/tiles/tile.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -20,10 +21,6 @@ struct Refusal {
 };
 
 constexpr Refusal kRefusals[] = {
-    // Stores of a domain.
-    {kAny, kAny, bits(Store::kTilesOfBlocks), kAny, "tiles have texels, not compressed blocks"},
-    {kAny, bits(Domain::kSlices, Domain::kDirections), bits(Store::kTiles), kAny, "tiles are 2D"},
-    {kAny, bits(Domain::kSlices), bits(Store::kBlocks), kAny, "compressed blocks are 2D"},
     // Filters of a domain.
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
           SHD_FILTER_EXACT),
@@ -31,9 +28,8 @@ constexpr Refusal kRefusals[] = {
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
      bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
     // Tables of a store.
-    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), kAny, bits(Store::kBlocks, Store::kTiles), kAny,
+    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), kAny, bits(Store::kBlocks, Store::kTiles, Store::kTilesOfBlocks), kAny,
      "the table is built of texels in memory"},
-    {bits(SHD_FILTER_EXACT), kAny, bits(Store::kTiles), kAny, "the filter reads texels in memory"},
     // Uses.
     {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_STOCHASTIC), kAny, kAny, bits(Use::kGradients),
      "its values have steps"},
@@ -41,7 +37,6 @@ constexpr Refusal kRefusals[] = {
      "it is not a tree of blends with derivatives"},
     {kAny, bits(Domain::kDirections), kAny, bits(Use::kGradients), "directions have no derivatives"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
-    {kAny, kAny, bits(Store::kTiles), bits(Use::kExplanation, Use::kBounds), "its texels may be absent"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
           SHD_FILTER_EXACT),
      kAny, kAny, bits(Use::kBounds), "no standard defines the filter"},
@@ -66,7 +61,7 @@ Domain domain_of(const Texture& texture) {
 }
 
 Store store_of(const Texture& texture) {
-  if (has_tiles(texture)) return has_blocks(texture) ? Store::kTilesOfBlocks : Store::kTiles;
+  if (has_tiles(texture)) return texture.tiles->decode ? Store::kTilesOfBlocks : Store::kTiles;
   if (has_blocks(texture)) return Store::kBlocks;
   return texture.borrowed ? Store::kBorrowed : Store::kMemory;
 }

@@ -180,11 +180,6 @@ class Placer {
     return true;
   }
 
-  /// Returns whether the texels of lane 0 and of all lanes are in one level of one image.
-  HWY_INLINE bool is_one_image(size_t at, const int32_t* first) const {
-    return all_equal(first) && all_equal(stream_.places.width + at);
-  }
-
   /// Places a quad of neighbours in two rows of texels. Returns whether they still are neighbours; otherwise the
   /// columns of all texels are written.
   HWY_INLINE bool place_quad(size_t at) {
@@ -193,7 +188,7 @@ class Placer {
     const StreamPlaces& places = stream_.places;
     const int32_t *const top = places.y[0] + at, *const bottom = places.y[1] + at, *const first = places.first[0] + at;
     VI index[2];
-    if (HWY_LIKELY(is_one_image(at, first) && all_equal(top) && all_equal(bottom))) {
+    if (HWY_LIKELY(all_equal(first) && all_equal(top) && all_equal(bottom))) {
       const Image image = image_of(at, first);
       const int32_t step = bottom[0] - top[0];
       if (HWY_LIKELY(place_run(image, upper, 1, top[0], &index[0]))) {
@@ -219,7 +214,7 @@ class Placer {
     int32_t* const left = stream_.index[2] + at;
     const int32_t *const y = stream_.places.y[0] + at, *const first = stream_.places.first[0] + at;
     VI index;
-    if (!is_one_image(at, first) || !all_equal(y) || !place_run(image_of(at, first), left, 3, y[0], &index))
+    if (!all_equal(first) || !all_equal(y) || !place_run(image_of(at, first), left, 3, y[0], &index))
       return false;
     hn::Store(index, DI(), left);
     return true;
@@ -228,7 +223,7 @@ class Placer {
   /// Places texel k of an element.
   HWY_INLINE void place_texels(size_t k, size_t at, const Lines& lines) {
     int32_t* const x = stream_.index[k] + at;
-    if (HWY_LIKELY(is_one_image(at, lines.first))) {
+    if (HWY_LIKELY(all_equal(lines.first))) {
       const Image image = image_of(at, lines.first);
       const DI di;
       const bool outside = !hn::AllFalse(di, hn::Lt(hn::Or(load(x), load(lines.y)), hn::Zero(di)));

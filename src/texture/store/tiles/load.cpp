@@ -156,20 +156,54 @@ bool TileCache::take_slots(Lock* lock, TileWait* wait, TileLoad* load) {
   return false;
 }
 
+namespace {
+
+constexpr size_t kMaxTileBlocks = 256;  // in a row: 2^20 bytes of texels of 2 bytes
+
+/// Returns the size of a whole tile of blocks.
+size_t blocks_of_tile(const TileSet& set) {
+  const UnitShape unit = set.texture->layout.unit;
+  return (size_t{set.block_size} << unit.shift_x << unit.shift_y) / 16;
+}
+
+/// Decodes a tile of blocks, which are at the end of its memory. Texels never reach blocks that are not decoded yet: a
+/// row of blocks is copied, and the blocks take less memory than their texels.
+void decode_tile(const TileSet& set, const shd_tile& tile, uint8_t* texels) {
+  const size_t size = texel_size(*set.texture), pitch = size << set.texture->layout.unit.shift_x;
+  const uint32_t across = units_along(tile.width, 2);
+  uint8_t blocks[kMaxTileBlocks * 16];
+  for (uint32_t y = 0; y < units_along(tile.height, 2); ++y) {
+    std::memcpy(blocks, static_cast<const uint8_t*>(tile.texels) + y * tile.row_stride, across * set.block_size);
+    for (uint32_t x = 0; x < across; ++x) {
+      set.decode(blocks + x * set.block_size, texels + 4 * (y * pitch + x * size), pitch);
+    }
+  }
+}
+
+/// Writes where the callback puts texels or blocks of tiles.
+void give_memory(const TileSet& set, uint8_t* memory, size_t bytes, shd_tile* tile) {
+  const UnitShape unit = set.texture->layout.unit;
+  tile->texels = set.decode ? memory + bytes - blocks_of_tile(set) : memory;
+  tile->row_stride = set.decode ? (size_t{set.block_size} << unit.shift_x) / 4 : texel_size(*set.texture) << unit.shift_x;
+}
+
+}  // namespace
+
 shd_result TileCache::call(TileLoad* load) const {
   const TileSet& set = *load->set;
   shd_tile tiles[kMaxTileBatch];
-  const size_t pitch = texel_size(*set.texture) << set.texture->layout.unit.shift_x;
   for (uint32_t i = 0; i < load->count; ++i) {
     tiles[i] = tile_at(*set.texture, load->tile[i]);
-    tiles[i].texels = tile_memory(load->slot[i]);
-    tiles[i].row_stride = pitch;
+    give_memory(set, tile_memory(load->slot[i]), tile_bytes_, &tiles[i]);
   }
   const core::CallbackScope scope(load);
   char before[core::kErrorTextSize];
   std::memcpy(before, core::last_error(), std::strlen(core::last_error()) + 1);
   const shd_result result = set.source.load(set.source.user_data, tiles, load->count);
-  if (result == SHD_OK) return SHD_OK;
+  if (result == SHD_OK) {
+    for (uint32_t i = 0; set.decode && i < load->count; ++i) decode_tile(set, tiles[i], tile_memory(load->slot[i]));
+    return SHD_OK;
+  }
   char cause[core::kErrorTextSize];
   std::memcpy(cause, core::last_error(), std::strlen(core::last_error()) + 1);
   const bool has_cause = std::strcmp(before, cause) != 0;

@@ -168,8 +168,7 @@ class TilePlacer {
     const VI x = hn::Set(di, column), y = hn::Set(di, row), x1 = x0 + hn::Set(di, 1);
     const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
     const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
-    const VI level = hn::Or(load(places_.first[0] + at) ^ hn::Set(di, places_.first[0][at]),
-                            load(places_.width + at) ^ hn::Set(di, places_.width[at]));
+    const VI level = load(places_.first[0] + at) ^ hn::Set(di, places_.first[0][at]);
     if (HWY_UNLIKELY(!all_equal(hn::Or(hn::Or(across, down), level), hn::Zero(di)))) return false;
     const int32_t first = first_texel_of(tile_at(at, column, row));
     if (HWY_UNLIKELY(first < 0)) return false;
@@ -213,7 +212,7 @@ class TilePlacer {
     if (end - first > 2 * lanes) return false;
     const VI column = load(x) - hn::Set(di, first);
     const VI range = hn::Min(hn::Max(column, hn::Zero(di)), hn::Set(di, end - first - 2));
-    VI other = load(places_.width + at) ^ hn::Set(di, places_.width[at]);
+    VI other = hn::Zero(di);
     for (const int32_t* line : {places_.first[0] + at, places_.y[0] + at, places_.y[1] + at}) {
       other = hn::Or(other, load(line) ^ hn::Set(di, line[0]));
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "texture/format/bc/decode.h"
 #include "texture/store/storage.h"
 #include "texture/store/tiles/cache.h"
 
@@ -23,6 +24,17 @@ TileSetOwner::~TileSetOwner() {
   core::release(cache, static_cast<uint32_t>(core::ObjectType::kTileCache));
 }
 
+namespace {
+
+/// Returns the size of a texel in the cache.
+size_t decoded_texel_size(shd_format format) {
+  const image::BlockInfo blocks = image::block_info(format);
+  if (blocks.block_size == 0) return image::format_info(format).pixel_size;
+  return image::format_info(blocks.stored, blocks.component).pixel_size;
+}
+
+}  // namespace
+
 uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes) {
   Texture texture = {};
   texture.width = desc.width;
@@ -30,7 +42,7 @@ uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes) {
   texture.depth = desc.depth;
   const bool full = desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP;
   texture.level_count = full ? full_level_count(desc.width, desc.height, desc.depth) : desc.level_count + 1;
-  return lay_out(tile_shape(tile_bytes, image::format_info(desc.format).pixel_size), &texture) * desc.layers;
+  return lay_out(tile_shape(tile_bytes, decoded_texel_size(desc.format)), &texture) * desc.layers;
 }
 
 void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
@@ -43,6 +55,8 @@ void build_tiles(const core::Context& context, const shd_texture_desc& desc, Tex
   set->source.release = nullptr;  // until the texture is made
   set->allocator = &context.allocator;
   set->texture = out;
+  set->decode = image::is_block_format(static_cast<uint32_t>(desc.format)) ? decoder_of(desc.format) : nullptr;
+  set->block_size = static_cast<uint32_t>(image::block_info(desc.format).block_size);
   lay_out(tile_shape(set->cache->tile_bytes(), texel_size(*out)), out);
   try {
     set->cache->add(set);
