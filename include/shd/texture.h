@@ -95,8 +95,8 @@ typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
 typedef struct shd_texture_desc {
     uint32_t struct_size; /**< set by shd_texture_desc_default() */
     shd_format format;    /**< any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-                                  decode them (docs/compressed.md): SHD_TABLE_MIPMAP is the only table, and the caller
-                                  gives its levels */
+                                  decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+                                  kept decoded */
     uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
     uint32_t height;      /**< texels, 1..65536 */
     const void *texels;   /**< [layers][height][width], row 0 on top, aligned to a channel; copied without
@@ -133,8 +133,9 @@ typedef struct shd_texture_desc {
     shd_projection projection;
     /**
      * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-     * the format has not three channels, and SHD_TABLE_MIPMAP is the only table. `width` and `height` are 1..2^20, and
-     * the tiles of all levels and layers at most 2^30. The callback writes the mip levels too. `level_count` is their
+     * and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and layers
+     * at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture is
+     * made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
      * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
      * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
      * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says about

@@ -12,6 +12,7 @@
 #include "texture/store/storage.h"
 #include "texture/store/tiles/cache.h"
 #include "texture/store/tiles/regions.h"
+#include "texture/table/decoded.h"
 #include "texture/texture.h"
 
 namespace {
@@ -69,6 +70,18 @@ shd_result check_update(const texture::Texture& texture, uint32_t layer, uint32_
   return SHD_OK;
 }
 
+/// Builds the tables of a texture in tiles, which loads its tiles. Without them there is no texture.
+void build_tables_of_tiles(const core::Context& context, texture::Texture* body, shd_texture** texture) {
+  try {
+    texture::build_decoded(context, body);
+  } catch (...) {
+    body->tiles->source.release = nullptr;  // the caller keeps its source
+    shd_texture_release(*texture);
+    *texture = nullptr;
+    throw;
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -94,6 +107,7 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
     if (body->tiles) {
       body->tiles->handle = object_of(*out_texture);
       body->tiles->source.release = read.tiles.release;
+      build_tables_of_tiles(owner, body, out_texture);
     }
     return SHD_OK;
   });
@@ -121,6 +135,7 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     info.tables = body->tables;
     info.flags = flags_of(*body);
     info.byte_size = texture::has_tiles(*body) ? 0 : texture::byte_size(*body);
+    if (body->decoded) info.byte_size += texture::byte_size(body->decoded->texture);
     info.depth = body->depth;
     info.projection = body->projection;
     write_desc(info, out_info);

@@ -186,7 +186,15 @@ shd_result check_borrowed_levels(const shd_texture_desc& desc) {
   return SHD_OK;
 }
 
-/// A texture in tiles: what it can have, and how many tiles.
+shd_result check_texels(const shd_texture_desc& desc) {
+  const char* const product = desc.depth != 0 ? "texture.width * texture.height * texture.depth"
+                                              : "texture.width * texture.height * texture.layers";
+  const uint64_t slice = uint64_t{desc.width} * desc.height;  // at most 2^32
+  return check_count(product, slice * image_count(desc), 1,
+                     desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels);
+}
+
+/// A texture in tiles: its fields, and how many tiles.
 shd_result check_tiles(const shd_texture_desc& desc) {
   texture::TileCache* cache;
   SHD_TRY(read_handle("texture.tiles.cache", desc.tiles.cache, core::ObjectType::kTileCache, &cache));
@@ -204,10 +212,7 @@ shd_result check_tiles(const shd_texture_desc& desc) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has three channels, but texture.tiles has a cache",
                       static_cast<int>(desc.format));
   }
-  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.tables: %#x, but a texture in tiles has SHD_TABLE_MIPMAP only",
-                      desc.tables);
-  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) SHD_TRY(check_texels(desc));
   if (desc.level_count != 0) {
     if (!(desc.tables & SHD_TABLE_MIPMAP)) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP",
@@ -223,23 +228,11 @@ shd_result check_tiles(const shd_texture_desc& desc) {
 /// Kind, tables and levels of a texture of compressed blocks.
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
-  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
-    return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "texture.tables: %#x, but a texture of compressed blocks has SHD_TABLE_MIPMAP only", desc.tables);
-  }
   if (desc.tables & SHD_TABLE_MIPMAP && desc.level_count == 0 && (desc.width > 1 || desc.height > 1)) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.levels");
   }
   return SHD_OK;
-}
-
-shd_result check_texels(const shd_texture_desc& desc) {
-  const char* const product = desc.depth != 0 ? "texture.width * texture.height * texture.depth"
-                                              : "texture.width * texture.height * texture.layers";
-  const uint64_t slice = uint64_t{desc.width} * desc.height;  // at most 2^32
-  return check_count(product, slice * image_count(desc), 1,
-                     desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels);
 }
 
 /// Texels and levels in memory.

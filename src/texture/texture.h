@@ -37,6 +37,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <shd/lookup.h>
 #include <shd/sampler.h>
@@ -78,62 +79,68 @@ struct BlockStore {
   core::CachePool* caches;  // caches of the context; may be null
 };
 
-struct TileSet;
+struct TileSet;         // store/tiles/tile.h
+struct DecodedTexture;  // table/decoded.h
 
-/// Owns the tiles of a texture (store/tiles/tile.h): it leaves its cache, and its source is released.
-class TileSetOwner {
+void destroy_part(TileSet* tiles) noexcept;
+void destroy_part(DecodedTexture* decoded) noexcept;
+
+/// Owns a part of a texture.
+template <class Part>
+class Owned {
  public:
-  TileSetOwner() = default;
-  explicit TileSetOwner(TileSet* set) : set_(set) {}
-  TileSetOwner(TileSetOwner&& other) noexcept : set_(other.set_) { other.set_ = nullptr; }
-  TileSetOwner& operator=(TileSetOwner&& other) noexcept {
-    TileSet* const set = set_;
-    set_ = other.set_;
-    other.set_ = set;
+  Owned() = default;
+  explicit Owned(Part* part) : part_(part) {}
+  Owned(Owned&& other) noexcept : part_(std::exchange(other.part_, nullptr)) {}
+  Owned& operator=(Owned&& other) noexcept {
+    std::swap(part_, other.part_);
     return *this;
   }
-  ~TileSetOwner();
+  ~Owned() {
+    if (part_) destroy_part(part_);
+  }
 
-  TileSet* operator->() const { return set_; }
-  TileSet& operator*() const { return *set_; }
-  explicit operator bool() const { return set_ != nullptr; }
+  Part* operator->() const { return part_; }
+  Part& operator*() const { return *part_; }
+  explicit operator bool() const { return part_ != nullptr; }
 
  private:
-  TileSet* set_ = nullptr;
+  Part* part_ = nullptr;
 };
 
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
 struct Texture {
-  shd_format format;                                // stored format: one, two or four channels, or blocks
-  shd_format given_format;                          // format of the texels that the texture was made from
-  image::Component component;                       // component type of `format`, or of its decoded blocks
-  uint32_t channels;                                // channels of `format`, or of its decoded blocks
-  uint32_t channel_source[4];                       // stored channel of each output, or kFill
-  float fill[4];                                    // constant of each output whose source is kFill
-  bool premultiplied;                               // outputs r, g and b are multiplied by a
-  uint32_t tables;                                  // shd_table bits
-  uint32_t width, height;                           // size of level 0 [texels]
-  uint32_t layers;                                  // 1..kMaxLayers
-  uint32_t depth;                                   // slices of level 0 of a 3D texture; 0 = 2D
-  shd_projection projection;                        // directions that coordinates are
-  uint32_t level_count;                             // 1..kMaxLevels
-  Layout layout;                                    // numbers of texels, blocks or tiles
-  uint32_t ripmap_columns, ripmap_rows;             // ripmap levels along each axis, or 0; the size of level (i, j) is
-                                                    // max(1, width >> i) x max(1, height >> j)
-  uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
-  bool levels_given;                                // the caller gave the mip levels
+  shd_format format;                     // stored format: one, two or four channels, or blocks
+  shd_format given_format;               // format of the texels that the texture was made from
+  image::Component component;            // component type of `format`, or of its decoded blocks
+  uint32_t channels;                     // channels of `format`, or of its decoded blocks
+  uint32_t channel_source[4];            // stored channel of each output, or kFill
+  float fill[4];                         // constant of each output whose source is kFill
+  bool premultiplied;                    // outputs r, g and b are multiplied by a
+  uint32_t tables;                       // shd_table bits
+  uint32_t width, height;                // size of level 0 [texels]
+  uint32_t layers;                       // 1..kMaxLayers
+  uint32_t depth;                        // slices of level 0 of a 3D texture; 0 = 2D
+  shd_projection projection;             // directions that coordinates are
+  uint32_t level_count;                  // 1..kMaxLevels
+  Layout layout;                         // numbers of texels, blocks or tiles
+  uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
+                                         // max(1, width >> i) x max(1, height >> j)
+  core::Array<uint32_t> ripmap_offset;   // first texel of level (i, j) at [j * kMaxLevels + i]; may be empty
+  bool levels_given;                     // the caller gave the mip levels
   core::Array<uint8_t> texels;  // [layers][levels][rows], rows packed; padded at the end for whole gathers; has no base
                                 // level if the base is borrowed
   const uint8_t* borrowed;      // the caller's base level, or null
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
   uint32_t borrowed_units;      // size of the borrowed base: texels or blocks 0..borrowed_units - 1; 0 if not borrowed
   BlockStore blocks;            // set if `texels` are compressed blocks
-  TileSetOwner tiles;           // tiles of a texture in tiles, which has neither texels nor a borrowed base
-  core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
-  uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
-  core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double
-  core::Array<uint32_t> nonfinite_sums;      // counts of texels that are not finite; empty if the texture has none
-  core::Array<double> sum_origins;           // [layers][channels] linear value subtracted from texels before summation
+  Owned<TileSet> tiles;         // of a texture in tiles, which has neither texels nor a borrowed base
+  Owned<DecodedTexture> decoded;         // ripmap and sums of a texture of blocks or tiles
+  core::Array<double> mip_sums;          // [layers] unrounded averages; empty before the first update
+  core::Array<uint32_t> mip_sums_ready;  // [layers] whether the averages are valid; as long as mip_sums has any
+  core::Array<uint8_t> sums;             // [layers] summed-area tables (summed_area.h) of uint32_t or double
+  core::Array<uint32_t> nonfinite_sums;  // counts of texels that are not finite; empty if the texture has none
+  core::Array<double> sum_origins;       // [layers][channels] linear value subtracted from texels before summation
 };
 
 /// Returns whether the memory of a texture holds compressed blocks.

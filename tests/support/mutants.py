@@ -66,7 +66,7 @@ MUTANTS = {
         "  core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));\n", "", "api.lifecycle"),
     "repeated_point": Mutant("src/geometry/outline.cpp", " || (k > 1 && row[k] == row[1])", "",
                              "unit.geometry.outline"),
-    "sums_of_layers": Mutant("src/texture/table/update.cpp", "texture->mip_sums_ready[layer / 32]",
+    "sums_of_layers": Mutant("src/texture/table/update.cpp", "texture->mip_sums_ready[layer]",
                              "texture->mip_sums_ready[0]", "unit.texture.update"),
     "slot_sampler": Mutant("src/abi/material.cpp", "(desc.texture || desc.sampler)", "desc.texture", "api.material"),
     "tangent_sign": Mutant("src/geometry/tessellate.cpp",

@@ -93,7 +93,7 @@ struct Ripmap {
                               int j) const {
     const hn::RebindToSigned<D> di;
     const auto index = rows.level[j] * hn::Set(di, static_cast<int32_t>(kMaxLevels)) + columns.level[i];
-    const auto offset = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.ripmap_offset), index);
+    const auto offset = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.ripmap_offset.data()), index);
     (void)d;
     return {columns.size[i], rows.size[j], first_texel + offset};
   }

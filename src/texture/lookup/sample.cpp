@@ -12,6 +12,7 @@
 #include "texture/lookup/magnify.h"
 #include "texture/store/bc/cache.h"
 #include "texture/store/tiles/lease.h"
+#include "texture/table/decoded.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/lookup/sample.cpp"
@@ -202,8 +203,9 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   return filter(sampler, lookups, wanted, nullptr);
 }
 
-size_t sample_any(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+size_t sample_any(const Texture& given, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& wanted, Recording* recording) {
+  const Texture& texture = HWY_LIKELY(!given.decoded) ? given : read_by(given, sampler.filter);
   if (HWY_UNLIKELY(has_blocks(texture) || has_tiles(texture)) && !recording) {
     return has_tiles(texture) ? sample_tiles(texture, sampler, simd, lookups, wanted)
                               : sample_blocks(texture, sampler, simd, lookups, wanted);

@@ -27,9 +27,6 @@ constexpr Refusal kRefusals[] = {
      bits(Domain::kSlices), kAny, kAny, "the filter is 2D"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
      bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
-    // Tables of a store.
-    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), kAny, bits(Store::kBlocks, Store::kTiles, Store::kTilesOfBlocks), kAny,
-     "the table is built of texels in memory"},
     // Uses.
     {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_STOCHASTIC), kAny, kAny, bits(Use::kGradients),
      "its values have steps"},

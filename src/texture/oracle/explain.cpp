@@ -13,6 +13,7 @@
 #include "texture/lookup/sample.h"
 #include "texture/store/reader.h"
 #include "texture/store/storage.h"
+#include "texture/table/decoded.h"
 
 namespace shd::texture {
 
@@ -132,19 +133,20 @@ void write_tree(const core::Context& context, const Texture& texture, const Samp
 
 }  // namespace
 
-void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
+void explain(const core::Context& context, const Texture& given, const Sampler& sampler, const Lookups& lookups,
              shd_explanation* out) {
-  const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);
+  const Sampler taken = sampler_of(given, sampler, context.simd, lookups);
+  const Texture& texture = read_by(given, taken.filter);
   Recording recording(context.allocator);
   recording.finished_taps = has_border(texture, taken);
   sample(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
   out->filter = taken.filter;
-  for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
+  for (size_t c = 0; c < 4; ++c) out->channel_source[c] = given.channel_source[c];
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   Sampler full = sampler;  // the tree of blends has no other precision
   full.precision = SHD_PRECISION_FULL;
-  sample(texture, full, context.simd, lookups, result);
+  sample(given, full, context.simd, lookups, result);
   find_lods(texture, sampler, lod_range(texture, sampler), LodAxis::kLonger, context.simd, lookups, &out->lod);
   float axes[4];
   find_axes(texture, sampler, context.simd, lookups, axes);

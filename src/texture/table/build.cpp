@@ -8,6 +8,7 @@
 #include "texture/store/bc/levels.h"
 #include "texture/store/image_list.h"
 #include "texture/store/tiles/tile.h"
+#include "texture/table/decoded.h"
 #include "texture/table/summed_area.h"
 
 namespace shd::texture {
@@ -46,9 +47,11 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
 }
 
 /// Sets the offsets of the ripmap levels, which follow the first `texels` texels. Returns the new number of texels.
-size_t lay_out_ripmap(Texture* texture, size_t texels) {
+size_t lay_out_ripmap(const core::Context& context, Texture* texture, size_t texels) {
   texture->ripmap_columns = full_level_count(texture->width, 1);
   texture->ripmap_rows = full_level_count(texture->height, 1);
+  texture->ripmap_offset = core::Array<uint32_t>(context.allocator, size_t{texture->ripmap_rows} * kMaxLevels);
+  texture->ripmap_offset.fill_zero();
   for (uint32_t j = 0; j < texture->ripmap_rows; ++j) {
     for (uint32_t i = 0; i < texture->ripmap_columns; ++i) {
       uint32_t* offset = &texture->ripmap_offset[j * kMaxLevels + i];
@@ -79,9 +82,9 @@ void set_size(const shd_texture_desc& desc, Texture* texture) {
 }
 
 /// Sets the numbers of the texels in memory. Returns the number of texels of all layers.
-size_t lay_out_memory(const shd_texture_desc& desc, Texture* texture) {
+size_t lay_out_memory(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   size_t texels = lay_out({0, 0}, texture);
-  if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(texture, texels);
+  if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(context, texture, texels);
   texture->layout.layer_units = static_cast<uint32_t>(texels);
   return texels * desc.layers;
 }
@@ -176,10 +179,11 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   }
   if (image::block_info(desc.format).block_size) {
     copy_blocks(context, desc, &texture);
+    build_decoded(context, &texture);
     *out = static_cast<Texture&&>(texture);
     return;
   }
-  const size_t texels = lay_out_memory(desc, &texture);
+  const size_t texels = lay_out_memory(context, desc, &texture);
   allocate(context, desc, texels, &texture);
   if (!texture.borrowed) copy_base(context, desc, &texture);
   if (!(desc.flags & SHD_TEXTURE_BORROW_LEVELS)) copy_levels(context, desc, &texture);

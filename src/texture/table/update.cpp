@@ -8,16 +8,19 @@ namespace {
 
 /// Memory of an update, allocated before anything is written.
 struct Scratch {
-  core::Array<double> mip_sums;          // the texture takes it
+  core::Array<double> mip_sums;  // the texture takes these two
+  core::Array<uint32_t> mip_sums_ready;
   core::Array<double> ripmap;            // scratch of build_ripmap_levels()
   core::Array<uint32_t> nonfinite_sums;  // the texture takes it if it needs the table
 };
 
 Scratch make_scratch(const core::Context& context, const Texture& texture) {
   Scratch scratch;
-  if (has_built_levels(texture) && texture.mip_sums.size() == 0) {
+  if (has_built_levels(texture) && texture.mip_sums_ready.size() == 0) {
     const size_t size = core::checked_mul(mip_sums_size(texture), texture.layers);
     scratch.mip_sums = core::Array<double>(context.allocator, size);
+    scratch.mip_sums_ready = core::Array<uint32_t>(context.allocator, texture.layers);
+    scratch.mip_sums_ready.fill_zero();
   }
   if (texture.tables & SHD_TABLE_RIPMAP) {
     scratch.ripmap = core::Array<double>(context.allocator, ripmap_scratch_size(context, texture));
@@ -32,11 +35,10 @@ Scratch make_scratch(const core::Context& context, const Texture& texture) {
 /// until the rebuild is complete, so that the next update repairs a layer after a failed update.
 void update_mip_levels(const core::Context& context, uint32_t image, const Region& region, Texture* texture) {
   const uint32_t layer = texture->depth != 0 ? 0 : image;  // a 3D texture has one layer
-  uint32_t* ready = &texture->mip_sums_ready[layer / 32];
-  const uint32_t bit = 1u << (layer % 32);
+  uint32_t& ready = texture->mip_sums_ready[layer];
   const size_t size = mip_sums_size(*texture);
-  const bool partial = size == 0 || *ready & bit;
-  *ready &= ~bit;
+  const bool partial = size == 0 || ready;
+  ready = 0;
   double* sums = texture->mip_sums.data() + layer * size;
   if (texture->depth != 0) {
     const Box box = {region.x, region.y, {image, image + 1}};
@@ -44,7 +46,7 @@ void update_mip_levels(const core::Context& context, uint32_t image, const Regio
   } else {
     build_mip_levels(context, texture, layer, partial ? region : whole(*texture), sums);
   }
-  *ready |= bit;
+  ready = 1;
 }
 
 /// Rebuilds all tables that depend on a region of the base of a layer or slice.
@@ -59,7 +61,10 @@ void rebuild(const core::Context& context, uint32_t layer, const Region& region,
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
             Texture* texture) {
   Scratch scratch = make_scratch(context, *texture);
-  if (scratch.mip_sums.size() > 0) texture->mip_sums = static_cast<core::Array<double>&&>(scratch.mip_sums);
+  if (scratch.mip_sums_ready.size() > 0) {
+    texture->mip_sums = static_cast<core::Array<double>&&>(scratch.mip_sums);
+    texture->mip_sums_ready = static_cast<core::Array<uint32_t>&&>(scratch.mip_sums_ready);
+  }
   const Region region = {{x, x + texels.width}, {y, y + texels.height}};
   if (texture->borrowed) return rebuild(context, layer, region, &scratch, texture);
   const GivenTexels given = {static_cast<const uint8_t*>(texels.pixels), texels.row_stride,

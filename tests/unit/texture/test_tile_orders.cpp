@@ -98,7 +98,7 @@ struct World {
     set->handle = &handle;
     lay_out(tile_shape(kTileBytes, 1), &texture);
     cache->add(set);
-    texture.tiles = TileSetOwner(set);
+    texture.tiles = Owned<TileSet>(set);
   }
   ~World() {
     shd_tile_cache_stats stats = shd_tile_cache_stats_default();

@@ -14,13 +14,12 @@ UnitShape tile_shape(uint32_t tile_bytes, size_t texel_size) {
   return {(shift + 1) / 2, shift / 2};
 }
 
-TileSetOwner::~TileSetOwner() {
-  if (!set_) return;
-  const core::Allocator& allocator = *set_->allocator;
-  set_->cache->remove(set_);
-  if (set_->source.release) set_->source.release(set_->source.user_data);
-  core::Object* const cache = set_->cache_handle;
-  core::destroy(allocator, set_);
+void destroy_part(TileSet* tiles) noexcept {
+  const core::Allocator& allocator = *tiles->allocator;
+  tiles->cache->remove(tiles);
+  if (tiles->source.release) tiles->source.release(tiles->source.user_data);
+  core::Object* const cache = tiles->cache_handle;
+  core::destroy(allocator, tiles);
   core::release(cache, static_cast<uint32_t>(core::ObjectType::kTileCache));
 }
 
@@ -65,7 +64,7 @@ void build_tiles(const core::Context& context, const shd_texture_desc& desc, Tex
     throw;
   }
   core::retain(handle, kType);
-  out->tiles = TileSetOwner(set);
+  out->tiles = Owned<TileSet>(set);
 }
 
 uint32_t level_of_tile(const Texture& texture, uint32_t tile) {
