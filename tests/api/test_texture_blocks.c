@@ -87,9 +87,7 @@ static void edit_low_layers(shd_texture_desc *d)
     d->layers = 2;
     d->layer_stride = ACROSS * DOWN * 16 - 1;
 }
-static void edit_depth(shd_texture_desc *d) { d->depth = 2; }
-static void edit_ripmap(shd_texture_desc *d) { d->tables = SHD_TABLE_RIPMAP; }
-static void edit_sums(shd_texture_desc *d) { d->tables = SHD_TABLE_SUMMED_AREA; }
+static void edit_depth(shd_texture_desc *d) { d->depth = 2, d->layer_stride = 1; }
 static void edit_no_levels(shd_texture_desc *d) { d->tables = SHD_TABLE_MIPMAP; }
 static void edit_other_levels(shd_texture_desc *d)
 {
@@ -125,10 +123,7 @@ static const struct create_case {
     {"create/unknown", edit_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 37 is not a format"},
     {"create/narrow", edit_narrow, SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: 79 is below 80"},
     {"create/low_layers", edit_low_layers, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 239 is below 240"},
-    {"create/depth", edit_depth, SHD_ERROR_UNSUPPORTED, "texture.depth: 2, but format 35 has compressed blocks"},
-    {"create/ripmap", edit_ripmap, SHD_ERROR_UNSUPPORTED,
-     "texture.tables: 0x2, but a texture of compressed blocks has SHD_TABLE_MIPMAP only"},
-    {"create/sums", edit_sums, SHD_ERROR_UNSUPPORTED, "texture.tables: 0x4"},
+    {"create/no_slices", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 1 is below 240"},
     {"create/no_levels", edit_no_levels, SHD_ERROR_UNSUPPORTED,
      "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.levels"},
     {"create/other_levels", edit_other_levels, SHD_ERROR_INVALID_ARGUMENT,

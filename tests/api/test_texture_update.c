@@ -210,7 +210,7 @@ static void test_faults(void **state)
         shd_assert_all_freed("update", &memory);
         if (result == SHD_OK) break;
     }
-    assert_int_equal(points, 2); /* sums of the mip levels, rows of the ripmap */
+    assert_int_equal(points, 3); /* sums of the mip levels and their flags, rows of the ripmap */
 }
 
 /* An executor that fails in call number `fail_at`. */
