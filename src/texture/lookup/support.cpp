@@ -13,6 +13,7 @@ constexpr uint32_t bits(Values... values) {
 }
 
 constexpr uint32_t kAny = ~0u;
+constexpr const char* kFull = "the values are those of SHD_PRECISION_FULL";
 
 /// Cells that do not work: filters x domains x stores x uses. The first row that has a cell gives the reason.
 struct Refusal {
@@ -38,6 +39,11 @@ constexpr Refusal kRefusals[] = {
           SHD_FILTER_EXACT),
      kAny, kAny, bits(Use::kBounds), "no standard defines the filter"},
     {kAny, bits(Domain::kSlices), kAny, bits(Use::kBounds), "bounds are those of 2D and CUBE"},
+    // Fixed point: the other cells have the values of SHD_PRECISION_FULL.
+    {~bits(SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC), kAny, kAny,
+     bits(Use::kFast), kFull},
+    {kAny, bits(Domain::kSlices, Domain::kDirections), kAny, bits(Use::kFast), kFull},
+    {kAny, kAny, ~bits(Store::kMemory, Store::kBorrowed), bits(Use::kFast), kFull},
 };
 
 }  // namespace

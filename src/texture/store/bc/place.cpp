@@ -88,65 +88,74 @@ class Placer {
     return true;
   }
 
-  /// Blocks of a row of blocks that this stream has found side by side.
-  struct Known {
-    uint32_t block = 0, count = 0, place = 0;
+  /// Columns of a row of blocks that this stream has found side by side. Column x of texel row y of a block is texel
+  /// x + y * pitch + offset of the cache.
+  struct Window {
+    uint32_t first = UINT32_MAX, row = 0;  // of the image; of the blocks
+    int32_t begin = 0, end = 0, offset = 0;
   };
 
-  /// Loads blocks column..column + count - 1 of a row of blocks, and returns the place of the first one. Blocks after
-  /// known ones make more of them known: vectors of tags that were written lately would wait for the writes.
-  HWY_INLINE bool load_row(const Image& image, uint32_t row, uint32_t column, uint32_t count, uint32_t* place) {
-    Known& known = known_[image.zeroth >= cache_.places / 2][row % 2];
-    const uint32_t block = image.first + row * image.across + column, after = block - known.block;
-    *place = cache_.place_of(column, row, image.zeroth);
-    if (after <= known.count && *place == known.place + after) {
-      const uint32_t end = after + count, more = end - known.count;
-      if (end <= known.count) return true;
-      if (HWY_UNLIKELY(!load_run(known.block + known.count, known.place + known.count, more))) return false;
-      known.count = end;
-      return true;
-    }
-    if (HWY_UNLIKELY(!load_run(block, *place, count))) return false;
-    known = {block, count, *place};
+  /// Loads the blocks of columns low..high of a row of blocks. Columns after known ones make more of them known: vectors
+  /// of tags that were written lately would wait for the writes.
+  HWY_NOINLINE bool open_window(const Image& image, uint32_t row, int32_t low, int32_t high, Window* window) {
+    const bool follows =
+        window->first == image.first && window->row == row && window->begin <= low && low <= window->end;
+    const auto begin = static_cast<uint32_t>(follows ? window->begin : low) / 4;
+    const uint32_t from = follows ? static_cast<uint32_t>(window->end) / 4 : begin;
+    const uint32_t end = static_cast<uint32_t>(high) / 4 + 1, place = cache_.place_of(begin, row, image.zeroth);
+    const uint32_t block = image.first + row * image.across;
+    const uint32_t found = load_run(block + from, place + from - begin, end - from);
+    if (HWY_UNLIKELY(found == 0)) return false;
+    *window = {image.first, row, 4 * static_cast<int32_t>(begin), 4 * static_cast<int32_t>(from + found),
+               4 * static_cast<int32_t>(place - begin)};
     return true;
   }
 
-  /// Loads blocks of a row, and marks their places as read.
-  HWY_INLINE bool load_run(uint32_t block, uint32_t place, uint32_t count) {
+  /// Loads blocks of a row, and marks their places as read. Returns the number of blocks that lie there, `count` or more,
+  /// or 0 if the stream reads others at their places.
+  HWY_INLINE uint32_t load_run(uint32_t block, uint32_t place, uint32_t count) {
     const DU du;
+    const auto lanes = static_cast<uint32_t>(hn::Lanes(du));
     const auto ordinals = hn::Load(du, kOrdinals);  // hn::Iota() would write them one by one, and wait for the writes
-    if (HWY_UNLIKELY(place + count > cache_.places)) return false;
-    for (uint32_t k = 0; k < count; k += static_cast<uint32_t>(hn::Lanes(du))) {
-      const auto wanted = hn::FirstN(du, count - k);
-      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + k), hn::Set(du, block + k) + ordinals);
-      if (!hn::AllFalse(du, hn::AndNot(there, wanted)) && !load_blocks(block + k, place + k, count - k)) return false;
-      hn::BlendedStore(hn::Set(du, cache_.now), wanted, du, cache_.turn + place + k);
+    if (HWY_UNLIKELY(place + count > cache_.places)) return 0;
+    uint32_t found = 0;
+    while (found < count) {
+      const auto there = hn::Eq(hn::LoadU(du, cache_.block + place + found), hn::Set(du, block + found) + ordinals);
+      const intptr_t other = hn::FindFirstTrue(du, hn::Not(there));
+      uint32_t run = other < 0 ? lanes : static_cast<uint32_t>(other);
+      const uint32_t wanted = count - found < lanes ? count - found : lanes;
+      if (HWY_UNLIKELY(run < wanted)) {
+        if (!load_blocks(block + found, place + found, wanted)) return 0;
+        run = wanted;
+      }
+      hn::BlendedStore(hn::Set(du, cache_.now), hn::FirstN(du, run), du, cache_.turn + place + found);
+      found += run;
     }
-    return true;
+    return found;
   }
 
   /// Loads at most a vector of blocks of a row.
   HWY_NOINLINE bool load_blocks(uint32_t block, uint32_t place, uint32_t count) {
-    const auto lanes = static_cast<uint32_t>(hn::Lanes(DU()));
-    const uint32_t end = count < lanes ? count : lanes;
-    for (uint32_t k = 0; k < end; ++k) {
+    for (uint32_t k = 0; k < count; ++k) {
       if (HWY_UNLIKELY(!load_block(block + k, place + k))) return false;
     }
     return true;
   }
 
   /// Finds the blocks of columns low..high of row y side by side. Column x is then texel x + *offset of the cache.
-  HWY_INLINE bool find_run(const Image& image, int32_t low, int32_t high, int32_t y, int32_t* offset) {
-    const auto column = static_cast<uint32_t>(low) / 4, row = static_cast<uint32_t>(y) / 4;
-    uint32_t place;
-    if (!load_row(image, row, column, static_cast<uint32_t>(high) / 4 - column + 1, &place)) return false;
-    *offset = (y & 3) * static_cast<int32_t>(cache_.pitch) + 4 * static_cast<int32_t>(place - column);
+  HWY_INLINE bool find_run(size_t at, const int32_t* first, int32_t low, int32_t high, int32_t y, int32_t* offset) {
+    const auto row = static_cast<uint32_t>(y) / 4;
+    Window& window = windows_[latest_][row % 2];
+    const bool known = window.first == static_cast<uint32_t>(first[0]) && window.row == row && window.begin <= low &&
+                       high < window.end;
+    if (HWY_UNLIKELY(!known) && !open_window(image_of(at, first), row, low, high, &window)) return false;
+    *offset = (y & 3) * static_cast<int32_t>(cache_.pitch) + window.offset;
     return true;
   }
 
   /// Places columns side by side of a row of texels, with `more` columns after each. Returns false if they are too far
   /// apart.
-  HWY_INLINE bool place_run(const Image& image, const int32_t* x, int32_t more, int32_t y, VI* index) {
+  HWY_INLINE bool place_run(size_t at, const int32_t* first, const int32_t* x, int32_t more, int32_t y, VI* index) {
     const DI di;
     const DU du;
     const int32_t begin = x[0], last = x[hn::Lanes(di) - 1];
@@ -156,26 +165,26 @@ class Placer {
     const auto most = hn::Set(du, static_cast<uint32_t>(span));
     int32_t offset;
     if (HWY_LIKELY(span <= kLongest && hn::AllTrue(du, hn::Eq(hn::Min(from_low, most), from_low)))) {
-      if (!find_run(image, low, low + span + more, y, &offset)) return false;
+      if (!find_run(at, first, low, low + span + more, y, &offset)) return false;
       *index = columns + hn::Set(di, offset);
       return true;
     }
-    return place_two_runs(image, columns, more, y, index);
+    return place_two_runs(at, first, columns, more, y, index);
   }
 
   /// Places columns near both ends of a row: where SHD_WRAP_REPEAT wraps around.
-  HWY_NOINLINE bool place_two_runs(const Image& image, VI columns, int32_t more, int32_t y, VI* index) {
+  HWY_NOINLINE bool place_two_runs(size_t at, const int32_t* first, VI columns, int32_t more, int32_t y, VI* index) {
     const DI di;
     const auto low = hn::MinOfLanes(di, columns), high = hn::MaxOfLanes(di, columns);
     const auto behind = hn::Gt(columns, low + hn::ShiftRight<1>(high - low));
-    const int32_t first = hn::GetLane(low);
+    const int32_t begin = hn::GetLane(low);
     const int32_t before = hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElse(behind, low, columns)));
     const int32_t after = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(behind, columns, high)));
     const int32_t last = hn::GetLane(high);
     int32_t left, right;
-    if (before - first > kLongest || last - after > kLongest) return false;
-    if (!find_run(image, first, before + more, y, &left) || !find_run(image, after, last + more, y, &right))
-      return false;
+    if (before - begin > kLongest || last - after > kLongest) return false;
+    if (!find_run(at, first, begin, before + more, y, &left)) return false;
+    if (!find_run(at, first, after, last + more, y, &right)) return false;
     *index = columns + hn::IfThenElse(behind, hn::Set(di, right), hn::Set(di, left));
     return true;
   }
@@ -188,14 +197,16 @@ class Placer {
     const StreamPlaces& places = stream_.places;
     const int32_t *const top = places.y[0] + at, *const bottom = places.y[1] + at, *const first = places.first[0] + at;
     VI index[2];
-    if (HWY_LIKELY(all_equal(first) && all_equal(top) && all_equal(bottom))) {
-      const Image image = image_of(at, first);
+    const VI apart = hn::Or(hn::Or(load(first) ^ hn::Set(di, first[0]), load(top) ^ hn::Set(di, top[0])),
+                            load(bottom) ^ hn::Set(di, bottom[0]));
+    latest_ ^= 1;  // elements often alternate between two levels
+    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(apart, hn::Zero(di))))) {
       const int32_t step = bottom[0] - top[0];
-      if (HWY_LIKELY(place_run(image, upper, 1, top[0], &index[0]))) {
+      if (HWY_LIKELY(place_run(at, first, upper, 1, top[0], &index[0]))) {
         // The row below lies in the same blocks, unless it is in the next ones.
         const bool same = step == 0 || (step == 1 && (top[0] & 3) != 3);
         index[1] = index[0] + hn::Set(di, step * static_cast<int32_t>(cache_.pitch));
-        if (same || place_run(image, upper, 1, bottom[0], &index[1])) {
+        if (same || place_run(at, first, upper, 1, bottom[0], &index[1])) {
           hn::Store(index[0], di, upper);
           hn::Store(index[1], di, lower);
           return true;
@@ -214,8 +225,7 @@ class Placer {
     int32_t* const left = stream_.index[2] + at;
     const int32_t *const y = stream_.places.y[0] + at, *const first = stream_.places.first[0] + at;
     VI index;
-    if (!all_equal(first) || !all_equal(y) || !place_run(image_of(at, first), left, 3, y[0], &index))
-      return false;
+    if (!all_equal(first) || !all_equal(y) || !place_run(at, first, left, 3, y[0], &index)) return false;
     hn::Store(index, DI(), left);
     return true;
   }
@@ -224,13 +234,12 @@ class Placer {
   HWY_INLINE void place_texels(size_t k, size_t at, const Lines& lines) {
     int32_t* const x = stream_.index[k] + at;
     if (HWY_LIKELY(all_equal(lines.first))) {
-      const Image image = image_of(at, lines.first);
       const DI di;
       const bool outside = !hn::AllFalse(di, hn::Lt(hn::Or(load(x), load(lines.y)), hn::Zero(di)));
       VI index;
       if (HWY_LIKELY(!outside)) {
-        if (all_equal(lines.y) && place_run(image, x, 0, lines.y[0], &index)) return hn::Store(index, di, x);
-        if (place_in_level(image, load(x), load(lines.y), &index)) return hn::Store(index, di, x);
+        if (all_equal(lines.y) && place_run(at, lines.first, x, 0, lines.y[0], &index)) return hn::Store(index, di, x);
+        if (place_in_level(image_of(at, lines.first), load(x), load(lines.y), &index)) return hn::Store(index, di, x);
       }
     }
     place_each(k, at, lines);
@@ -310,7 +319,8 @@ class Placer {
   Stream& stream_;
   const DecodeBlock decode_;
   const uint32_t size_;
-  Known known_[2][2];  // runs of both halves of the cache, in even and in odd rows of blocks
+  Window windows_[2][2];  // of elements in turn, in even and in odd rows of blocks
+  uint32_t latest_ = 0;
   DecodedBlock decoded_;
 };
 

@@ -159,20 +159,32 @@ class TilePlacer {
     for (size_t lane = 0; lane < hn::Lanes(di); ++lane) lease_.turn[TileLease::entry_of(tiles[lane])] = lease_.now;
   }
 
-  /// Places quads of columns side by side in one tile.
+  /// Places quads of columns side by side in one tile: one of the two latest, or the tile of lane 0.
   HWY_INLINE bool place_together(size_t at) {
+    latest_ ^= 1;  // elements often alternate between two levels
+    if (HWY_LIKELY(place_in(at, recent_[latest_]))) return true;
+    const int32_t x = stream_.index[0][at], y = places_.y[0][at];
+    const int32_t first = first_texel_of(tile_at(at, x, y));
+    if (HWY_UNLIKELY(first < 0)) return false;
+    recent_[latest_] = {x, y, places_.first[0][at], first};
+    return place_in(at, recent_[latest_]);
+  }
+
+  /// A tile that the stream reads: one of its texels, the image, and the index of its first texel.
+  struct Recent {
+    int32_t x = 0, y = 0, image = -1, first = 0;
+  };
+
+  /// Places quads of columns side by side in a tile. Returns false and changes nothing if some of them are elsewhere.
+  HWY_INLINE bool place_in(size_t at, const Recent& tile) {
     const DI di;
     const VI x0 = load(stream_.index[0] + at), y0 = load(places_.y[0] + at), y1 = load(places_.y[1] + at);
-    const int32_t column = stream_.index[0][at], row = places_.y[0][at];
-    // Whether the columns and rows of all lanes lie in the tile of lane 0, on its level.
-    const VI x = hn::Set(di, column), y = hn::Set(di, row), x1 = x0 + hn::Set(di, 1);
+    const VI x = hn::Set(di, tile.x), y = hn::Set(di, tile.y), x1 = x0 + hn::Set(di, 1);
     const VI across = hn::ShiftRightSame(hn::Or(x0 ^ x, x1 ^ x), static_cast<int>(shape_.shift_x));
     const VI down = hn::ShiftRightSame(hn::Or(y0 ^ y, y1 ^ y), static_cast<int>(shape_.shift_y));
-    const VI level = load(places_.first[0] + at) ^ hn::Set(di, places_.first[0][at]);
-    if (HWY_UNLIKELY(!all_equal(hn::Or(hn::Or(across, down), level), hn::Zero(di)))) return false;
-    const int32_t first = first_texel_of(tile_at(at, column, row));
-    if (HWY_UNLIKELY(first < 0)) return false;
-    const VI texel = hn::Set(di, first) + texel_column(x0);
+    const VI image = load(places_.first[0] + at) ^ hn::Set(di, tile.image);
+    if (HWY_UNLIKELY(!all_equal(hn::Or(hn::Or(across, down), image), hn::Zero(di)))) return false;
+    const VI texel = hn::Set(di, tile.first) + texel_column(x0);
     hn::Store(texel + texel_row(y0), di, stream_.index[0] + at);
     hn::Store(texel + texel_row(y1), di, stream_.index[2] + at);
     prefetch_ends(stream_.index[0] + at);
@@ -326,6 +338,8 @@ class TilePlacer {
   TileLease& lease_;  // until resolve()
   Stream& stream_;
   StreamPlaces& places_;
+  Recent recent_[2];
+  size_t latest_ = 0;
   const UnitShape shape_;
   const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
   const size_t texel_size_;
