@@ -138,8 +138,8 @@ typedef struct shd_texture_desc {
      * made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
      * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
      * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
-     * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says about
-     * missing tiles.
+     * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+     * SHD_MISSING_TILES_COARSER.
      */
     shd_tile_source tiles;
     /* ---- end of 0.1; append below ---- */

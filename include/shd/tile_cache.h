@@ -108,11 +108,10 @@ typedef struct shd_tile {
 } shd_tile;
 
 /**
- * Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a compressed
- * texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The cache keeps
- * them decoded. It is called without a lock, from
- * any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
- * another. It may call shd: see the rules above.
+ * Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a
+ * compressed texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The
+ * cache keeps them decoded. It is called without a lock, from any thread that looks texels up, and by several threads
+ * at once, sometimes for the same tile, whose memory is then another. It may call shd: see the rules above.
  * @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
  *          or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
  */

@@ -68,9 +68,9 @@ struct Elements {
 };
 
 /// Places of the texels of elements, for stores that place streams. Columns are in Elements::index; those of neighbours
-/// follow column 0 of a quad, or column 2 of a row. A column or a row of -1 is the border. Texel k of a quad has the row
-/// k / 2, a row of texels has one row, and all texels are in one image; an element with kApart has a row and an image for
-/// each texel.
+/// follow column 0 of a quad, or column 2 of a row. A column or a row of -1 is the border. Texel k of a quad has the
+/// row k / 2, a row of texels has one row, and all texels are in one image; an element with kApart has a row and an
+/// image for each texel.
 struct StreamPlaces {
   static constexpr size_t kColumn = Elements<256>::kColumn;
 
@@ -95,11 +95,11 @@ struct Stream : Elements<256> {
   size_t texels_of(size_t e) const { return op[e] & kMerge ? 0 : op[e] & (kQuad | kRow) ? 4 : 1; }
 };
 
-/// Replaces the columns of elements 0..end - 1, which have `lanes` lanes, by indices of texels in the memory of a store.
-/// Clears kNeighbours where columns are not adjacent there.
+/// Replaces the columns of elements 0..end - 1, which have `lanes` lanes, by indices of texels in the memory of a
+/// store. Clears kNeighbours where columns are not adjacent there.
 using PlaceStream = void (*)(void* state, size_t end, size_t lanes, Stream* stream);
 
-/// How a store places streams. Without `place`, filters write indices themselves.
+/// The placement of streams by a store. Without `place`, filters write indices themselves.
 struct Placement {
   PlaceStream place = nullptr;
   void* state = nullptr;
@@ -172,7 +172,7 @@ struct FilterCall {
   const FormatKernels& format;
   Consume record;        // null, or the consumer that replaces those of the format
   Recording* recording;  // output of `record`, or null
-  Placement placement;   // of the store
+  Placement placement;   // placement of the store
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)
@@ -188,7 +188,7 @@ struct Kernels {
   RunFilter fixed;  // null, or the filter in fixed point, for values without border (fixed.cpp)
   FormatKernels format;
   Consume record;
-  PlaceStream place;  // of the texture's store; null if filters write indices
+  PlaceStream place;  // placement of the texture's store; null if filters write indices
 };
 
 }  // namespace shd::texture

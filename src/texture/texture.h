@@ -10,9 +10,9 @@
 ///             finite values for any bits of the input. A result depends on the inputs of its own lane only.
 ///
 /// A lookup passes four choices, and each is written once. The domain turns coordinates and derivatives into shapes:
-/// level of detail, probes or ellipse. The filter turns shapes into a stream of quads, rows and single texels. The store
-/// places the texels of the stream in memory. The format fetches, decodes and blends them. Domains, filters, stores and
-/// formats do not depend on each other, so they add up and do not multiply.
+/// level of detail, probes or ellipse. The filter turns shapes into a stream of quads, rows and single texels. The
+/// store places the texels of the stream in memory. The format fetches, decodes and blends them. Domains, filters,
+/// stores and formats do not depend on each other, so they add up and do not multiply.
 ///
 /// Rooms, each of which may include itself, the files beside this one and the rooms before it (style.includes):
 /// format store table domain filter lookup convert oracle
@@ -134,7 +134,7 @@ struct Texture {
   const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
   uint32_t borrowed_units;      // size of the borrowed base: texels or blocks 0..borrowed_units - 1; 0 if not borrowed
   BlockStore blocks;            // set if `texels` are compressed blocks
-  Owned<TileSet> tiles;         // of a texture in tiles, which has neither texels nor a borrowed base
+  Owned<TileSet> tiles;         // tiles of a texture without texels and borrowed base
   Owned<DecodedTexture> decoded;         // ripmap and sums of a texture of blocks or tiles
   core::Array<double> mip_sums;          // [layers] unrounded averages; empty before the first update
   core::Array<uint32_t> mip_sums_ready;  // [layers] whether the averages are valid; as long as mip_sums has any

@@ -33,7 +33,7 @@ struct RecordedBlend {
 struct Recording {
   static constexpr size_t kMaxTaps = 4096;
 
-  core::Array<RecordedTap> places;  // of the texels of the streams
+  core::Array<RecordedTap> places;  // places of the texels of streams
   core::Array<RecordedTap> taps;
   core::Array<RecordedBlend> blends;
   size_t place_count = 0, tap_count = 0, blend_count = 0;

@@ -9,8 +9,8 @@ struct Recording;
 
 /// Filters any number of lookups on the calling thread. The texture must have the tables that the filter reads. If
 /// `recording` is not null, lookups are recorded there instead of written to the columns; the filter must have
-/// explanations (support.h) and the sampler without magnification. Returns the number of lookups with a coordinate, derivative
-/// or level of detail that is not finite.
+/// explanations (support.h) and the sampler without magnification. Returns the number of lookups with a coordinate,
+/// derivative or level of detail that is not finite.
 ///
 /// Error bounds against exact arithmetic on the same floats, for texels and borders of magnitude up to m (1 for unorm)
 /// and a base level of w x h texels:

@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-/// Places a stream in the cache of a CacheLease, and decodes the blocks that the cache lacks. Texels whose place is taken
-/// by another block of the same stream get copies outside of the places.
+/// Places a stream in the cache of a CacheLease, and decodes the blocks that the cache lacks. Texels whose place is
+/// taken by another block of the same stream get copies outside of the places.
 void PlaceInBlocks(void* lease, size_t end, size_t lanes, Stream* stream);
 
 /// Places a stream in the tiles of a TileCall. Loads the tiles that are missing, without a lease, and throws Failure if

@@ -75,7 +75,7 @@ std::string entry_of(shd_filter filter, Domain domain, Use use, std::vector<std:
 std::string page() {
   std::ostringstream out;
   std::vector<std::string> reasons;
-  out << "# What works with what\n"
+  out << "# Combinations that work\n"
          "A lookup combines a filter, a domain, a store and a use. All combinations work, except those of these "
          "tables.\n"
          "`test_unit_texture_support --print` writes this page from the table that the checks of the library read.\n\n"

@@ -91,12 +91,12 @@ class Placer {
   /// Columns of a row of blocks that this stream has found side by side. Column x of texel row y of a block is texel
   /// x + y * pitch + offset of the cache.
   struct Window {
-    uint32_t first = UINT32_MAX, row = 0;  // of the image; of the blocks
+    uint32_t first = UINT32_MAX, row = 0;  // first block of the image; row of blocks
     int32_t begin = 0, end = 0, offset = 0;
   };
 
-  /// Loads the blocks of columns low..high of a row of blocks. Columns after known ones make more of them known: vectors
-  /// of tags that were written lately would wait for the writes.
+  /// Loads the blocks of columns low..high of a row of blocks. Columns after known ones make more of them known:
+  /// vectors of tags that were written lately would wait for the writes.
   HWY_NOINLINE bool open_window(const Image& image, uint32_t row, int32_t low, int32_t high, Window* window) {
     const bool follows =
         window->first == image.first && window->row == row && window->begin <= low && low <= window->end;
@@ -111,8 +111,8 @@ class Placer {
     return true;
   }
 
-  /// Loads blocks of a row, and marks their places as read. Returns the number of blocks that lie there, `count` or more,
-  /// or 0 if the stream reads others at their places.
+  /// Loads blocks of a row, and marks their places as read. Returns the number of blocks that lie there, `count` or
+  /// more, or 0 if the stream reads others at their places.
   HWY_INLINE uint32_t load_run(uint32_t block, uint32_t place, uint32_t count) {
     const DU du;
     const auto lanes = static_cast<uint32_t>(hn::Lanes(du));
@@ -319,7 +319,7 @@ class Placer {
   Stream& stream_;
   const DecodeBlock decode_;
   const uint32_t size_;
-  Window windows_[2][2];  // of elements in turn, in even and in odd rows of blocks
+  Window windows_[2][2];  // windows of elements in turn, in even and in odd rows of blocks
   uint32_t latest_ = 0;
   DecodedBlock decoded_;
 };

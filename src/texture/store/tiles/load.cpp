@@ -184,7 +184,8 @@ void decode_tile(const TileSet& set, const shd_tile& tile, uint8_t* texels) {
 void give_memory(const TileSet& set, uint8_t* memory, size_t bytes, shd_tile* tile) {
   const UnitShape unit = set.texture->layout.unit;
   tile->texels = set.decode ? memory + bytes - blocks_of_tile(set) : memory;
-  tile->row_stride = set.decode ? (size_t{set.block_size} << unit.shift_x) / 4 : texel_size(*set.texture) << unit.shift_x;
+  tile->row_stride =
+      set.decode ? (size_t{set.block_size} << unit.shift_x) / 4 : texel_size(*set.texture) << unit.shift_x;
 }
 
 }  // namespace
