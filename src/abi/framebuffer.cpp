@@ -6,9 +6,9 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "film/framebuffer.h"
-#include "film/pixels.h"
 #include "film/planes.h"
 #include "film/readback.h"
+#include "image/pixels.h"
 #include "raster/sample_pattern.h"
 
 namespace {
@@ -211,7 +211,7 @@ shd_result shd_framebuffer_read_color(const shd_framebuffer* framebuffer, const 
     SHD_TRY(read_framebuffer(framebuffer, &body));
     shd_image image;
     SHD_TRY(read_image("out", out, &image));
-    if (!film::can_encode(image.format)) {
+    if (!image::can_encode(image.format)) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is not an RGBA format",
                         static_cast<int>(image.format));
     }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/guard.h"
+#include "core/simd_name.h"
 #include "extension/error.h"
 
 namespace shd::color {
@@ -13,10 +14,6 @@ namespace {
 
 /// Pixels of one task. The number is fixed, so that blocks start at the same pixels for any number of workers.
 constexpr size_t kTaskPixels = 16 * kBlockPixels;
-
-unsigned char* pixel_at(const shd_image& image, size_t row, size_t column) {
-  return static_cast<unsigned char*>(image.pixels) + row * image.row_stride + 4 * column;
-}
 
 /// Calls run(first, count, block) over all pixels, in blocks.
 template <class Run>
@@ -48,16 +45,19 @@ void for_each_block(shd_context* context, size_t pixels, const Run& run) {
   if (job.failed) extension::refuse(SHD_ERROR_INTERNAL, "color transform: %s", job.text);
 }
 
-/// Transforms `count` pixels from `first` on.
-void apply_range(const Transform& transform, const Planes& in, size_t first, size_t count, PixelBlock* block,
-                 const shd_image& out) {
-  load_planes(in, first, count, block);
-  unpremultiply(block, count);
-  transform.apply(block->r, block->g, block->b, count);
-  store_pixels(*block, out, first, count);
+core::SimdTarget simd_of(shd_context* context) {
+  return core::find_simd_target(shd_context_simd_target(context));
 }
 
-void apply_range(size_t target, const Program& program, const Planes& in, size_t first, size_t count,
+/// Transforms a block of loaded pixels from `first` on.
+void apply_block(const core::SimdTarget& simd, const Transform& transform, PixelBlock* block, size_t first,
+                 size_t count, const shd_image& out) {
+  unpremultiply(block, count);
+  transform.apply(block->r, block->g, block->b, count);
+  store_pixels(simd, block, out, first, count);
+}
+
+void apply_range(const core::SimdTarget& simd, const Program& program, const Planes& in, size_t first, size_t count,
                  const shd_image& out) {
   for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t, size_t pixels) {
     const float* plane[4];
@@ -65,49 +65,53 @@ void apply_range(size_t target, const Program& program, const Planes& in, size_t
       const auto* bytes = reinterpret_cast<const unsigned char*>(in.plane[c]) + row * in.row_stride[c];
       plane[c] = reinterpret_cast<const float*>(bytes) + column;
     }
-    show(target, program, plane, pixels, pixel_at(out, row, column));
+    show(simd, program, plane, pixels, pixel_at(out, row, column));
   });
 }
 
 }  // namespace
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out) {
+  const core::SimdTarget simd = simd_of(context);
   for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
-    apply_range(transform, in, first, count, block, out);
+    load_planes(in, first, count, block);
+    apply_block(simd, transform, block, first, count, out);
   });
 }
 
 void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out) {
+  const core::SimdTarget simd = simd_of(context);
   for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
     load_image(in, first, count, block);
-    unpremultiply(block, count);
-    transform.apply(block->r, block->g, block->b, count);
-    store_pixels(*block, out, first, count);
+    apply_block(simd, transform, block, first, count, out);
   });
 }
 
 void apply_planes(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
-  const size_t target = find_target(shd_context_simd_target(context));
+  const core::SimdTarget simd = simd_of(context);
   for_each_block(context, size_t{in.width} * in.height,
-                 [&](size_t first, size_t count, PixelBlock*) { apply_range(target, program, in, first, count, out); });
+                 [&](size_t first, size_t count, PixelBlock*) { apply_range(simd, program, in, first, count, out); });
 }
 
 void apply_image(shd_context* context, const Program& program, const shd_image& in, const shd_image& out) {
-  const size_t target = find_target(shd_context_simd_target(context));
+  const core::SimdTarget simd = simd_of(context);
   for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
     load_image(in, first, count, block);
     for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t at, size_t pixels) {
       const float* const plane[4] = {block->r + at, block->g + at, block->b + at, block->a + at};
-      show(target, program, plane, pixels, pixel_at(out, row, column));
+      show(simd, program, plane, pixels, pixel_at(out, row, column));
     });
   });
 }
 
-void apply_tile(shd_context*, const Transform& transform, const Planes& in, const shd_image& out) {
+void apply_tile(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out) {
+  const core::SimdTarget simd = simd_of(context);
   PixelBlock block;
   const size_t pixels = size_t{in.width} * in.height;
   for (size_t first = 0; first < pixels; first += kBlockPixels) {
-    apply_range(transform, in, first, std::min(kBlockPixels, pixels - first), &block, out);
+    const size_t count = std::min(kBlockPixels, pixels - first);
+    load_planes(in, first, count, &block);
+    apply_block(simd, transform, &block, first, count, out);
   }
 }
 
@@ -115,15 +119,16 @@ void apply_tile(shd_context* context, const Program& program, const Planes& in, 
   Rectangle pixels = {{}, {}, in.width, in.height, static_cast<unsigned char*>(out.pixels), out.row_stride};
   std::copy(in.plane, in.plane + 4, pixels.plane);
   std::copy(in.row_stride, in.row_stride + 4, pixels.row_stride);
-  show(find_target(shd_context_simd_target(context)), program, pixels);
+  show(simd_of(context), program, pixels);
 }
 
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out) {
+  const core::SimdTarget simd = simd_of(context);
   for_each_block(context, size_t{in_out.width} * in_out.height, [&](size_t first, size_t count, PixelBlock* block) {
     load_image(in_out, first, count, block);
     clean_color(block, count);
     transform.apply(block->r, block->g, block->b, count);
-    store_color(*block, in_out, first, count);
+    store_color(simd, block, in_out, first, count);
   });
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/channel.h"
+
 namespace shd::color {
 namespace {
 
@@ -270,8 +272,7 @@ class Baker {
 
 /// The code of a number of a display.
 uint8_t code_of(float value) {
-  const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
-  return static_cast<uint8_t>(static_cast<int32_t>(clamped * 255.0f + 0.5f));
+  return image::unorm_code<uint8_t>(static_cast<double>(value));
 }
 
 /// Finds where the code of one channel changes within each step. All steps are bisected together.

@@ -5,6 +5,7 @@
 
 #include "color/bake.h"
 #include "color/pixels.h"
+#include "core/simd_name.h"
 #include "data/hash.h"
 
 namespace shd::color {
@@ -40,7 +41,7 @@ void make_color(uint32_t i, float (&rgb)[3]) {
 }  // namespace
 
 Deviation measure(const Program& program, const Transform& transform) {
-  const size_t baseline = find_target("");
+  const core::SimdTarget baseline = core::find_simd_target("");
   Deviation deviation;
   PixelBlock exact;
   std::vector<uint8_t> want(4 * kBlockPixels), got(4 * kBlockPixels);
@@ -59,7 +60,7 @@ Deviation measure(const Program& program, const Transform& transform) {
     const float* const planes[4] = {exact.r, exact.g, exact.b, exact.a};
     show(baseline, program, planes, kBlockPixels, got.data());
     transform.apply(exact.r, exact.g, exact.b, kBlockPixels);
-    store_pixels(exact, image, 0, kBlockPixels);
+    store_pixels(baseline, &exact, image, 0, kBlockPixels);
     for (size_t k = 0; k < got.size(); ++k) {
       if (k % 4 == 3) continue;
       const int difference = std::abs(static_cast<int>(got[k]) - want[k]);

@@ -7,6 +7,9 @@
 
 #include <shd/image.h>
 
+#include "core/simd_target.h"
+#include "image/format.h"
+
 namespace shd::color {
 
 /// Number of pixels in a block: four planes of this many floats stay in the first-level cache.
@@ -26,6 +29,11 @@ struct Planes {
   uint32_t width;
   uint32_t height;
 };
+
+inline unsigned char* pixel_at(const shd_image& image, size_t row, size_t column) {
+  return static_cast<unsigned char*>(image.pixels) + row * image.row_stride +
+         column * image::format_info(image.format).pixel_size;
+}
 
 /// Calls run(row, column, offset in the range, pixels) for each piece of a row in a range of pixels.
 template <class Run>
@@ -50,9 +58,11 @@ void clean_color(PixelBlock* block, size_t count);
 /// Clamps alpha to [0, 1] with NaN as 0. Cleans colour and divides it by alpha; colour is 0 where alpha is 0.
 void unpremultiply(PixelBlock* block, size_t count);
 
-/// Stores to any four-channel format: finite values, clamped to the range of the format; colour is 0 where alpha is 0.
-void store_pixels(const PixelBlock& block, const shd_image& image, size_t first, size_t count);
-/// Stores colour to RGBA16F or RGBA32F: finite values, clamped to the range of the format. Alpha in memory is kept.
-void store_color(const PixelBlock& block, const shd_image& image, size_t first, size_t count);
+// Stores clamp the block to the finite range of the format, NaN to 0.
+
+/// Stores to any four-channel format; colour is 0 where alpha is 0.
+void store_pixels(const core::SimdTarget& simd, PixelBlock* block, const shd_image& image, size_t first, size_t count);
+/// Stores colour to RGBA16F or RGBA32F. Alpha in memory is kept.
+void store_color(const core::SimdTarget& simd, PixelBlock* block, const shd_image& image, size_t first, size_t count);
 
 }  // namespace shd::color

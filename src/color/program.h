@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "color/memory.h"
+#include "core/simd_target.h"
 
 namespace shd::color {
 
@@ -61,9 +62,6 @@ struct Program {
   size_t bytes() const;
 };
 
-/// Row of Highway's dispatch tables for a target named by shd_context_simd_target().
-size_t find_target(const char* name);
-
 /// Premultiplied pixels and their place in an RGBA8 image.
 struct Rectangle {
   const float* plane[4];
@@ -75,11 +73,12 @@ struct Rectangle {
 
 /// Brings pixels to RGBA8, as unpremultiply(), a transform and store_pixels() do. The bits are those of every other
 /// target, and do not depend on the rectangle.
-void show(size_t target, const Program& program, const Rectangle& pixels);
+void show(const core::SimdTarget& simd, const Program& program, const Rectangle& pixels);
 
 /// One row of `count` pixels.
-inline void show(size_t target, const Program& program, const float* const plane[4], size_t count, void* out) {
-  show(target, program, {{plane[0], plane[1], plane[2], plane[3]}, {}, count, 1, static_cast<unsigned char*>(out), 0});
+inline void show(const core::SimdTarget& simd, const Program& program, const float* const plane[4], size_t count,
+                 void* out) {
+  show(simd, program, {{plane[0], plane[1], plane[2], plane[3]}, {}, count, 1, static_cast<unsigned char*>(out), 0});
 }
 
 }  // namespace shd::color

@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/simd_name.h"
+#include "image/encode-inl.h"
 #include "simd/gather-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -304,7 +304,7 @@ HWY_INLINE VU Code(const Codes& codes, int channel, VF v) {
 HWY_INLINE VU Pixels(const Codes& codes, VF r, VF g, VF b, VF a) {
   const DF d;
   const DU du;
-  const VU alpha = hn::BitCast(du, hn::ConvertTo(DI(), a * Set(255.0f) + Set(0.5f)));
+  const VU alpha = image::HWY_NAMESPACE::UnormCode<8>(a);
   const VU pixels = hn::Or(hn::Or(Code(codes, 0, r), hn::ShiftLeft<8>(Code(codes, 1, g))),
                            hn::Or(hn::ShiftLeft<16>(Code(codes, 2, b)), hn::ShiftLeft<24>(alpha)));
   return hn::IfThenElseZero(hn::RebindMask(du, hn::Gt(a, hn::Zero(d))), pixels);
@@ -367,21 +367,8 @@ namespace {
 HWY_EXPORT(Show);
 }  // namespace
 
-size_t find_target(const char* name) {
-#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
-  for (int64_t rest = HWY_TARGETS; rest != 0; rest &= rest - 1) {
-    const int64_t bit = rest & -rest;
-    if (std::strcmp(core::simd_target_name(bit), name) == 0) return core::simd_target_index(bit);
-  }
-  return core::simd_target_index(HWY_STATIC_TARGET);
-#else
-  (void)name;
-  return 0;
-#endif
-}
-
-void show(size_t target, const Program& program, const Rectangle& pixels) {
-  HWY_DISPATCH_TABLE(Show)[target](program, pixels);
+void show(const core::SimdTarget& simd, const Program& program, const Rectangle& pixels) {
+  SHD_DISPATCH(Show, simd)(program, pixels);
 }
 
 }  // namespace shd::color

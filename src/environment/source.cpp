@@ -6,7 +6,7 @@
 
 #include "core/executor.h"
 #include "data/trig.h"
-#include "image/format.h"
+#include "image/pixels.h"
 #include "projection/projection.h"
 #include "texture/lookup/sample.h"
 
@@ -83,7 +83,7 @@ float clean(float value, uint64_t* replaced) {
 uint64_t decode_row(const shd_image& image, uint32_t y, float* texel) {
   const image::FormatInfo format = image::format_info(image.format);
   const auto* pixels = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride;
-  texture::decode_pixels(image.format, pixels, static_cast<ptrdiff_t>(format.pixel_size), image.width, texel);
+  image::decode_pixels(image.format, pixels, static_cast<ptrdiff_t>(format.pixel_size), image.width, texel);
   uint64_t replaced = 0;
   for (uint32_t x = 0; x < image.width; ++x, texel += 4) {
     for (size_t c = 0; c < std::min<size_t>(format.channels, 3); ++c) texel[c] = clean(texel[c], &replaced);

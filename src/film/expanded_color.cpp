@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "film/pixels.h"
+#include "image/pixels.h"
 
 namespace shd::film {
 
@@ -17,7 +17,7 @@ ExpandedColor::ExpandedColor(const core::Context& context, Framebuffer* framebuf
   for (size_t y = 0; y < framebuffer_.height; ++y) {
     float* row[4];
     for (uint32_t c = 0; c < 4; ++c) row[c] = planes[c].data() + y * framebuffer_.stride;
-    decode_pixels(format_, pixel_at(framebuffer_, 0, y), framebuffer_.width, row);
+    image::decode_pixels(format_, pixel_at(framebuffer_, 0, y), framebuffer_.width, row);
   }
   for (uint32_t c = 0; c < 4; ++c) framebuffer_.plane[c] = std::move(planes[c]);
   framebuffer_.color_format = SHD_FORMAT_RGBA32F;
@@ -29,7 +29,7 @@ ExpandedColor::~ExpandedColor() {
   for (size_t y = 0; y < framebuffer_.height; ++y) {
     const float* row[4];
     for (uint32_t c = 0; c < 4; ++c) row[c] = framebuffer_.plane[c].data() + y * framebuffer_.stride;
-    encode_pixels(context_.simd, format_, row, framebuffer_.width, pixel_at(&framebuffer_, 0, y));
+    image::encode_pixels(context_.simd, format_, row, framebuffer_.width, pixel_at(&framebuffer_, 0, y));
   }
   for (uint32_t c = 0; c < 4; ++c) framebuffer_.plane[c] = core::Array<float>();
 }

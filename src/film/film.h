@@ -14,7 +14,6 @@
 /// | framebuffer.h    | Framebuffer: the planes and targets of one image                      |
 /// | planes.h         | the list of planes: type, empty value and source of each              |
 /// | readback.h       | planes to columns; colour to interleaved images                       |
-/// | pixels.h         | interleaved pixels from planes, and back                              |
 /// | tile_area.h      | the pixels of one tile in the framebuffer: clear, load and store      |
 /// | tile_planes.h    | planes in which a tile is drawn, and their encoding                   |
 /// | tile_color.h     | colours of the samples of one tile: resolve                           |

@@ -9,6 +9,7 @@
 #include "core/allocator.h"
 #include "core/context.h"
 #include "film/planes.h"
+#include "image/pixels.h"
 
 namespace shd::film {
 
@@ -28,6 +29,11 @@ struct Framebuffer {
 /// Whether colour is stored in planes.
 inline bool has_color_planes(const Framebuffer& framebuffer) {
   return framebuffer.color_format == SHD_FORMAT_RGBA32F;
+}
+
+/// Whether colour can have the format.
+constexpr bool can_draw(shd_format format) {
+  return image::can_encode(format) && format != SHD_FORMAT_RGBA16;
 }
 
 /// Address of an interleaved pixel.

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "data/column.h"
-#include "film/pixels.h"
+#include "image/pixels.h"
 
 namespace shd::film {
 namespace {
@@ -31,7 +31,7 @@ void for_each_decoded(const Framebuffer& framebuffer, const Body& body) {
   for (size_t y = 0; y < framebuffer.height; ++y) {
     for (size_t x = 0; x < framebuffer.width; x += kRun) {
       const size_t count = framebuffer.width - x < kRun ? framebuffer.width - x : kRun;
-      decode_pixels(framebuffer.color_format, pixel_at(framebuffer, x, y), count, planes);
+      image::decode_pixels(framebuffer.color_format, pixel_at(framebuffer, x, y), count, planes);
       body(x, y, count, planes);
     }
   }
@@ -66,11 +66,11 @@ void read_color(const core::SimdTarget& simd, const Framebuffer& framebuffer, co
     for (size_t y = 0; y < framebuffer.height; ++y) {
       const float* row[4];
       for (size_t c = 0; c < 4; ++c) row[c] = framebuffer.plane[c].data() + y * framebuffer.stride;
-      encode_pixels(simd, out.format, row, framebuffer.width, at(0, y));
+      image::encode_pixels(simd, out.format, row, framebuffer.width, at(0, y));
     }
   } else {
     for_each_decoded(framebuffer, [&](size_t x, size_t y, size_t count, float* const* planes) {
-      encode_pixels(simd, out.format, planes, count, at(x, y));
+      image::encode_pixels(simd, out.format, planes, count, at(x, y));
     });
   }
 }

@@ -15,7 +15,7 @@ void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_o
 /// Like read_plane(), for integer planes.
 void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out);
 
-/// Copies colour to a checked image of the same size, in a format accepted by can_encode() (pixels.h).
+/// Copies colour to a checked image of the same size, in a format accepted by image::can_encode().
 void read_color(const core::SimdTarget& simd, const Framebuffer& framebuffer, const shd_image& out);
 
 }  // namespace shd::film

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "film/pixels.h"
+#include "image/pixels.h"
 
 namespace shd::film {
 namespace {
@@ -47,7 +47,8 @@ void load_color(const TileArea& area, const Framebuffer& framebuffer, const Tile
   if (has_color_planes(framebuffer)) return;
   for (uint32_t y = 0; y < area.height; ++y) {
     const TilePlanes row = offset(planes, 0, y);
-    decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width, row.plane);
+    image::decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width,
+                         row.plane);
   }
 }
 
@@ -56,8 +57,8 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
   if (has_color_planes(*framebuffer)) return;
   for (uint32_t y = 0; y < part.height; ++y) {
     const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
-    encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
-                  pixel_at(framebuffer, part.left, part.top + y));
+    image::encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
+                         pixel_at(framebuffer, part.left, part.top + y));
   }
 }
 

@@ -12,6 +12,9 @@
 /// |--------------|--------------------------------------------------------|
 /// | format.h     | layout of each pixel format                            |
 /// | read_image.h | checks of a caller's shd_image                         |
+/// | channel.h    | one stored channel to a number and back, scalar        |
+/// | encode-inl.h | vectors of floats to codes                             |
+/// | pixels.h     | rows of pixels to floats and back                      |
 /// | srgb.h       | sRGB to linear and back (IEC 61966-2-1)                |
 /// | dither.h     | thresholds of the ordered dither                       |
 /// | half.h       | IEEE 754 binary16 to binary32 and back, nearest even   |

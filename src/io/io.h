@@ -39,6 +39,7 @@
 /// | tiff_pages.h     | the chain of pages of a TIFF                                         |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
+/// | plane_rows.h     | planes of a framebuffer as rows of a file                            |
 /// | oiio.h           | decode and encode (oiio_encode.cpp) by OpenImageIO                   |
 /// | oiio_tiles.h     | tiles of files that stay open, by OpenImageIO                        |
 /// | udim.h           | the files of a UDIM set                                              |

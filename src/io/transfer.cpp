@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <vector>
 
-#include "image/half.h"
-#include "image/srgb.h"
+#include "image/channel.h"
 
 namespace shd::io {
 
@@ -54,20 +52,6 @@ double parse_gamma(const std::string& text) {
   return scale > 0 ? value / scale : value;
 }
 
-double normal_value(shd_format format, const unsigned char* at) {
-  uint16_t word;
-  float number;
-  switch (format) {
-    case SHD_FORMAT_RGBA8:
-    case SHD_FORMAT_RGBA8_SRGB: return at[0] / 255.0;
-    case SHD_FORMAT_RGBA16: std::memcpy(&word, at, sizeof word); return word / 65535.0;
-    case SHD_FORMAT_RGBA16F:
-      std::memcpy(&word, at, sizeof word);
-      return static_cast<double>(image::half_to_float(word));
-    default: std::memcpy(&number, at, sizeof number); return static_cast<double>(number);
-  }
-}
-
 /// Decoded value of every code of an integer format; empty for other formats.
 std::vector<float> code_table(const Transfer& transfer, shd_format format) {
   const bool wide = format == SHD_FORMAT_RGBA16;
@@ -78,13 +62,6 @@ std::vector<float> code_table(const Transfer& transfer, shd_format format) {
     table[i] = static_cast<float>(decode(transfer, static_cast<double>(i) / static_cast<double>(maximum)));
   }
   return table;
-}
-
-size_t code_at(shd_format format, const unsigned char* at) {
-  if (format != SHD_FORMAT_RGBA16) return at[0];
-  uint16_t word;
-  std::memcpy(&word, at, sizeof word);
-  return word;
 }
 
 }  // namespace
@@ -137,17 +114,14 @@ double decode(const Transfer& transfer, double value) {
 
 void linearise(const Transfer& transfer, shd_format format, const void* in, size_t count, float* out) {
   const std::vector<float> table = code_table(transfer, format);
-  const size_t channel = format == SHD_FORMAT_RGBA32F                                  ? 4
-                         : format == SHD_FORMAT_RGBA16 || format == SHD_FORMAT_RGBA16F ? 2
-                                                                                       : 1;
-  const auto* bytes = static_cast<const unsigned char*>(in);
-  for (size_t i = 0; i < 4 * count; ++i) {
-    const unsigned char* at = bytes + i * channel;
-    if (i % 4 == 3) {
-      out[i] = static_cast<float>(normal_value(format, at));
+  const image::FormatInfo info = image::format_info(format);
+  const auto* at = static_cast<const unsigned char*>(in);
+  for (size_t i = 0; i < 4 * count; ++i, at += info.channel_size) {
+    if (i % 4 < 3 && !table.empty()) {
+      out[i] = table[info.channel_size == 2 ? image::load_as<uint16_t>(at) : *at];
     } else {
-      out[i] =
-          table.empty() ? static_cast<float>(decode(transfer, normal_value(format, at))) : table[code_at(format, at)];
+      const double number = image::load_number(info.component, at);
+      out[i] = static_cast<float>(i % 4 == 3 ? number : decode(transfer, number));
     }
   }
 }

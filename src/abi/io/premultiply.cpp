@@ -8,18 +8,16 @@
 namespace shd::extension {
 
 void premultiply(const io::Memory& memory, io::Bitmap* bitmap) {
-  const LinearTexels from(bitmap->format);
-  if (from.is_opaque(*bitmap)) return;
+  if (is_opaque(*bitmap)) return;
   const bool has_floats = bitmap->format == SHD_FORMAT_RGBA32F || bitmap->format == SHD_FORMAT_RGBA16F;
   const shd_format format = has_floats ? bitmap->format : SHD_FORMAT_RGBA16F;
-  const LinearTexels to(format);
   const size_t from_size = io::bitmap_pixel_size(bitmap->format), to_size = io::bitmap_pixel_size(format);
   const auto count = static_cast<size_t>(io::level_pixels(bitmap->width, bitmap->height, bitmap->level_count));
   io::Buffer pixels(memory, count * to_size);
   for (size_t i = 0; i < count; ++i) {
-    Rgba color = from.load(bitmap->pixels.data() + i * from_size);
+    Rgba color = load_texel(bitmap->format, bitmap->pixels.data() + i * from_size);
     for (size_t c = 0; c < 3; ++c) color.value[c] *= color.value[3];
-    to.store(color, pixels.data() + i * to_size);
+    store_texel(format, color, 4, pixels.data() + i * to_size);
   }
   bitmap->pixels = std::move(pixels);
   bitmap->format = format;

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <shd/io.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "abi/io/common.h"
+#include "core/simd_name.h"
 #include "extension/color_planes.h"
-#include "image/dither.h"
-#include "image/half.h"
-#include "image/srgb.h"
 #include "io/oiio.h"
+#include "io/plane_rows.h"
 #include "io/printable.h"
-#include "io/transfer.h"
 #include "io/write_file.h"
 
 namespace {
@@ -119,90 +117,11 @@ constexpr struct {
 /// Planes of a framebuffer by shd_plane; absent ones are all null.
 struct Planes {
   shd_plane_view view[kPlaneCount] = {};
-  uint32_t width = 0;
-  bool half = false;               // colour, in EXR
-  bool curve = true;               // sRGB-encode, in integer formats
-  bool dither = false;             // ordered dither, in integer formats
-  const float* display = nullptr;  // [height][width][4], straight, encoded: colour converted by the caller's display
 };
 
-float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
-  const shd_plane_view& view = planes.view[plane];
-  float value;
-  std::memcpy(&value, reinterpret_cast<const char*>(view.f32) + y * view.row_stride + x * sizeof value, sizeof value);
-  return value;
-}
-
-/// Displayed colour of a pixel, straight, encoded on request, in any range.
-void shown_color(const Planes& planes, uint32_t x, uint32_t y, double out[4]) {
-  if (planes.display) {
-    const float* pixel = planes.display + 4 * (size_t{y} * planes.width + x);
-    for (int c = 0; c < 4; ++c) out[c] = static_cast<double>(pixel[c]);
-    return;
-  }
-  out[3] = static_cast<double>(plane_value(planes, SHD_PLANE_A, x, y));
-  for (int c = 0; c < 3; ++c) {
-    out[c] = static_cast<double>(plane_value(planes, c, x, y));
-    if (out[3] > 0) out[c] /= out[3];
-  }
-}
-
-/// Colour in the codes of T: clamped to 0..1, encoded if asked, rounded to nearest or dithered.
-template <class T>
-void display_row(const void* user_data, uint32_t y, unsigned char* out) {
-  const auto& planes = *static_cast<const Planes*>(user_data);
-  constexpr double kMax = T(~T(0));
-  for (uint32_t x = 0; x < planes.width; ++x) {
-    const double threshold = planes.dither ? image::dither_threshold(x, y) : 0.5;
-    double color[4];
-    shown_color(planes, x, y, color);
-    T rgba[4];
-    for (int c = 0; c < 4; ++c) {
-      double value = color[c] > 0 ? (color[c] < 1 ? color[c] : 1) : 0;  // NaN to 0
-      if (c < 3 && planes.curve && !planes.display) value = image::linear_to_srgb(value);
-      rgba[c] = static_cast<T>(value * kMax + (c < 3 ? threshold : 0.5));
-    }
-    std::memcpy(out + x * sizeof rgba, rgba, sizeof rgba);
-  }
-}
-
-/// Three or four colour channels as they are.
-template <int kChannels>
-void float_row(const void* user_data, uint32_t y, unsigned char* out) {
-  const auto& planes = *static_cast<const Planes*>(user_data);
-  for (uint32_t x = 0; x < planes.width; ++x) {
-    for (int c = 0; c < kChannels; ++c, out += sizeof(float)) {
-      const float value = plane_value(planes, c, x, y);
-      std::memcpy(out, &value, sizeof value);
-    }
-  }
-}
-
-/// Every plane there is, in the order of shd_plane.
-void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
-  const auto& planes = *static_cast<const Planes*>(user_data);
-  for (uint32_t x = 0; x < planes.width; ++x) {
-    for (int plane = 0; plane < kPlaneCount; ++plane) {
-      const shd_plane_view& view = planes.view[plane];
-      if (view.u32) {
-        std::memcpy(out, reinterpret_cast<const char*>(view.u32) + y * view.row_stride + x * 4, 4);
-        out += 4;
-      } else if (view.f32) {
-        const float value = plane_value(planes, plane, x, y);
-        const bool half = planes.half && plane <= SHD_PLANE_A;
-        const uint16_t narrow = image::float_to_half(value);
-        std::memcpy(out, half ? static_cast<const void*>(&narrow) : &value, half ? sizeof narrow : sizeof value);
-        out += half ? sizeof narrow : sizeof value;
-      }
-    }
-  }
-}
-
 Planes view_planes(const shd_framebuffer* framebuffer, const shd_framebuffer_info& info,
-                   const extension::ColorPlanes& color, EncodeJob* job) {
+                   const extension::ColorPlanes& color) {
   Planes planes;
-  job->width = planes.width = info.width;
-  job->height = info.height;
   for (int c = 0; c < 4; ++c) planes.view[c] = color.view[c];
   for (int plane = SHD_PLANE_DEPTH; plane < kPlaneCount; ++plane) {
     if (kPlanes[plane].aov && !(info.aovs & kPlanes[plane].aov)) continue;
@@ -212,19 +131,21 @@ Planes view_planes(const shd_framebuffer* framebuffer, const shd_framebuffer_inf
   return planes;
 }
 
-void describe_exr(EncodeJob* job, Planes* planes, uint32_t depth) {
-  planes->half = depth == 16;
-  for (int plane = 0; plane < kPlaneCount; ++plane) {
-    if (!planes->view[plane].f32 && !planes->view[plane].u32) continue;
-    const bool color = plane <= SHD_PLANE_A;
-    const Sample sample = planes->view[plane].u32 ? Sample::kU32
-                          : color && planes->half ? Sample::kHalf
-                                                  : Sample::kFloat;
+/// The first `count` planes as they are; colour is half if `depth` is 16.
+void describe_planes(const Planes& planes, int count, uint32_t depth, io::PlaneRows* rows, EncodeJob* job) {
+  rows->width = job->width;
+  for (int plane = 0; plane < count; ++plane) {
+    const shd_plane_view& view = planes.view[plane];
+    if (!view.f32 && !view.u32) continue;
+    const Sample sample = view.u32                              ? Sample::kU32
+                          : depth == 16 && plane <= SHD_PLANE_A ? Sample::kHalf
+                                                                : Sample::kFloat;
+    rows->channels.push_back({view, sample});
     job->channels.push_back({kPlanes[plane].name, sample});
   }
-  job->alpha = 3;
-  job->color_space = "Linear";
-  job->row = plane_row;
+  job->alpha = count > SHD_PLANE_A ? 3 : -1;
+  job->row = io::plane_row;
+  job->user_data = rows;
 }
 
 void describe_color(EncodeJob* job, Sample sample, int channels) {
@@ -233,12 +154,18 @@ void describe_color(EncodeJob* job, Sample sample, int channels) {
   job->alpha = channels == 4 ? 3 : -1;
 }
 
-void describe_display(EncodeJob* job, Planes* planes, uint32_t depth, shd_color_encoding encoding) {
-  planes->curve = encoding == SHD_COLOR_ENCODING_AUTO || encoding == SHD_COLOR_ENCODING_SRGB;
+void describe_codes(const Planes& planes, uint32_t depth, const shd_save_desc& desc, io::CodeRows* rows,
+                    EncodeJob* job) {
+  rows->width = job->width;
+  rows->bits = depth;
+  std::copy(planes.view, planes.view + 4, rows->plane);
+  rows->curve = desc.color_space == SHD_COLOR_ENCODING_AUTO || desc.color_space == SHD_COLOR_ENCODING_SRGB;
+  rows->dither = desc.dither == SHD_DITHER_ORDERED;
   describe_color(job, depth == 8 ? Sample::kU8 : Sample::kU16, 4);
   job->straight = true;
-  job->color_space = planes->curve ? "sRGB" : "Linear";
-  job->row = depth == 8 ? display_row<uint8_t> : display_row<uint16_t>;
+  job->color_space = rows->curve ? "sRGB" : "Linear";
+  job->row = io::code_row;
+  job->user_data = rows;
 }
 
 uint32_t depth_for(const Extension& extension, uint32_t wanted) {
@@ -275,24 +202,23 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
   job.writer = extension.writer;
   shd_framebuffer_info info = shd_framebuffer_info_default();
   require(shd_framebuffer_get_info(framebuffer, &info));
+  job.width = info.width;
+  job.height = info.height;
   const extension::ColorPlanes color(framebuffer, info);
-  Planes planes = view_planes(framebuffer, info, color, &job);
-  job.user_data = &planes;
+  const Planes planes = view_planes(framebuffer, info, color);
+  io::PlaneRows plane_rows;
+  io::CodeRows code_rows;
   io::Buffer shown;
-  if (extension.kind == Kind::kExr) {
-    describe_exr(&job, &planes, depth);
-  } else if (extension.kind == Kind::kHdr) {
-    describe_color(&job, Sample::kFloat, 3);
-    job.row = float_row<3>;
-  } else if (depth == 32) {
-    describe_color(&job, Sample::kFloat, 4);
+  if (extension.kind == Kind::kHdr) {
+    describe_planes(planes, 3, depth, &plane_rows, &job);
+  } else if (extension.kind == Kind::kExr || depth == 32) {
+    describe_planes(planes, extension.kind == Kind::kExr ? kPlaneCount : 4, depth, &plane_rows, &job);
     job.color_space = "Linear";
-    job.row = float_row<4>;
   } else {
-    describe_display(&job, &planes, depth, desc.color_space);
-    planes.dither = desc.dither == SHD_DITHER_ORDERED;
+    code_rows.simd = core::find_simd_target(shd_context_simd_target(shd_framebuffer_context(framebuffer)));
+    describe_codes(planes, depth, desc, &code_rows, &job);
     if (desc.display.apply) shown = show(framebuffer, desc.display, job);
-    if (shown.size()) planes.display = reinterpret_cast<const float*>(shown.data());
+    if (shown.size()) code_rows.display = reinterpret_cast<const float*>(shown.data());
   }
   save(job, path);
 }

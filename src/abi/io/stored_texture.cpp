@@ -7,8 +7,7 @@
 
 #include "abi/io/common.h"
 #include "abi/io/loads.h"
-#include "image/format.h"
-#include "image/half.h"
+#include "image/channel.h"
 #include "io/levels.h"
 #include "io/raw_voxels.h"
 #include "io/sniff.h"
@@ -88,21 +87,6 @@ shd_format expanded_format(shd_format stored) {
   }
 }
 
-/// Stores a looked-up value, which is exactly one of the format.
-void store_value(shd_format format, float value, unsigned char* to) {
-  if (format == SHD_FORMAT_RGBA32F) {
-    std::memcpy(to, &value, sizeof value);
-  } else if (format == SHD_FORMAT_RGBA16F) {
-    const uint16_t half = image::float_to_half(value);
-    std::memcpy(to, &half, sizeof half);
-  } else if (format == SHD_FORMAT_RGBA16) {
-    const auto code = static_cast<uint16_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 65535.0f));
-    std::memcpy(to, &code, sizeof code);
-  } else {
-    *to = static_cast<unsigned char>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
-  }
-}
-
 /// References of one expansion.
 struct Lookup {
   shd_texture* texture = nullptr;
@@ -115,7 +99,9 @@ struct Lookup {
 
 /// Looks up every texel of a texture and stores it as RGBA.
 void expand_rows(const Lookup& lookup, bool flip, io::Bitmap* out) {
-  const size_t pixel = io::bitmap_pixel_size(out->format), width = out->width;
+  // The numbers as they are stored, without the sRGB curve.
+  const image::FormatInfo format = image::format_info(io::without_srgb(out->format));
+  const size_t pixel = format.pixel_size, width = out->width;
   std::vector<float> columns(6 * width);
   shd_lookups places = shd_lookups_default();
   shd_texels texels = shd_texels_default();
@@ -132,7 +118,9 @@ void expand_rows(const Lookup& lookup, bool flip, io::Bitmap* out) {
     require(shd_texture_sample(lookup.texture, lookup.sampler, &places, &texels));
     unsigned char* to = out->pixels.data() + (flip ? out->height - 1 - y : y) * width * pixel;
     for (size_t x = 0; x < width; ++x) {
-      for (size_t c = 0; c < 4; ++c, to += pixel / 4) store_value(out->format, columns[c * width + x], to);
+      for (size_t c = 0; c < 4; ++c, to += format.channel_size) {
+        image::store_channel(format.component, static_cast<double>(columns[c * width + x]), to);
+      }
     }
   }
 }

@@ -8,9 +8,7 @@
 
 #include "abi/io/common.h"
 #include "core/guard.h"
-#include "image/format.h"
-#include "image/half.h"
-#include "image/srgb.h"
+#include "image/channel.h"
 #include "io/levels.h"
 #include "io/oiio_tiles.h"
 #include "io/udim.h"
@@ -36,17 +34,7 @@ struct Provider {
 
 void store_fill(const image::FormatInfo& format, const float* fill, unsigned char* out) {
   for (size_t c = 0; c < format.channels; ++c, out += format.channel_size) {
-    const double value = static_cast<double>(fill[c]), inside = std::min(std::max(value, 0.0), 1.0);
-    const bool srgb = format.component == image::Component::kSrgb8 && c < 3;
-    const auto code8 = static_cast<uint8_t>(255 * (srgb ? image::linear_to_srgb(inside) : inside) + 0.5);
-    const auto code16 = static_cast<uint16_t>(65535 * inside + 0.5);
-    const uint16_t half = image::float_to_half(fill[c]);
-    switch (format.component) {
-      case image::Component::kUnorm16: std::memcpy(out, &code16, sizeof code16); break;
-      case image::Component::kFloat16: std::memcpy(out, &half, sizeof half); break;
-      case image::Component::kFloat32: std::memcpy(out, &fill[c], sizeof fill[c]); break;
-      default: *out = code8;
-    }
+    image::store_channel(image::channel_component(format, c), static_cast<double>(fill[c]), out);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/executor.h"
 #include "data/trig.h"
+#include "image/pixels.h"
 #include "projection/projection.h"
 #include "texture/convert/floats.h"
 #include "texture/format/formats.h"
@@ -35,8 +36,8 @@ DirectionFloats decode(const core::Context& context, const DirectionFaces& from)
   const auto size = static_cast<ptrdiff_t>(image::format_info(from.format).pixel_size);
   for_rows(context, {0, projection::face_count(from.projection) * from.height}, [&](uint32_t row, uint32_t) {
     const uint32_t face = row / from.height;
-    decode_pixels(from.format, pixel_of(from, face, 0, row % from.height), from.face[face].turned ? -size : size,
-                  from.width, decoded.texels.data() + size_t{row} * from.width * 4);
+    image::decode_pixels(from.format, pixel_of(from, face, 0, row % from.height), from.face[face].turned ? -size : size,
+                         from.width, decoded.texels.data() + size_t{row} * from.width * 4);
   });
   return decoded;
 }

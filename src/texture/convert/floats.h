@@ -11,10 +11,6 @@
 
 namespace shd::texture {
 
-/// Decodes `count` pixels, which lie `step` bytes apart, to RGBA floats in linear light. Channels that the format lacks
-/// are 0, alpha 1.
-void decode_pixels(shd_format format, const uint8_t* pixel, ptrdiff_t step, uint32_t count, float* rgba);
-
 /// Floats that lookups may read after the last texel.
 constexpr size_t kFloatPadding = SHD_TEXTURE_PADDING / sizeof(float);
 

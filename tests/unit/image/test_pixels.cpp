@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Interleaved pixels on every SIMD target: the codes of arithmetic in doubles around every tie, every length of a tail,
-// and the round trip of decoded pixels.
+// the round trip of decoded pixels, pixels of every format and step, and single channels.
 #include "support/check.h"
 
 #include <vector>
 
-#include "film/pixels.h"
+#include "film/framebuffer.h"
+#include "image/channel.h"
 #include "image/half.h"
-#include "image/srgb.h"
+#include "image/pixels.h"
 #include "support/targets.h"
 
 namespace {
 
-using shd::film::decode_pixels;
-using shd::film::encode_pixels;
+using shd::image::decode_pixels;
+using shd::image::encode_pixels;
 
 constexpr shd_format kFormats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16, SHD_FORMAT_RGBA16F,
                                    SHD_FORMAT_RGBA32F};
@@ -150,13 +151,84 @@ void test_round_trip(void**) {
   }
 }
 
+/// The linear value of a channel, from its definition.
+float decode_one(const shd::image::FormatInfo& format, size_t c, const unsigned char* channel) {
+  uint16_t wide;
+  float number;
+  memcpy(&wide, channel, format.channel_size >= 2 ? 2 : 1);
+  memcpy(&number, channel, format.channel_size);
+  switch (format.component) {
+    case shd::image::Component::kUnorm8: return static_cast<float>(*channel / 255.0);
+    case shd::image::Component::kSrgb8:
+      return c == 3 ? static_cast<float>(*channel / 255.0) : shd::image::srgb8_to_linear(*channel);
+    case shd::image::Component::kUnorm16: return static_cast<float>(wide / 65535.0);
+    case shd::image::Component::kFloat16: return shd::image::half_to_float(wide);
+    default: return number;
+  }
+}
+
+/// Every format, in both directions of a row, to planes and to RGBA: every code of 16 bits, and the bits of NaN.
+void test_decode(void**) {
+  constexpr size_t kCount = 16384;
+  std::vector<unsigned char> in(kCount * 19 + 64);
+  for (size_t i = 0; i < kCount * 8; ++i) memcpy(&in[2 * i], &i, 2);
+  std::vector<float> rgba(4 * kCount), columns[4];
+  for (auto& column : columns) column.resize(kCount);
+  float* const planes[4] = {columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()};
+  for (int f = 1; f <= SHD_FORMAT_RGB32F; ++f) {
+    const auto format = static_cast<shd_format>(f);
+    const shd::image::FormatInfo info = shd::image::format_info(format);
+    if (info.channels == 0) continue;
+    const auto size = static_cast<ptrdiff_t>(info.pixel_size);
+    for (const ptrdiff_t step : {size, size + 3, -size}) {
+      const unsigned char* const first = in.data() + (step < 0 ? (kCount - 1) * info.pixel_size : 0);
+      decode_pixels(format, first, step, kCount, rgba.data());
+      if (step == size) decode_pixels(format, first, kCount, planes);
+      for (size_t i = 0; i < kCount; ++i) {
+        for (size_t c = 0; c < 4; ++c) {
+          const unsigned char* const channel = first + static_cast<ptrdiff_t>(i) * step + c * info.channel_size;
+          const float want = c < info.channels ? decode_one(info, c, channel) : c == 3 ? 1.0f : 0.0f;
+          if (memcmp(&want, &rgba[4 * i + c], 4)) fail_msg("format %d, pixel %zu, channel %zu", f, i, c);
+          if (step == size && memcmp(&want, &columns[c][i], 4)) fail_msg("plane %zu, format %d, pixel %zu", c, f, i);
+          if (c >= info.channels || isnan(want)) continue;
+          const double value = shd::image::load_channel(shd::image::channel_component(info, c), channel);
+          assert_true(static_cast<float>(value) == want);
+        }
+      }
+    }
+  }
+}
+
+/// Single channels have the codes of pixels, and a dither moves the threshold.
+void test_channels(void**) {
+  const std::vector<float> values = make_values();
+  for (const shd_format format : kFormats) {
+    const shd::image::FormatInfo info = shd::image::format_info(format);
+    for (const float value : values) {
+      const float color[4] = {value, value, value, value};
+      unsigned char want[16], got[16];
+      encode_one(format, color, want);
+      for (size_t c = 0; c < 4; ++c) {
+        shd::image::store_channel(shd::image::channel_component(info, c), static_cast<double>(value),
+                                  got + c * info.channel_size);
+      }
+      if (!isnan(value)) assert_memory_equal(got, want, info.pixel_size);
+    }
+  }
+  for (int code = 0; code < 256; ++code) {
+    const double value = (code + 0.25) / 255;
+    assert_int_equal(shd::image::unorm_code<uint8_t>(value, 0.74), code);
+    assert_int_equal(shd::image::unorm_code<uint8_t>(value, 0.76), code < 255 ? code + 1 : 255);
+  }
+}
+
 void test_formats(void**) {
   for (int f = 0; f <= SHD_FORMAT_RGB32F; ++f) {
     const auto format = static_cast<shd_format>(f);
     bool encodes = false, draws = format == SHD_FORMAT_RGBA32F;
     for (shd_format known : kFormats) encodes = encodes || known == format;
     for (shd_format known : kDrawn) draws = draws || known == format;
-    assert_int_equal(shd::film::can_encode(format), encodes);
+    assert_int_equal(shd::image::can_encode(format), encodes);
     assert_int_equal(shd::film::can_draw(format), draws);
   }
 }
@@ -168,7 +240,9 @@ int main() {
       {"ties", test_ties, nullptr, nullptr, nullptr},
       {"tails", test_tails, nullptr, nullptr, nullptr},
       {"round_trip", test_round_trip, nullptr, nullptr, nullptr},
+      {"decode", test_decode, nullptr, nullptr, nullptr},
+      {"channels", test_channels, nullptr, nullptr, nullptr},
       {"formats", test_formats, nullptr, nullptr, nullptr},
   };
-  return _cmocka_run_group_tests("unit.film.pixels", tests, sizeof tests / sizeof tests[0], nullptr, nullptr);
+  return _cmocka_run_group_tests("unit.image.pixels", tests, sizeof tests / sizeof tests[0], nullptr, nullptr);
 }
