@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tool/check/npy.h"
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
+#include "image/half.h"
 #include "tool/check/table.h"
 #include "tool/failure.h"
 
@@ -94,13 +94,6 @@ T load(const char* from) {
 
 }  // namespace
 
-double half_value(uint16_t half) {
-  const int exponent = half >> 10 & 31;
-  const double mantissa = half & 1023, sign = half & 0x8000 ? -1.0 : 1.0;
-  if (exponent == 31) return mantissa != 0.0 ? NAN : sign * HUGE_VAL;
-  return sign * (exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024.0 + mantissa, exponent - 25));
-}
-
 Npy parse_npy(const std::string& path, const std::string& bytes) {
   size_t begin;
   const std::string header = header_of(path, bytes, &begin);
@@ -119,7 +112,7 @@ Npy parse_npy(const std::string& path, const std::string& bytes) {
 double npy_value(const Npy& array, const NpyField& field, size_t i) {
   const char* const from = array.data + i * array.element_size + field.offset;
   if (field.kind == 'u') return field.size == 1 ? load<uint8_t>(from) : load<uint16_t>(from);
-  if (field.size == 2) return half_value(load<uint16_t>(from));
+  if (field.size == 2) return static_cast<double>(shd::image::half_to_float(load<uint16_t>(from)));
   return field.size == 4 ? static_cast<double>(load<float>(from)) : load<double>(from);
 }
 

@@ -26,8 +26,5 @@ struct Npy {
 /// Throws Failure if the bytes are no array that this program can read.
 Npy parse_npy(const std::string& path, const std::string& bytes);
 
-/// Returns the value of a binary16 number.
-double half_value(uint16_t half);
-
 /// Returns element i of a field of an array.
 double npy_value(const Npy& array, const NpyField& field, size_t i);

@@ -6,6 +6,7 @@
 
 #include <shd/io.h>
 
+#include "image/half.h"
 #include "tool/check/npy.h"
 #include "tool/check/table.h"
 #include "tool/failure.h"
@@ -111,7 +112,7 @@ std::vector<std::vector<float>> float_columns(const std::string& path, const Pic
     uint16_t half;
     std::memcpy(&value, picture.texels.data() + i * size, size == 4 ? 4 : 2);
     std::memcpy(&half, picture.texels.data() + i * size, sizeof half);
-    columns[i % channels].push_back(size == 4 ? value : static_cast<float>(half_value(half)));
+    columns[i % channels].push_back(size == 4 ? value : shd::image::half_to_float(half));
   }
   return columns;
 }
