@@ -33,10 +33,7 @@ struct Tiled {
     }
 };
 
-bool is_flat(const Scene &scene)
-{
-    return !scene.kind.depth && !scene.kind.has_directions();
-}
+bool is_flat(const Scene &scene) { return !scene.kind.depth && !scene.kind.has_directions(); }
 
 void test_same_bits(void **)
 {
@@ -46,7 +43,8 @@ void test_same_bits(void **)
         if (!is_flat(scene)) continue;
         const Tiled tiled(scene);
         for (const shd_rules rules : {SHD_RULES_VULKAN, SHD_RULES_D3D11}) {
-            const SceneBounds want(g_context, scene, preset(rules)), got(g_context, scene, preset(rules), tiled.texture);
+            const SceneBounds want(g_context, scene, preset(rules)),
+                got(g_context, scene, preset(rules), tiled.texture);
             for (size_t c = 0; c < 4; ++c) {
                 const size_t bytes = scene.lookups.count() * sizeof(float);
                 assert_memory_equal(got.lower.channel[c].data(), want.lower.channel[c].data(), bytes);

@@ -192,8 +192,8 @@ struct Texels {
     const long double sum = fabsl(n[0]) + fabsl(n[1]) + fabsl(n[2]);
     for (int c = 0; c < 3; ++c) n[c] /= sum;
   }
-  /// A texel of a disc. One beyond the rim is the texel of the point as far inside, on the other side, and at least half
-  /// the diagonal of a texel inside.
+  /// A texel of a disc. One beyond the rim is the texel of the point as far inside, on the other side, and at least
+  /// half the diagonal of a texel inside.
   Value on_disc(int64_t i, int64_t j) const {
     const auto n = static_cast<double>(plane().width);
     const double p = (2 * static_cast<double>(i) + 1) / n - 1, q = (2 * static_cast<double>(j) + 1) / n - 1;

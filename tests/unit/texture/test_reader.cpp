@@ -35,12 +35,9 @@ struct reader_case {
   bool borrowed;
 };
 const reader_case k_cases[] = {
-    {"one", SHD_FORMAT_R8, 1, 1, 1, 0, false},
-    {"odd", SHD_FORMAT_RGBA8, 37, 21, 1, 0, false},
-    {"layers", SHD_FORMAT_RG16, 17, 5, 3, 0, false},
-    {"floats", SHD_FORMAT_RGBA32F, 9, 33, 1, 0, false},
-    {"slices", SHD_FORMAT_RG8, 7, 5, 1, 9, false},
-    {"thin_slices", SHD_FORMAT_R16, 1, 2, 1, 13, false},
+    {"one", SHD_FORMAT_R8, 1, 1, 1, 0, false},          {"odd", SHD_FORMAT_RGBA8, 37, 21, 1, 0, false},
+    {"layers", SHD_FORMAT_RG16, 17, 5, 3, 0, false},    {"floats", SHD_FORMAT_RGBA32F, 9, 33, 1, 0, false},
+    {"slices", SHD_FORMAT_RG8, 7, 5, 1, 9, false},      {"thin_slices", SHD_FORMAT_R16, 1, 2, 1, 13, false},
     {"borrowed", SHD_FORMAT_RGBA8, 12, 10, 1, 0, true},
 };
 
@@ -92,6 +89,11 @@ const shd::texture::Texture& body(const shd_texture* texture) {
   return *static_cast<const shd::texture::Texture*>(found);
 }
 
+const uint8_t* texel_of(TexelReader* reader, const shd::texture::Texture& texture, uint32_t image, uint32_t level,
+                        uint32_t x, uint32_t y) {
+  return reader->at(shd::texture::first_unit(texture, image, level), size_at(texture.width, level), x, y);
+}
+
 void check_texels(const char* name, const shd::texture::Texture& texture, size_t size) {
   TexelReader reader(texture);
   for (uint32_t level = 0; level < texture.level_count; ++level) {
@@ -99,7 +101,7 @@ void check_texels(const char* name, const shd::texture::Texture& texture, size_t
     for (uint32_t image = 0; image < images; ++image) {
       for (uint32_t y = 0; y < size_at(texture.height, level); ++y) {
         for (uint32_t x = 0; x < size_at(texture.width, level); ++x) {
-          const uint8_t* const texel = reader.at(image, level, x, y);
+          const uint8_t* const texel = texel_of(&reader, texture, image, level, x, y);
           for (size_t b = 0; b < size; ++b) {
             if (texel[b] == byte_of(image, level, x, y, b)) continue;
             fail_msg("%s: image %u, level %u, texel (%u, %u), byte %zu is %d", name, image, level, x, y, b, texel[b]);
@@ -148,7 +150,7 @@ void test_blocks(void**) {
       uint8_t decoded[16 * 8];
       const size_t block = of * layer + (y / 4 * kAcross + x / 4) * block_size;
       shd::texture::decoder_of(format)(&blocks[block], decoded, 4 * size);
-      assert_memory_equal(reader.at(of, 0, x, y), decoded + (y % 4 * 4 + x % 4) * size, size);
+      assert_memory_equal(texel_of(&reader, body(texture), of, 0, x, y), decoded + (y % 4 * 4 + x % 4) * size, size);
     }
     shd_texture_release(texture);
   }
@@ -169,8 +171,8 @@ struct Computed {
       for (uint32_t y = 0; y < tile.height; ++y) {
         uint8_t* const row = static_cast<uint8_t*>(tile.texels) + y * tile.row_stride;
         for (size_t b = 0; b < tile.width * self.size; ++b) {
-          row[b] = byte_of(tile.layer, tile.level, tile.x + static_cast<uint32_t>(b / self.size), tile.y + y,
-                           b % self.size);
+          row[b] =
+              byte_of(tile.layer, tile.level, tile.x + static_cast<uint32_t>(b / self.size), tile.y + y, b % self.size);
         }
       }
     }
@@ -215,17 +217,17 @@ void test_failing_tile(void**) {
   Computed source{shd_format_size(SHD_FORMAT_RGBA8), 1};
   shd_texture* const texture = make_tiled(SHD_FORMAT_RGBA8, 128, 128, 1, cache, &source);
   TexelReader reader(body(texture));
-  assert_int_equal(*reader.at(0, 0, 5, 6), byte_of(0, 0, 5, 6, 0));
+  assert_int_equal(*texel_of(&reader, body(texture), 0, 0, 5, 6), byte_of(0, 0, 5, 6, 0));
   shd_result result = SHD_OK;
   try {
-    reader.at(0, 1, 5, 6);
+    texel_of(&reader, body(texture), 0, 1, 5, 6);
   } catch (const shd::core::Failure& failure) {
     result = failure.code;
   }
   assert_int_equal(result, SHD_ERROR_CALLBACK);
   // Nothing stays locked: the next load succeeds.
   source.failing_level = -1;
-  assert_int_equal(*reader.at(0, 1, 5, 6), byte_of(0, 1, 5, 6, 0));
+  assert_int_equal(*texel_of(&reader, body(texture), 0, 1, 5, 6), byte_of(0, 1, 5, 6, 0));
   shd_texture_release(texture);
   shd_tile_cache_release(cache);
 }

@@ -29,7 +29,9 @@ template <class Step>
 void add_place(const BoundsCall& call, double u, double v, uint32_t face, const Direction& dx, const Direction& dy,
                double growth, const Step& step, DirectionPlaces* out) {
   const auto unit = [](double x) { return std::min(std::max(x, 0.0), 1.0); };
-  const auto any_step = [&](const Direction& d) { return is_infinite(d) ? Vector{{HUGE_VAL, HUGE_VAL, 0.0}} : step(d); };
+  const auto any_step = [&](const Direction& d) {
+    return is_infinite(d) ? Vector{{HUGE_VAL, HUGE_VAL, 0.0}} : step(d);
+  };
   const double error = call.model.coordinate_error;
   out->place[out->count] = {{unit(u), unit(v), 0.0}, {error, error, 0.0}, face};
   out->steps[out->count++] = {any_step(dx), any_step(dy), error * growth * sum_of_parts(dx),
@@ -113,8 +115,8 @@ void add_disc(const BoundsCall& call, const Direction& n, const Direction& dx, c
     const double across = 0.5 * radius.per_rho * around;
     return Vector{{along * x - across * y, -(along * y + across * x), 0.0}};
   };
-  add_place(call, 0.5 + 0.5 * radius.f * x, 0.5 - 0.5 * radius.f * y, 0, dx, dy,
-            radius.slope / length + radius.per_rho, step, out);
+  add_place(call, 0.5 + 0.5 * radius.f * x, 0.5 - 0.5 * radius.f * y, 0, dx, dy, radius.slope / length + radius.per_rho,
+            step, out);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ struct DirectionPlaces {
   Steps steps[4];
 };
 
-/// Returns the places of a finite direction other than 0, with its derivatives, which may be infinite. Not for LAT_LONG.
+/// Returns the places of a finite direction other than 0, with its derivatives, which may be infinite. The projection
+/// is not LAT_LONG.
 DirectionPlaces places_of(const BoundsCall& call, const double (&direction)[3], const double (&dx)[3],
                           const double (&dy)[3]);
 

@@ -73,8 +73,8 @@ void add_near(const Plane& plane, double x, double y, double error, Color* out) 
   }
 }
 
-/// Centres are (p, q) in half texels from the centre of a disc of radius n. Single precision decides both for centres on
-/// the rim and for points on borders of texels.
+/// Centres are (p, q) in half texels from the centre of a disc of radius n. For centres on the rim and points on
+/// borders of texels, single precision may decide for either side.
 Color on_disc(const Plane& plane, int64_t i, int64_t j) {
   constexpr double kError = 1e-6;
   const auto n = static_cast<double>(plane.size[0]);

@@ -66,8 +66,7 @@ void add_probes(const BoundsCall& call, uint32_t level, const Place& place, cons
   const Plane plane = plane_of(call, place.layer, level);
   if (footprint.everywhere) return add_everywhere(plane, out);
   if (footprint.reach == 0.0 || footprint.axis_count == 0) return add_linear_at(plane, place, kHere, out);
-  const double error =
-      footprint.slop * static_cast<double>(plane.size[0]) / static_cast<double>(call.texture.width);
+  const double error = footprint.slop * static_cast<double>(plane.size[0]) / static_cast<double>(call.texture.width);
   for (int k = 0; k < footprint.axis_count; ++k) {
     add_line(plane, place, footprint.axis[k], footprint.reach, error, out);
   }
