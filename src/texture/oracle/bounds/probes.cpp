@@ -24,6 +24,13 @@ void add_average(const Color& a, const Color& b, Color* out) {
   out->add(mix(a, b, 0.5));
 }
 
+/// Whether the error of the place covers every point of the image, so that all probes have the same values.
+bool is_anywhere(const Plane& plane, const Place& place) {
+  bool anywhere = true;
+  for (int a = 0; a < axes_of(plane.call->texture); ++a) anywhere = anywhere && place.error[a] >= 1.0;
+  return anywhere;
+}
+
 /// The line is cut into pieces. Both probes of a pair lie on pieces of one number, whose values are bounded apart.
 void add_line(const Plane& plane, const Place& place, const Vector& d, double reach, double error, Color* out) {
   double texels = 0.0;
@@ -33,7 +40,7 @@ void add_line(const Plane& plane, const Place& place, const Vector& d, double re
   const double pieces = std::max(std::ceil(texels / kPiece), 1.0);
   if (!(pieces <= kMostPieces)) return add_everywhere(plane, out);
   const double slop = 1e-4 * std::max(1.0, texels / 16.0) + reach * error;
-  const auto count = static_cast<int>(pieces);
+  const int count = is_anywhere(plane, place) ? 1 : static_cast<int>(pieces);
   for (int k = 0; k < count; ++k) {
     const Range t = {reach * k / count, reach * (k + 1) / count};
     Color ahead, behind;
