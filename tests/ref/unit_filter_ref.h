@@ -210,7 +210,7 @@ inline Value unit_direction(const UnitImage& image, const Unit& unit, const Unit
     return UnitPoint{static_cast<double>(change.du), static_cast<double>(change.dv), 0};
   };
   UnitPoint p = {static_cast<double>(place.u), static_cast<double>(place.v), 0};
-  int face = static_cast<int>(place.face);
+  int face = image.projection == SHD_PROJECTION_CUBE ? static_cast<int>(place.face) : lookup.layer;
   if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1) p[unit.option & 1] = 1 - p[unit.option & 1];
   apply_axis_bugs(unit, &p);
   if (unit.bug == Bug::kLayer) face = (face + 1) % image.layers;

@@ -42,9 +42,9 @@ constexpr SceneTexture kSceneTextures[] = {
     {SHD_FORMAT_RGBA16, 1, 1, 1, 1, SHD_PROJECTION_NONE, Picture::kNoise},
     {SHD_FORMAT_RGBA32F, 16, 16, 1, 12, SHD_PROJECTION_NONE, Picture::kLevels},
     {SHD_FORMAT_RGBA8, 32, 32, 1, 0, SHD_PROJECTION_OCTAHEDRAL, Picture::kNoise},
-    {SHD_FORMAT_RGBA16, 13, 13, 1, 0, SHD_PROJECTION_OCTAHEDRAL, Picture::kNoise},
+    {SHD_FORMAT_RGBA16, 13, 13, 3, 0, SHD_PROJECTION_OCTAHEDRAL, Picture::kNoise},
     {SHD_FORMAT_RGBA8, 32, 32, 1, 0, SHD_PROJECTION_MIRROR_BALL, Picture::kNoise},
-    {SHD_FORMAT_RGBA8_SRGB, 21, 21, 1, 0, SHD_PROJECTION_ANGULAR, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 21, 21, 2, 0, SHD_PROJECTION_ANGULAR, Picture::kNoise},
 };
 
 constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
@@ -164,7 +164,8 @@ struct SceneLookups {
         for (int i = 0; i < 3; ++i) column[i].push_back(p[i]);
         for (int i = 0; i < 6; ++i) column[3 + i].push_back(d[i]);
         if (with_lod) lod.push_back(random->real(-1, 7));
-        layer.push_back(kind.has_directions() ? 0 : static_cast<uint32_t>(random->whole(0, kind.layers - 1)));
+        layer.push_back(
+            kind.projection == SHD_PROJECTION_CUBE ? 0 : static_cast<uint32_t>(random->whole(0, kind.layers - 1)));
     }
 
     shd_lookups columns() const

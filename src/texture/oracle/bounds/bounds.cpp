@@ -83,7 +83,7 @@ BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const
 }
 
 void add_direction(const BoundsCall& call, const Lookup& lookup, Color* out) {
-  const DirectionPlaces places = places_of(call, lookup.point, lookup.dx, lookup.dy);
+  const DirectionPlaces places = places_of(call, lookup.point, lookup.dx, lookup.dy, lookup.layer);
   if (places.count == 0) return out->add(format_range(call.texture, call.sampler));
   for (int k = 0; k < places.count; ++k) {
     add_filtered(call, places.place[k], footprint_of(call, lookup, places.steps[k]), out);

@@ -26,14 +26,14 @@ double sum_of_parts(const Direction& d) {
 /// change has infinite derivatives. An error of arithmetic changes the parts of step(d) by `growth` |d| times the error
 /// of coordinates.
 template <class Step>
-void add_place(const BoundsCall& call, double u, double v, uint32_t face, const Direction& dx, const Direction& dy,
+void add_place(const BoundsCall& call, double u, double v, uint32_t layer, const Direction& dx, const Direction& dy,
                double growth, const Step& step, DirectionPlaces* out) {
   const auto unit = [](double x) { return std::min(std::max(x, 0.0), 1.0); };
   const auto any_step = [&](const Direction& d) {
     return is_infinite(d) ? Vector{{HUGE_VAL, HUGE_VAL, 0.0}} : step(d);
   };
   const double error = call.model.coordinate_error;
-  out->place[out->count] = {{unit(u), unit(v), 0.0}, {error, error, 0.0}, face};
+  out->place[out->count] = {{unit(u), unit(v), 0.0}, {error, error, 0.0}, layer};
   out->steps[out->count++] = {any_step(dx), any_step(dy), error * growth * sum_of_parts(dx),
                               error * growth * sum_of_parts(dy)};
 }
@@ -60,7 +60,7 @@ void add_cube(const BoundsCall& call, const Direction& n, const Direction& dx, c
 /// One octant of an octahedron (Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors",
 /// 2014).
 void add_octant(const BoundsCall& call, const Direction& n, const double (&sign)[3], const Direction& dx,
-                const Direction& dy, DirectionPlaces* out) {
+                const Direction& dy, uint32_t layer, DirectionPlaces* out) {
   const double sum = sum_of_parts(n), p = n[0] / sum, q = n[1] / sum;
   const bool behind = sign[2] < 0.0;
   const double a = behind ? sign[0] * (1.0 - std::fabs(q)) : p, b = behind ? sign[1] * (1.0 - std::fabs(p)) : q;
@@ -69,11 +69,11 @@ void add_octant(const BoundsCall& call, const Direction& n, const double (&sign)
     const double dp = (d[0] - p * dsum) / sum, dq = (d[1] - q * dsum) / sum, both = sign[0] * sign[1];
     return Vector{{0.5 * (behind ? -both * dq : dp), -0.5 * (behind ? -both * dp : dq), 0.0}};
   };
-  add_place(call, 0.5 + 0.5 * a, 0.5 - 0.5 * b, 0, dx, dy, 1.0 / sum, step, out);
+  add_place(call, 0.5 + 0.5 * a, 0.5 - 0.5 * b, layer, dx, dy, 1.0 / sum, step, out);
 }
 
 void add_octahedron(const BoundsCall& call, const Direction& n, const Direction& dx, const Direction& dy,
-                    DirectionPlaces* out) {
+                    uint32_t layer, DirectionPlaces* out) {
   const double tie = kTie * sum_of_parts(n);
   for (int octant = 0; octant < 8; ++octant) {
     double sign[3];
@@ -82,7 +82,7 @@ void add_octahedron(const BoundsCall& call, const Direction& n, const Direction&
       sign[c] = octant >> c & 1 ? -1.0 : 1.0;
       possible = possible && sign[c] * n[c] >= -tie;
     }
-    if (possible) add_octant(call, n, sign, dx, dy, out);
+    if (possible) add_octant(call, n, sign, dx, dy, layer, out);
   }
 }
 
@@ -103,7 +103,7 @@ Radius radius_of(const BoundsCall& call, double rho, double z, double length) {
   return {small, 0.5 * large, 0.5 / (length * large)};
 }
 
-void add_disc(const BoundsCall& call, const Direction& n, const Direction& dx, const Direction& dy,
+void add_disc(const BoundsCall& call, const Direction& n, const Direction& dx, const Direction& dy, uint32_t layer,
               DirectionPlaces* out) {
   const double rho = std::sqrt(n[0] * n[0] + n[1] * n[1]), length = std::sqrt(rho * rho + n[2] * n[2]);
   if (n[2] < 0.0 && rho <= kTie * length) return;  // -Z is every point of the rim
@@ -115,19 +115,19 @@ void add_disc(const BoundsCall& call, const Direction& n, const Direction& dx, c
     const double across = 0.5 * radius.per_rho * around;
     return Vector{{along * x - across * y, -(along * y + across * x), 0.0}};
   };
-  add_place(call, 0.5 + 0.5 * radius.f * x, 0.5 - 0.5 * radius.f * y, 0, dx, dy, radius.slope / length + radius.per_rho,
-            step, out);
+  add_place(call, 0.5 + 0.5 * radius.f * x, 0.5 - 0.5 * radius.f * y, layer, dx, dy,
+            radius.slope / length + radius.per_rho, step, out);
 }
 
 }  // namespace
 
 DirectionPlaces places_of(const BoundsCall& call, const double (&direction)[3], const double (&dx)[3],
-                          const double (&dy)[3]) {
+                          const double (&dy)[3], uint32_t layer) {
   DirectionPlaces out = {};
   switch (call.texture.projection) {
     case SHD_PROJECTION_CUBE: add_cube(call, direction, dx, dy, &out); break;
-    case SHD_PROJECTION_OCTAHEDRAL: add_octahedron(call, direction, dx, dy, &out); break;
-    default: add_disc(call, direction, dx, dy, &out); break;
+    case SHD_PROJECTION_OCTAHEDRAL: add_octahedron(call, direction, dx, dy, layer, &out); break;
+    default: add_disc(call, direction, dx, dy, layer, &out); break;
   }
   return out;
 }

@@ -15,8 +15,8 @@ struct DirectionPlaces {
 };
 
 /// Returns the places of a finite direction other than 0, with its derivatives, which may be infinite. The projection
-/// is not LAT_LONG.
+/// is not LAT_LONG. `layer` has no effect on a cube.
 DirectionPlaces places_of(const BoundsCall& call, const double (&direction)[3], const double (&dx)[3],
-                          const double (&dy)[3]);
+                          const double (&dy)[3], uint32_t layer);
 
 }  // namespace shd::texture
