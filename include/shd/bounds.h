@@ -11,14 +11,15 @@
  *  - Coordinates. An implementation may compute any x' within coordinate_error n max(1, |u|) of x. It may then use
  *    any coordinate between the multiples of 2^-subtexel_bits around x'. This contains truncation, other roundings and
  *    more bits. NEAREST cannot cross a texel's border downwards by rounding, because the border is on the grid.
- *  - Weights of four texels are the products of the coordinates' fractions. Their rounding may move the average by
- *    2^-weight_bits times the difference of the largest and the smallest of the four texels.
+ *  - Weights of four texels, of eight in 3D, are the products of the coordinates' fractions. Their rounding may move
+ *    the average by 2^-weight_bits times the difference of the largest and the smallest of these texels.
  *  - Levels of detail lie between the smallest and the largest one of the rules `level_rules`, with derivatives within
  *    derivative_error (relative). Then level_error is added on both sides, the sampler's bias and clamps are applied,
  *    and the level may be rounded in either direction to level_bits, or to more bits. Bounds of levels have no other
  *    slack: without errors, a level on the grid of level_bits is the only legal one. Derivatives of CUBE are those on
- *    the plane of the face, of any length. An infinite derivative has the coarsest level. The nearest level is
- *    ceil(lod + 1/2) - 1 or floor(lod + 1/2).
+ *    the plane of the face, of any length. Derivatives of other directions have the error of coordinates, relative to
+ *    the change of the direction and the stretch of the projection. An infinite derivative has the coarsest level. The
+ *    nearest level is ceil(lod + 1/2) - 1 or floor(lod + 1/2).
  *  - Magnification is legal where a legal level of detail is 0 or below, and minification where one is above 0.
  *  - ANISOTROPIC. Let p and q be the longer and the shorter axis of a rule, and a = max_anisotropy. The value is an
  *    average of pairs of trilinear lookups, at c + t d and c - t d, of any number, with weights >= 0 of sum 1. c is
@@ -29,17 +30,24 @@
  *  - Results have a relative error of relative_error times the largest magnitude among the texels. Results of formats
  *    of 8 and 16 bits without floats may be rounded to result_bits as well: half of 1 / (2^result_bits - 1).
  *
- * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC; 2D textures, arrays
- * and SHD_PROJECTION_CUBE; every format and wrap. Directions within 2^-20 of an edge of the cube may be on either face;
- * filters read beyond edges, and the missing texel of a corner is the average of the other three. Other textures and
- * filters, bicubic magnification, blur, a level_blend other than 1, and nearest magnification of ANISOTROPIC return
+ * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC; 2D textures, arrays,
+ * 3D textures, and directions except SHD_PROJECTION_LAT_LONG, because no standard defines its lookups along parallels;
+ * every format, wrap and store. Missing tiles are loaded, for any missing_tiles. Other filters, bicubic
+ * magnification, blur, a level_blend other than 1, and nearest magnification of ANISOTROPIC return
  * SHD_ERROR_UNSUPPORTED.
+ *
+ * Directions within 2^-20 of an edge of the cube, or of a fold of an octahedral map, may be on either side. Filters
+ * read beyond the edges of an image, where the directions continue. The missing texel of a corner of the cube is the
+ * average of the other three. An octahedral map continues turned by half a circle about the middle of the edge, for at
+ * most one image. A point at a distance r > 1 from the centre of MIRROR_BALL or ANGULAR is the point at 2 - r on the
+ * other side, and a texel whose centre is such a point is the nearest one to it inside. These two have the range of the
+ * format within 2^-20 of -Z, which is every point of the rim.
  *
  * Defined for all inputs, as shd_texture_sample(): NaN and infinite coordinates count as 0, and so on. A channel of
  * which a legal texel is not finite has the bounds -infinity and infinity, and NaN is legal for it. Where an error
- * covers more than 64 texels on an axis of more than 64, or a line of probes more than 256 texels, the bounds are the
- * range of the format: [0, 1] with the border, or -infinity to infinity. Bounds are computed in double and rounded
- * outwards.
+ * covers more than 64 texels on an axis of more than 64 (in 3D 16), or a line of probes more than 256 texels, the
+ * bounds are the range of the format: [0, 1] with the border, or -infinity to infinity. Bounds are computed in double
+ * and rounded outwards.
  *
  * Sources: Vulkan 1.3 specification, "Image Operations" and "Limits"; Direct3D 11.3 functional specification, 7.18;
  * OpenGL 4.6 core profile, 8.14; EXT_texture_filter_anisotropic.
@@ -64,7 +72,8 @@ SHD_BEGIN_DECLS
 
 /**
  * Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y are
- * the derivatives in base-level texels.
+ * the derivatives in base-level texels. Derivatives of 3D textures have a third component, x_w and y_w, which joins
+ * every sum and every maximum.
  */
 typedef enum shd_level_rule {
     SHD_LEVEL_RULE_LENGTHS = 1, /**< axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition */

@@ -39,8 +39,9 @@ shd_result check_model(const shd_bounds_desc& desc) {
 shd_result check_bounded(const texture::Texture& texture, const texture::Sampler& sampler, uint32_t rules) {
   const auto refuse = [](const char* what) { return core::fail(SHD_ERROR_UNSUPPORTED, "%s has no bounds", what); };
   SHD_TRY(check_use(texture, sampler, texture::Use::kBounds));
-  if (texture.projection != SHD_PROJECTION_NONE && texture.projection != SHD_PROJECTION_CUBE) {
-    return refuse("texture.projection: a projection other than CUBE");
+  if (texture.projection == SHD_PROJECTION_LAT_LONG) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "texture.projection: LAT_LONG has no bounds: no standard defines its lookups along parallels");
   }
   if (sampler.magnification == SHD_MAGNIFICATION_NEAREST && sampler.filter == SHD_FILTER_ANISOTROPIC) {
     return refuse("sampler.magnification: NEAREST of ANISOTROPIC");

@@ -80,7 +80,18 @@ void add_widths(const Scene &scene, const shd_bounds_desc &desc, int units, Rand
     }
 }
 
+/// Textures of one limit: 2D and cubes, 3D, or images of directions that fold at their edges. Few random units are at
+/// the limits of all three axes of a 3D texture.
+enum class Kind { kFlat, kDeep, kFolded };
+
+Kind kind_of(const SceneTexture &texture)
+{
+    if (texture.depth) return Kind::kDeep;
+    return texture.has_directions() && texture.projection != SHD_PROJECTION_CUBE ? Kind::kFolded : Kind::kFlat;
+}
+
 struct Tight {
+    Kind kind;
     shd_filter filter;
     double limit[4];  // by rules
 };
@@ -88,23 +99,40 @@ struct Tight {
 void test_tight(void **)
 {
     constexpr Tight kTight[] = {
-        {SHD_FILTER_NEAREST, {1.1, 1.2, 1.1, 1.1}},       {SHD_FILTER_BILINEAR, {1.15, 1.6, 1.15, 1.15}},
-        {SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},   {SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
-        {SHD_FILTER_TRILINEAR, {1.15, 1.25, 1.15, 1.15}}, {SHD_FILTER_ANISOTROPIC, {1.7, 1.7, 1.7, 1.9}},
+        {Kind::kFlat, SHD_FILTER_NEAREST, {1.1, 1.2, 1.1, 1.1}},
+        {Kind::kFlat, SHD_FILTER_BILINEAR, {1.15, 1.6, 1.15, 1.15}},
+        {Kind::kFlat, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFlat, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFlat, SHD_FILTER_TRILINEAR, {1.15, 1.25, 1.15, 1.15}},
+        {Kind::kFlat, SHD_FILTER_ANISOTROPIC, {1.7, 1.7, 1.7, 1.9}},
+        {Kind::kDeep, SHD_FILTER_NEAREST, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kDeep, SHD_FILTER_BILINEAR, {1.2, 1.9, 1.2, 1.2}},
+        {Kind::kDeep, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kDeep, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kDeep, SHD_FILTER_TRILINEAR, {1.15, 1.25, 1.15, 1.15}},
+        {Kind::kDeep, SHD_FILTER_ANISOTROPIC, {1.7, 1.7, 1.75, 2.1}},
+        {Kind::kFolded, SHD_FILTER_NEAREST, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFolded, SHD_FILTER_BILINEAR, {1.15, 1.9, 1.15, 1.15}},
+        {Kind::kFolded, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFolded, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFolded, SHD_FILTER_TRILINEAR, {1.15, 1.45, 1.15, 1.2}},
+        {Kind::kFolded, SHD_FILTER_ANISOTROPIC, {1.8, 2.15, 1.95, 2.15}},
     };
-    Random random{12};
     const Scenes scenes(g_context, 24, 9);
-    for (shd_rules rules : kAllRules) {
-        for (const Tight &row : kTight) {
+    for (const Tight &row : kTight) {
+        Random random{12};
+        for (shd_rules rules : kAllRules) {
             // Results are not rounded here: rounding adds a constant to the width, which no unit reaches everywhere.
             shd_bounds_desc desc = preset(rules);
             desc.result_bits = 0, desc.relative_error = 0;
             Widths sum = {0, 0};
             for (const Scene &scene : scenes.list) {
-                if (scene.image.sampler.filter == row.filter) add_widths(scene, desc, 150, &random, &sum);
+                if (kind_of(scene.kind) != row.kind || scene.image.sampler.filter != row.filter) continue;
+                add_widths(scene, desc, 150, &random, &sum);
             }
             const double ratio = sum.bounds / sum.reached;
-            print_message("rules %d, filter %d: bounds are %.3f times the reached values\n", rules, row.filter, ratio);
+            print_message("kind %d, filter %d, rules %d: bounds are %.3f times the reached values\n",
+                          static_cast<int>(row.kind), row.filter, rules, ratio);
             if (!(ratio <= row.limit[rules])) fail_msg("rules %d, filter %d: ratio %g", rules, row.filter, ratio);
         }
     }
@@ -170,6 +198,81 @@ void test_levels(void **)
     }
 }
 
+/// Legal levels of one trilinear lookup of a 3D texture of 16 x 8 x 32 texels.
+struct DeepLevelCase {
+    const char *name;
+    double x[3], y[3];  // derivatives in texels
+    shd_level_rules rules;
+    double low, high;
+};
+const DeepLevelCase kDeepLevelCases[] = {
+    {"lengths_of_w", {0, 0, 4}, {1, 0, 0}, kLengths, 2.0, 2.0},
+    {"lengths_of_all", {2, 4, 4}, {0, 0, 0}, kLengths, 2.5625, 2.625},  // log2 6
+    {"ellipse_of_w", {0, 0, -4}, {0, 4, 0}, SHD_LEVEL_RULE_ELLIPSE, 2.0, 2.0},
+    {"ellipse_of_all", {2, 2, 0}, {2, 0, 2}, SHD_LEVEL_RULE_ELLIPSE, 1.75, 1.8125},  // log2 sqrt(12)
+    {"vulkan_of_all", {2, 2, 2}, {0, 0, 0}, SHD_LEVEL_RULE_VULKAN, 1.0, 3.125},      // 2..6 sqrt(2)
+    {"opengl_of_all", {4, 0, 1}, {0, 2, 2}, SHD_LEVEL_RULE_OPENGL, 2.0, 3.0},        // 4..8
+    {"profile_of_all", {0, 0, 8}, {0, 0, 0}, SHD_LEVEL_RULE_PROFILE, 3.0, 3.0},
+    {"infinite_w", {0, 0, HUGE_VAL}, {0, 0, 0}, kVulkan, 5.0, 5.0},
+};
+
+/// A 3D texture whose texels have the number of their level.
+struct DeepLevels {
+    shd_texture *texture = nullptr;
+
+    DeepLevels()
+    {
+        std::vector<std::vector<float>> pixels;
+        std::vector<shd_image> images;
+        for (uint32_t l = 0; l < 6; ++l) {
+            pixels.emplace_back(16 * 8 * 32, static_cast<float>(l));
+            for (uint32_t z = 0; l > 0 && z < 32u >> l; ++z) {
+                shd_image image = shd_image_default();
+                image.format = SHD_FORMAT_R32F, image.pixels = pixels.back().data();
+                image.width = std::max(16u >> l, 1u), image.height = std::max(8u >> l, 1u);
+                images.push_back(image);
+            }
+        }
+        shd_texture_desc desc = shd_texture_desc_default();
+        desc.format = SHD_FORMAT_R32F, desc.width = 16, desc.height = 8, desc.depth = 32;
+        desc.texels = pixels[0].data(), desc.tables = SHD_TABLE_MIPMAP;
+        desc.levels = images.data(), desc.level_count = 5;
+        shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
+    }
+    ~DeepLevels() { shd_texture_release(texture); }
+};
+
+void test_deep_levels(void **)
+{
+    const DeepLevels levels;
+    shd_sampler_desc sampler_desc = shd_sampler_desc_default();
+    sampler_desc.profile = SHD_PROFILE_EXACT;
+    shd_sampler *sampler = nullptr;
+    shd_assert_ok(shd_sampler_create(g_context, &sampler_desc, &sampler));
+    const float point[3] = {0.3f, 0.4f, 0.6f}, size[3] = {16, 8, 32};
+    for (const DeepLevelCase &row : kDeepLevelCases) {
+        float x[3], y[3];
+        for (int c = 0; c < 3; ++c) {
+            x[c] = static_cast<float>(row.x[c]) / size[c];
+            y[c] = static_cast<float>(row.y[c]) / size[c];
+        }
+        shd_lookups in = shd_lookups_default();
+        in.count = 1;
+        in.u = shd_f32_column(point, 0), in.v = shd_f32_column(point + 1, 0), in.w = shd_f32_column(point + 2, 0);
+        in.dudx = shd_f32_column(x, 0), in.dvdx = shd_f32_column(x + 1, 0), in.dwdx = shd_f32_column(x + 2, 0);
+        in.dudy = shd_f32_column(y, 0), in.dvdy = shd_f32_column(y + 1, 0), in.dwdy = shd_f32_column(y + 2, 0);
+        shd_bounds_desc desc = shd_bounds_desc_default();
+        desc.level_rules = row.rules, desc.level_error = desc.relative_error = 0.0f;
+        float low, high;
+        shd_texels lower = shd_texels_default(), upper = shd_texels_default();
+        lower.channel[0] = shd_f32_out_column(&low, 0), upper.channel[0] = shd_f32_out_column(&high, 0);
+        shd_assert_ok(shd_texture_bounds(levels.texture, sampler, &in, &desc, &lower, &upper));
+        if (fabs(double{low} - row.low) < 1e-6 && fabs(double{high} - row.high) < 1e-6) continue;
+        fail_msg("%s: %.9g..%.9g instead of %g..%g", row.name, double{low}, double{high}, row.low, row.high);
+    }
+    shd_sampler_release(sampler);
+}
+
 /// shd's own lookups. Profiles without 8-bit weights need no more room than units with 8 bits.
 struct Own {
     shd_profile profile;
@@ -181,6 +284,7 @@ void check_own(shd_context *context, const Scene &scene, const Own &own, shd_pre
                shd_magnification magnification)
 {
     if (scene.image.sampler.filter == SHD_FILTER_ANISOTROPIC && magnification == SHD_MAGNIFICATION_NEAREST) return;
+    if (scene.kind.depth && own.profile != SHD_PROFILE_LEAST_ERROR && own.profile != SHD_PROFILE_EXACT) return;
     Scene copy = {scene.kind, scene.pixels, scene.image, scene.lookups};
     copy.image.sampler.profile = own.profile;
     copy.image.sampler.precision = precision;
@@ -245,6 +349,7 @@ int main()
 {
     using namespace shd::tests;
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_legal), cmocka_unit_test(test_tight),
-                                       cmocka_unit_test(test_levels), cmocka_unit_test(test_own)};
+                                       cmocka_unit_test(test_levels), cmocka_unit_test(test_deep_levels),
+                                       cmocka_unit_test(test_own)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

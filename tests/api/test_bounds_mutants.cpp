@@ -52,7 +52,7 @@ ref::Unit mutant(int number, const shd_bounds_desc &rules, Random *random)
     unit.subtexel_bits = static_cast<int>(rules.subtexel_bits) + 2;
     unit.level_bits = static_cast<int>(rules.level_bits) + 2;
     unit.bug = static_cast<Bug>(1 + number % (static_cast<int>(Bug::kCount) - 1));
-    unit.option = random->whole(0, 1);
+    unit.option = random->whole(0, 2);
     const auto fewer = static_cast<int64_t>(rules.subtexel_bits) - 2;
     set_levels(random, rules, &unit);
     switch (unit.bug) {
@@ -60,10 +60,11 @@ ref::Unit mutant(int number, const shd_bounds_desc &rules, Random *random)
             unit.a = pick(random, {-1, -0.5, -0.25, 0.25, 0.5, 1});
             unit.b = pick(random, {-1, -0.5, -0.25, 0, 0.25, 0.5, 1});
             if (random->whole(0, 1)) std::swap(unit.a, unit.b);
+            if (!random->whole(0, 4)) unit.c = unit.a, unit.a = unit.b = 0;
             break;
-        case Bug::kWrap: unit.option |= 2 * random->whole(0, 4); break;
+        case Bug::kWrap: unit.option |= 4 * random->whole(0, 4); break;
         case Bug::kFewBits: unit.option = random->whole(0, fewer); break;
-        case Bug::kAddressBit: unit.option |= 2 * random->whole(0, 3); break;
+        case Bug::kAddressBit: unit.option = random->whole(0, 7); break;
         case Bug::kWeightBit: unit.a = std::exp2(-static_cast<double>(random->whole(1, fewer))); break;
         case Bug::kResultBit: unit.option = random->whole(0, 31); break;
         case Bug::kSwappedChannels: unit.option = random->whole(0, 2), unit.option |= 4 * (unit.option + 1); break;

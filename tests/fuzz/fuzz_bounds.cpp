@@ -43,10 +43,9 @@ void choose_bounded_texture(Source& source, BoundsCase& c) {
   // Channels of `lower`, of `upper`, and derivatives, which bounds do not have.
   c.outputs = source.one_in(4) ? source.below(256) : 255;
   if (source.one_in(64)) c.outputs |= source.below(16) << 8;
-  if (source.one_in(64)) return choose_slices(source, c);
-  if (!source.one_in(3)) return;
+  if (source.one_in(3)) return choose_slices(source, c);
+  if (!source.one_in(2)) return;
   choose_directions(source, c);
-  if (!source.one_in(8) && !is_large && c.texture.desc.layers == 6) c.texture.desc.projection = SHD_PROJECTION_CUBE;
 }
 
 /// Numbers of a model, most of them in range.

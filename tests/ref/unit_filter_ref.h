@@ -8,64 +8,89 @@ namespace ref {
 
 /// Two columns of derivatives, normalised.
 struct UnitSteps {
-  double xu, xv, yu, yv;
+  UnitPoint x, y;
 };
 
 /// Size of a footprint on the base level, and the line of its probes.
 struct UnitShape {
   double lambda, probe_lambda;
   int probes;
-  double du, dv;  // the line, normalised
+  UnitPoint d;  // the line, normalised
 };
 
 /// Lengths of the longer and the shorter axis by a rule, and the longer one as a vector of texels.
 struct UnitAxes {
-  double longer, shorter, u, v;
+  double longer, shorter;
+  UnitPoint axis;
 };
 
-inline UnitAxes columns(double xu, double xv, double yu, double yv, double x, double y) {
-  return x >= y ? UnitAxes{x, y, xu, xv} : UnitAxes{y, x, yu, yv};
+inline double length(const UnitPoint& p) {
+  return hypot(hypot(p[0], p[1]), p[2]);
+}
+inline double largest_part(const UnitPoint& p) {
+  return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]));
+}
+inline double sum_of_parts(const UnitPoint& p) {
+  return fabs(p[0]) + fabs(p[1]) + fabs(p[2]);
 }
 
-inline UnitAxes unit_axes(const Unit& unit, double xu, double xv, double yu, double yv) {
-  const auto between = [&](double low, double high) { return low + unit.stretch * (high - low); };
-  if (unit.rule == SHD_LEVEL_RULE_VULKAN) {
-    const double x = between(fmax(fabs(xu), fabs(xv)), sqrt(2) * (fabs(xu) + fabs(xv)));
-    const double y = between(fmax(fabs(yu), fabs(yv)), sqrt(2) * (fabs(yu) + fabs(yv)));
-    return columns(xu, xv, yu, yv, x, y);
-  }
-  if (unit.rule == SHD_LEVEL_RULE_ELLIPSE) {
-    // Singular values and vectors by angles: Golub and Van Loan, "Matrix Computations" (1996), 8.6.
-    const double sum = hypot(xu + yv, xv - yu), difference = hypot(xu - yv, yu + xv);
-    const double angle = (atan2(xv + yu, xu - yv) + atan2(xv - yu, xu + yv)) / 2;
-    const double longer = (sum + difference) / 2;
-    return {longer, fabs(sum - difference) / 2, longer * cos(angle), longer * sin(angle)};
-  }
-  return columns(xu, xv, yu, yv, hypot(xu, xv), hypot(yu, yv));
+/// The axes of the ellipse of two vectors. In their plane, singular values and vectors by angles: Golub and Van Loan,
+/// "Matrix Computations" (1996), 8.6.
+inline UnitAxes ellipse_axes(const UnitPoint& x, const UnitPoint& y) {
+  const UnitPoint& along = length(x) >= length(y) ? x : y;
+  if (length(along) == 0) return {0, 0, {}};
+  UnitPoint right = along, up = length(x) >= length(y) ? y : x;
+  for (double& c : right) c /= length(along);
+  const auto dot = [](const UnitPoint& a, const UnitPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const double part = dot(up, right);
+  for (size_t c = 0; c < 3; ++c) up[c] -= part * right[c];
+  const double height = length(up);
+  for (double& c : up) c = height > 0 ? c / height : 0;
+  const double xu = dot(x, right), xv = dot(x, up), yu = dot(y, right), yv = dot(y, up);
+  const double sum = hypot(xu + yv, xv - yu), difference = hypot(xu - yv, yu + xv);
+  const double angle = (atan2(xv + yu, xu - yv) + atan2(xv - yu, xu + yv)) / 2;
+  const double longer = (sum + difference) / 2;
+  UnitAxes out = {longer, fabs(sum - difference) / 2, {}};
+  for (size_t c = 0; c < 3; ++c) out.axis[c] = longer * (cos(angle) * right[c] + sin(angle) * up[c]);
+  return out;
 }
 
-inline double opengl_size(const Unit& unit, double xu, double xv, double yu, double yv) {
-  const double u = fmax(fabs(xu), fabs(yu)), v = fmax(fabs(xv), fabs(yv));
-  return fmax(u, v) + unit.stretch * (u + v - fmax(u, v));
+inline UnitAxes unit_axes(const Unit& unit, const UnitPoint& x, const UnitPoint& y) {
+  if (unit.rule == SHD_LEVEL_RULE_ELLIPSE) return ellipse_axes(x, y);
+  const auto size = [&](const UnitPoint& p) {
+    if (unit.rule != SHD_LEVEL_RULE_VULKAN) return length(p);
+    return largest_part(p) + unit.stretch * (sqrt(2) * sum_of_parts(p) - largest_part(p));
+  };
+  const double a = size(x), b = size(y);
+  return a >= b ? UnitAxes{a, b, x} : UnitAxes{b, a, y};
+}
+
+inline double opengl_size(const Unit& unit, const UnitPoint& x, const UnitPoint& y) {
+  UnitPoint m;
+  for (size_t c = 0; c < 3; ++c) m[c] = fmax(fabs(x[c]), fabs(y[c]));
+  return largest_part(m) + unit.stretch * (sum_of_parts(m) - largest_part(m));
 }
 
 inline UnitShape unit_shape(const UnitImage& image, const Unit& unit, UnitSteps d) {
-  if (unit.bug == Bug::kOneStep) (unit.option & 1 ? d.yu : d.xu) = (unit.option & 1 ? d.yv : d.xv) = 0;
-  double w = static_cast<double>(image.at(0, 0).width), h = static_cast<double>(image.at(0, 0).height);
-  const double true_w = w, true_h = h;
-  if (unit.bug == Bug::kOneSize) (unit.option & 1 ? w : h) = unit.option & 1 ? h : w;
-  const double xu = d.xu * w, xv = d.xv * h, yu = d.yu * w, yv = d.yv * h;
-  UnitAxes axes = unit_axes(unit, xu, xv, yu, yv);
-  if (unit.bug == Bug::kWrongLine) axes = {axes.longer, axes.shorter, -axes.v, axes.u};
+  if (unit.bug == Bug::kOneStep) (unit.option & 1 ? d.y : d.x) = {};
+  const Level& base = image.at(0, 0);
+  double size[3] = {static_cast<double>(base.width), static_cast<double>(base.height),
+                    static_cast<double>(image.depth)};
+  if (unit.bug == Bug::kOneSize) size[unit.option & 1 ? 0 : 1] = size[unit.option & 1 ? 1 : 0];
+  for (size_t c = 0; c < 3; ++c) d.x[c] *= size[c], d.y[c] *= size[c];
+  UnitAxes axes = unit_axes(unit, d.x, d.y);
+  if (unit.bug == Bug::kWrongLine) axes.axis = {-axes.axis[1], axes.axis[0], -axes.axis[2]};
   const double cap = static_cast<double>(image.sampler.max_anisotropy);
   const double ratio = axes.longer == 0 ? 1 : axes.shorter == 0 ? cap : fmin(axes.longer / axes.shorter, cap);
   const double used = ratio + unit.isotropy * (1 - ratio);
-  const double size = unit.rule == SHD_LEVEL_RULE_OPENGL ? opengl_size(unit, xu, xv, yu, yv) : axes.longer;
-  const double shown = unit.bug == Bug::kShorterAxis ? axes.shorter : size;
+  const double found = unit.rule == SHD_LEVEL_RULE_OPENGL ? opengl_size(unit, d.x, d.y) : axes.longer;
+  const double shown = unit.bug == Bug::kShorterAxis ? axes.shorter : found;
   const bool extension = unit.rule == SHD_LEVEL_RULE_OPENGL && unit.isotropy == 0;
   const double count = ceil(used);
-  return {log2(shown), log2(axes.longer / (extension ? count : used)), static_cast<int>(count), axes.u / true_w,
-          axes.v / true_h};
+  UnitShape out = {log2(shown), log2(axes.longer / (extension ? count : used)), static_cast<int>(count), {}};
+  out.d = {axes.axis[0] / static_cast<double>(base.width), axes.axis[1] / static_cast<double>(base.height),
+           image.depth ? axes.axis[2] / static_cast<double>(image.depth) : 0};
+  return out;
 }
 
 inline double unit_lod(const UnitImage& image, const Unit& unit, double lambda) {
@@ -80,33 +105,51 @@ inline double unit_lod(const UnitImage& image, const Unit& unit, double lambda) 
   return rounded(lod, unit.bug == Bug::kFewLevelBits ? unit.option : unit.level_bits, unit.level_rounding);
 }
 
-/// A point of the plane of a face, moved to the face that it belongs to.
-inline void move_to_face(double* u, double* v, int* face) {
-  if (*u >= 0 && *u <= 1 && *v >= 0 && *v <= 1) return;
-  long double n[3];
-  ref_unproject(SHD_PROJECTION_CUBE, *u, *v, static_cast<uint32_t>(*face), n);
-  const ref_place place = ref_project(SHD_PROJECTION_CUBE, n);
-  *u = static_cast<double>(place.u), *v = static_cast<double>(place.v), *face = static_cast<int>(place.face);
+/// The point that has the direction of a point beside the image: on another face of a cube, half a turn about the
+/// middle of an edge of an octahedral map away, or as far inside of the rim of a disc on the other side.
+inline void move_inside(const UnitImage& image, UnitPoint* point, int* face) {
+  double &u = (*point)[0], &v = (*point)[1];
+  const auto outside = [](double x) { return x < 0 || x > 1; };
+  if (image.projection == SHD_PROJECTION_OCTAHEDRAL) {
+    u = fmin(fmax(u, -1), 2), v = fmin(fmax(v, -1), 2);
+    while (outside(u) || outside(v)) {
+      double &out = outside(u) ? u : v, &other = outside(u) ? v : u;
+      out = out < 0 ? -out : 2 - out;
+      other = 1 - other;
+    }
+    return;
+  }
+  if (image.projection == SHD_PROJECTION_CUBE && (outside(u) || outside(v))) {
+    long double n[3];
+    ref_unproject(SHD_PROJECTION_CUBE, u, v, static_cast<uint32_t>(*face), n);
+    const ref_place place = ref_project(SHD_PROJECTION_CUBE, n);
+    u = static_cast<double>(place.u), v = static_cast<double>(place.v), *face = static_cast<int>(place.face);
+    return;
+  }
+  const double r = hypot(2 * u - 1, 2 * v - 1);
+  if (image.is_flat() || image.projection == SHD_PROJECTION_CUBE || r <= 1) return;
+  const double scale = fmin(r - 2, 0) / r;
+  u = (1 + (2 * u - 1) * scale) / 2, v = (1 + (2 * v - 1) * scale) / 2;
 }
 
-inline Value unit_bilinear(const UnitImage& image, const Unit& unit, int layer, int level, double u, double v) {
-  if (image.cube) move_to_face(&u, &v, &layer);
+inline Value unit_linear(const UnitImage& image, const Unit& unit, int layer, int level, UnitPoint p) {
+  if (!image.is_flat()) move_inside(image, &p, &layer);
   if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
-  return Texels{image, unit, layer, level}.bilinear(u, v);
+  return Texels{image, unit, layer, level}.linear(p);
 }
 
-inline Value unit_trilinear(const UnitImage& image, const Unit& unit, int layer, double u, double v, double lod) {
+inline Value unit_trilinear(const UnitImage& image, const Unit& unit, int layer, const UnitPoint& p, double lod) {
   const int fine = static_cast<int>(floor(lod)), coarse = std::min(fine + 1, image.level_count - 1);
   double s = lod - floor(lod);
   if (unit.bug == Bug::kNoBlend) s = unit.option & 1;
   if (unit.bug == Bug::kBlendFlipped) s = 1 - s;
-  const Value a = unit_bilinear(image, unit, layer, fine, u, v), b = unit_bilinear(image, unit, layer, coarse, u, v);
+  const Value a = unit_linear(image, unit, layer, fine, p), b = unit_linear(image, unit, layer, coarse, p);
   Value out;
   for (size_t c = 0; c < 4; ++c) out[c] = (1 - s) * a[c] + s * b[c];
   return out;
 }
 
-inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int layer, double u, double v, double lod,
+inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int layer, const UnitPoint& p, double lod,
                               const UnitShape& shape) {
   Value sum = {};
   double total = 0;
@@ -115,7 +158,9 @@ inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int laye
     const double weight = exp(-unit.probe_falloff * 4 * t * t);
     if (unit.bug == Bug::kLongLine) t *= unit.a;
     if (unit.bug == Bug::kLineShift) t += unit.a;
-    const Value value = unit_trilinear(image, unit, layer, u + t * shape.du, v + t * shape.dv, lod);
+    UnitPoint probe;
+    for (size_t c = 0; c < 3; ++c) probe[c] = p[c] + t * shape.d[c];
+    const Value value = unit_trilinear(image, unit, layer, probe, lod);
     for (size_t c = 0; c < 4; ++c) sum[c] += weight * value[c];
     total += weight;
   }
@@ -128,48 +173,48 @@ inline int unit_level(const Unit& unit, double lod) {
   return static_cast<int>(fmax(unit.lower_tie ? ceil(lod + 0.5) - 1 : floor(lod + 0.5), 0));
 }
 
-inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, double u, double v) {
+inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, const UnitPoint& p) {
   if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
-  return Texels{image, unit, layer, level}.nearest(u, v);
+  return Texels{image, unit, layer, level}.nearest(p);
 }
 
 /// The filter at a point of an image.
-inline Value unit_filter(const UnitImage& image, const Unit& unit, const UnitLookup& lookup, double u, double v,
+inline Value unit_filter(const UnitImage& image, const Unit& unit, const UnitLookup& lookup, const UnitPoint& p,
                          int layer, const UnitSteps& d) {
-  UnitShape shape = {lookup.lod, lookup.lod, 1, 0, 0};
+  UnitShape shape = {lookup.lod, lookup.lod, 1, {}};
   if (!lookup.has_lod) shape = unit_shape(image, unit, d);
   const double lod = unit_lod(image, unit, shape.lambda);
   const int level = std::min(unit_level(unit, lod), image.level_count - 1);
   switch (image.sampler.filter) {
-    case SHD_FILTER_NEAREST: return Texels{image, unit, layer, 0}.nearest(u, v);
-    case SHD_FILTER_BILINEAR: return Texels{image, unit, layer, 0}.bilinear(u, v);
-    case SHD_FILTER_NEAREST_MIP: return unit_nearest(image, unit, layer, level, u, v);
-    case SHD_FILTER_BILINEAR_MIP: return unit_bilinear(image, unit, layer, level, u, v);
-    case SHD_FILTER_TRILINEAR: return unit_trilinear(image, unit, layer, u, v, lod);
-    default: return unit_anisotropic(image, unit, layer, u, v, unit_lod(image, unit, shape.probe_lambda), shape);
+    case SHD_FILTER_NEAREST: return Texels{image, unit, layer, 0}.nearest(p);
+    case SHD_FILTER_BILINEAR: return Texels{image, unit, layer, 0}.linear(p);
+    case SHD_FILTER_NEAREST_MIP: return unit_nearest(image, unit, layer, level, p);
+    case SHD_FILTER_BILINEAR_MIP: return unit_linear(image, unit, layer, level, p);
+    case SHD_FILTER_TRILINEAR: return unit_trilinear(image, unit, layer, p, lod);
+    default: return unit_anisotropic(image, unit, layer, p, unit_lod(image, unit, shape.probe_lambda), shape);
   }
 }
 
-/// The point of a direction on its face, and its derivatives, by the quotient rule of the Vulkan specification.
+inline void apply_axis_bugs(const Unit& unit, UnitPoint* p) {
+  if (unit.bug == Bug::kMirroredAxis) (*p)[unit.option & 1] = 1 - (*p)[unit.option & 1];
+  if (unit.bug == Bug::kSwappedAxes) std::swap((*p)[0], (*p)[1]);
+}
+
+/// The point of a direction in its image, and its derivatives.
 inline Value unit_direction(const UnitImage& image, const Unit& unit, const UnitLookup& lookup) {
   const long double n[3] = {lookup.p[0], lookup.p[1], lookup.p[2]};
-  const ref_place place = ref_project(SHD_PROJECTION_CUBE, n);
-  const int* row = ref_cube_table[place.face];
-  const auto part = [&](const double* v, int axis) { return axis > 0 ? v[axis - 1] : -v[-axis - 1]; };
-  const double r = part(lookup.p, row[0]);
-  const auto step = [&](const double* d, int axis) {
-    return 0.5 * (r * part(d, axis) - part(lookup.p, axis) * part(d, row[0])) / (r * r);
+  const ref_place place = ref_project(image.projection, n);
+  const auto step = [&](const double* d) {
+    const long double dn[3] = {d[0], d[1], d[2]};
+    const ref_change change = ref_step(image.projection, n, dn);
+    return UnitPoint{static_cast<double>(change.du), static_cast<double>(change.dv), 0};
   };
-  UnitSteps steps = {step(lookup.dx, row[1]), step(lookup.dx, row[2]), step(lookup.dy, row[1]),
-                     step(lookup.dy, row[2])};
-  double u = static_cast<double>(place.u), v = static_cast<double>(place.v);
-  int face = static_cast<int>(place.face);
-  if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1)
-    (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
-  if (unit.bug == Bug::kMirroredAxis) (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
-  if (unit.bug == Bug::kSwappedAxes) std::swap(u, v);
-  if (unit.bug == Bug::kLayer) face = (face + 1) % 6;
-  return unit_filter(image, unit, lookup, u, v, face, steps);
+  UnitPoint p = {static_cast<double>(place.u), static_cast<double>(place.v), 0};
+  int face = image.projection == SHD_PROJECTION_CUBE ? static_cast<int>(place.face) : lookup.layer;
+  if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1) p[unit.option & 1] = 1 - p[unit.option & 1];
+  apply_axis_bugs(unit, &p);
+  if (unit.bug == Bug::kLayer) face = (face + 1) % image.layers;
+  return unit_filter(image, unit, lookup, p, face, {step(lookup.dx), step(lookup.dy)});
 }
 
 inline double unit_result(const UnitImage& image, const Unit& unit, double value, int c) {
@@ -187,15 +232,15 @@ inline double unit_result(const UnitImage& image, const Unit& unit, double value
 
 inline Value unit_sample(const UnitImage& image, const Unit& unit, const UnitLookup& lookup) {
   Value value;
-  if (image.cube) {
+  if (!image.is_flat()) {
     value = unit_direction(image, unit, lookup);
   } else {
-    double u = reduce(image.sampler.wrap_u, lookup.p[0]), v = reduce(image.sampler.wrap_v, lookup.p[1]);
-    UnitSteps d = {lookup.dx[0], lookup.dx[1], lookup.dy[0], lookup.dy[1]};
-    if (unit.bug == Bug::kSwappedAxes) std::swap(u, v);
-    if (unit.bug == Bug::kMirroredAxis) (unit.option & 1 ? v : u) = 1 - (unit.option & 1 ? v : u);
+    const shd_sampler_desc& s = image.sampler;
+    UnitPoint p = {reduce(s.wrap_u, lookup.p[0]), reduce(s.wrap_v, lookup.p[1]), reduce(s.wrap_w, lookup.p[2])};
+    const UnitSteps d = {{lookup.dx[0], lookup.dx[1], lookup.dx[2]}, {lookup.dy[0], lookup.dy[1], lookup.dy[2]}};
+    apply_axis_bugs(unit, &p);
     const int layer = unit.bug == Bug::kLayer ? (lookup.layer + 1) % image.layers : lookup.layer;
-    value = unit_filter(image, unit, lookup, u, v, layer, d);
+    value = unit_filter(image, unit, lookup, p, layer, d);
   }
   for (int c = 0; c < 4; ++c)
     value[static_cast<size_t>(c)] = unit_result(image, unit, value[static_cast<size_t>(c)], c);

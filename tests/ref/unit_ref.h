@@ -15,6 +15,7 @@
 namespace ref {
 
 using Value = std::array<double, 4>;
+using UnitPoint = std::array<double, 3>;  // (u, v), or (u, v, w) of a 3D texture
 
 enum class Rounding { kDown, kNearest, kUp };
 
@@ -29,8 +30,8 @@ inline double rounded(double x, int bits, Rounding rounding) {
 /// Errors of a texture unit.
 enum class Bug {
   kNone,
-  kShift,            // the coordinates are (a, b) texels off
-  kWrap,             // axis `option` & 1 has wrap `option` >> 1
+  kShift,            // the coordinates are (a, b, c) texels off
+  kWrap,             // axis `option` & 3 has wrap `option` >> 2
   kSwappedAxes,      // (v, u)
   kMirroredAxis,     // 1 - u or 1 - v, by `option`
   kLevelShift,       // the level of detail is `a` off
@@ -43,13 +44,13 @@ enum class Bug {
   kFewBits,          // coordinates have `option` bits
   kFewLevelBits,     // levels have `option` bits
   kSwappedWeights,   // s and t are swapped
-  kFlippedWeight,    // 1 - s or 1 - t, by `option`
-  kOneColumn,        // the second column, or row, is the first one
+  kFlippedWeight,    // 1 - s, 1 - t or 1 - r, by `option`
+  kOneColumn,        // the second column, row or slice is the first one
   kFilterFirst,      // sRGB texels are decoded after filtering
   kNoDecode,         // sRGB texels are not decoded
   kAlphaDecoded,     // alpha is decoded
   kAddressBit,       // bit `option` >> 1 of the column or the row is flipped
-  kWeightBit,        // bit of s of value a, or of t, is flipped
+  kWeightBit,        // bit of s, t or r of value a is flipped
   kResultBit,        // bit `option` & 7 of an 8-bit result is flipped, in channel `option` >> 3
   kLevelBit,         // bit 0 of the level is flipped
   kSwappedChannels,  // channels `option` & 3 and `option` >> 2
@@ -62,7 +63,7 @@ enum class Bug {
   kProbeSum,         // the sum of probes is divided by one more, or one less
   kLineShift,        // probes are (a) of the line off
   kFlippedFace,      // s, or t, of face `option` >> 1 is flipped
-  kNoSeam,           // texels beyond an edge of the cube are those of the edge
+  kNoSeam,           // texels beyond an edge of directions are those of the edge
   kLargerLevels,     // level sizes are rounded up
   kBorder,           // border texels are 0
   kCount
@@ -71,29 +72,33 @@ enum class Bug {
 /// A texture unit: its freedoms, and its bug.
 struct Unit {
   int subtexel_bits = 8, level_bits = 8, weight_bits = 0, result_bits = 0;
-  Rounding rounding[2] = {Rounding::kNearest, Rounding::kNearest}, level_rounding = Rounding::kNearest;
+  Rounding rounding[3] = {Rounding::kNearest, Rounding::kNearest, Rounding::kNearest};
+  Rounding level_rounding = Rounding::kNearest;
   uint32_t rule = SHD_LEVEL_RULE_LENGTHS;
   double stretch = 0;     // 0..1 within the approximations of the rule
   bool lower_tie = true;  // nearest level: ceil(lod + 1/2) - 1
   bool floats = false;    // coordinates are computed in binary32
   double srgb_error = 0;  // [codes]
-  double coordinate_error[2] = {0, 0}, level_error = 0;
+  double coordinate_error[3] = {0, 0, 0}, level_error = 0;
   double isotropy = 0;        // 0 = the probes of the rule, 1 = one probe
   bool vulkan_places = true;  // i / (N + 1) - 1/2, else (k + 1/2) / N - 1/2
   double probe_falloff = 0;   // weights exp(-falloff x^2)
   Bug bug = Bug::kNone;
-  double a = 0, b = 0;
+  double a = 0, b = 0, c = 0;
   int option = 0;
 };
 
-/// Levels of the layers of a texture, and the sampler.
+/// Levels of the layers of a texture, and the sampler. A level of a 3D texture has all of its slices, one by one.
 struct UnitImage {
   shd_format format;
   int level_count, layers;
-  bool cube;
+  shd_projection projection;
+  int64_t depth;              // slices of level 0; 0 = 2D
   std::vector<Level> levels;  // [layers][level_count]
   shd_sampler_desc sampler;
 
+  bool is_flat() const { return projection == SHD_PROJECTION_NONE; }
+  int axes() const { return depth ? 3 : 2; }
   const Level& at(int layer, int level) const { return levels[static_cast<size_t>(layer * level_count + level)]; }
 };
 
@@ -120,15 +125,18 @@ struct Texels {
   const Level& plane() const { return image.at(layer, level); }
   int64_t size(int axis) const {
     const Level& base = image.at(layer, 0);
-    const int64_t full = axis ? base.height : base.width, floor_size = axis ? plane().height : plane().width;
+    const int64_t full = axis == 2 ? image.depth : axis ? base.height : base.width;
+    const int64_t floor_size = axis == 2 ? std::max<int64_t>(full >> level, 1) : axis ? plane().height : plane().width;
     if (unit.bug != Bug::kLargerLevels) return floor_size;
     return (full + (int64_t{1} << level) - 1) >> level;
   }
-  Value stored(int of_layer, int64_t x, int64_t y) const {
+  Value stored(int of_layer, int64_t x, int64_t y, int64_t z = 0) const {
     const Level& l = image.at(of_layer, level);
     if (unit.bug == Bug::kAddressBit) (unit.option & 1 ? y : x) ^= int64_t{1} << (unit.option >> 1);
     x = std::min(x, l.width - 1), y = std::min(y, l.height - 1);
-    const uint8_t* texel = l.texels + (y * l.width + x) * static_cast<int64_t>(shd_format_size(image.format));
+    if (image.depth) z = std::min(z, std::max<int64_t>(image.depth >> level, 1) - 1);
+    const auto bytes = static_cast<int64_t>(shd_format_size(image.format));
+    const uint8_t* texel = l.texels + ((z * l.height + y) * l.width + x) * bytes;
     Value value;
     for (int c = 0; c < 4; ++c) value[static_cast<size_t>(c)] = code_decode(image.format, texel, c, unit);
     return value;
@@ -161,57 +169,118 @@ struct Texels {
     return stored(static_cast<int>(place.face), std::clamp<int64_t>(static_cast<int64_t>(place.u * n), 0, n - 1),
                   std::clamp<int64_t>(static_cast<int64_t>(place.v * n), 0, n - 1));
   }
-  Value texel(int64_t i, int64_t j) const {
-    if (image.cube) return on_cube(i, j);
-    shd_wrap wrap[2] = {image.sampler.wrap_u, image.sampler.wrap_v};
-    if (unit.bug == Bug::kWrap) wrap[unit.option & 1] = static_cast<shd_wrap>(unit.option >> 1);
-    const int64_t x = wrap_index(wrap[0], i, size(0)), y = wrap_index(wrap[1], j, size(1));
-    return x < 0 || y < 0 ? border() : stored(layer, x, y);
+  /// A texel of an octahedral map, found by its direction: straight ahead over the edge. The map of one step inwards is
+  /// linear, so that as long a step outwards is the reflection of its vector.
+  Value on_octahedron(int64_t i, int64_t j) const {
+    const int64_t n = plane().width;
+    constexpr long double kStep = 1e-7L;
+    const auto at = [&](int64_t k, long double inwards) {
+      if (k < 0) return inwards;
+      return k >= n ? 1 - inwards : (static_cast<long double>(k) + 0.5L) / static_cast<long double>(n);
+    };
+    long double edge[3], inner[3], beyond[3];
+    vector_of(at(i, 0), at(j, 0), edge);
+    vector_of(at(i, kStep), at(j, kStep), inner);
+    for (int c = 0; c < 3; ++c) beyond[c] = 2 * edge[c] - inner[c];
+    const ref_place place = ref_project(SHD_PROJECTION_OCTAHEDRAL, beyond);
+    return stored(layer, std::clamp<int64_t>(static_cast<int64_t>(place.u * n), 0, n - 1),
+                  std::clamp<int64_t>(static_cast<int64_t>(place.v * n), 0, n - 1));
   }
-  /// Texel coordinate of u; a face of a cube ends at its edges.
+  /// A vector to the octahedron |x| + |y| + |z| = 1.
+  static void vector_of(long double u, long double v, long double* n) {
+    ref_unproject(SHD_PROJECTION_OCTAHEDRAL, u, v, 0, n);
+    const long double sum = fabsl(n[0]) + fabsl(n[1]) + fabsl(n[2]);
+    for (int c = 0; c < 3; ++c) n[c] /= sum;
+  }
+  /// A texel of a disc. One beyond the rim is the texel of the point as far inside, on the other side, and at least
+  /// half the diagonal of a texel inside.
+  Value on_disc(int64_t i, int64_t j) const {
+    const auto n = static_cast<double>(plane().width);
+    const double p = (2 * static_cast<double>(i) + 1) / n - 1, q = (2 * static_cast<double>(j) + 1) / n - 1;
+    const double r = hypot(p, q), inner = fmax(fmin(2 - r, 1 - sqrt(2) / n), 0);
+    if (r <= 1) return stored(layer, i, j);
+    const auto index = [&](double x) {
+      return std::clamp<int64_t>(static_cast<int64_t>(floor((1 - x / r * inner) / 2 * n)), 0, plane().width - 1);
+    };
+    return stored(layer, index(p), index(q));
+  }
+  Value texel(int64_t i, int64_t j, int64_t k) const {
+    const bool cube = image.projection == SHD_PROJECTION_CUBE;
+    if (!image.is_flat() && !cube && unit.bug == Bug::kNoSeam)
+      return stored(layer, std::clamp<int64_t>(i, 0, size(0) - 1), std::clamp<int64_t>(j, 0, size(1) - 1));
+    if (cube) return on_cube(i, j);
+    if (image.projection == SHD_PROJECTION_OCTAHEDRAL) return on_octahedron(i, j);
+    if (!image.is_flat()) return on_disc(i, j);
+    shd_wrap wrap[3] = {image.sampler.wrap_u, image.sampler.wrap_v, image.sampler.wrap_w};
+    if (unit.bug == Bug::kWrap) wrap[unit.option & 3] = static_cast<shd_wrap>(unit.option >> 2);
+    const int64_t x = wrap_index(wrap[0], i, size(0)), y = wrap_index(wrap[1], j, size(1));
+    const int64_t z = image.depth ? wrap_index(wrap[2], k, size(2)) : 0;
+    return x < 0 || y < 0 || z < 0 ? border() : stored(layer, x, y, z);
+  }
+  /// Texel coordinate of u; images of directions end at their edges.
   double coordinate(double u, int axis) const {
     const auto n = static_cast<double>(size(axis));
     const double x = unit.floats ? static_cast<double>(static_cast<float>(u) * static_cast<float>(n)) : u * n;
     const double error = unit.coordinate_error[axis] * n * fmax(1, fabs(u));
-    const double moved = x + error + (unit.bug == Bug::kShift ? (axis ? unit.b : unit.a) : 0);
-    return image.cube ? fmin(fmax(moved, 0), n) : moved;
+    const double shift[3] = {unit.a, unit.b, unit.c};
+    const double moved = x + error + (unit.bug == Bug::kShift ? shift[axis] : 0);
+    return image.is_flat() ? moved : fmin(fmax(moved, 0), n);
   }
   double fixed(double x, int axis) const {
     return rounded(x, unit.bug == Bug::kFewBits ? unit.option : unit.subtexel_bits, unit.rounding[axis]);
   }
-  Value nearest(double u, double v) const {
-    const auto index = [&](double x, int axis) {
-      const auto i = static_cast<int64_t>(floor(fixed(coordinate(x, axis), axis)));
-      return image.cube ? std::clamp<int64_t>(i, 0, size(axis) - 1) : i;
-    };
-    return texel(index(u, 0), index(v, 1));
+  Value nearest(const UnitPoint& p) const {
+    int64_t index[3] = {};
+    for (int a = 0; a < image.axes(); ++a) {
+      index[a] = static_cast<int64_t>(floor(fixed(coordinate(p[static_cast<size_t>(a)], a), a)));
+      if (!image.is_flat()) index[a] = std::clamp<int64_t>(index[a], 0, size(a) - 1);
+    }
+    if (!image.is_flat()) return stored(layer, index[0], index[1]);
+    return texel(index[0], index[1], index[2]);
   }
-  Value bilinear(double u, double v) const {
-    if (unit.bug == Bug::kNoFilter) return nearest(u, v);
-    const double x = fixed(coordinate(u, 0) - 0.5, 0), y = fixed(coordinate(v, 1) - 0.5, 1);
-    double s = x - floor(x), t = y - floor(y);
-    if (unit.bug == Bug::kSwappedWeights) std::swap(s, t);
-    double& one = unit.option & 1 ? t : s;
+  Value linear(const UnitPoint& p) const {
+    if (unit.bug == Bug::kNoFilter) return nearest(p);
+    int64_t first[3] = {};
+    double s[3] = {};
+    for (int a = 0; a < image.axes(); ++a) {
+      const double x = fixed(coordinate(p[static_cast<size_t>(a)], a) - 0.5, a);
+      first[a] = static_cast<int64_t>(floor(x));
+      s[a] = x - floor(x);
+    }
+    if (unit.bug == Bug::kSwappedWeights) std::swap(s[0], s[1]);
+    double& one = s[unit.option % image.axes()];
     if (unit.bug == Bug::kFlippedWeight) one = 1 - one;
     if (unit.bug == Bug::kWeightBit) one = fmod(floor(one / unit.a), 2) != 0 ? one - unit.a : one + unit.a;
-    const auto i = static_cast<int64_t>(floor(x)), j = static_cast<int64_t>(floor(y));
-    const bool column = unit.bug == Bug::kOneColumn && !(unit.option & 1), row = unit.bug == Bug::kOneColumn && !column;
-    const Value a = texel(i, j), b = texel(column ? i : i + 1, j), c = texel(i, row ? j : j + 1),
-                d = texel(column ? i : i + 1, row ? j : j + 1);
-    double w[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
-    if (unit.weight_bits) {
-      // The largest weight takes the rest, so that no weight is negative.
-      double &largest = *std::max_element(w, w + 4), rest = 1;
-      for (double& weight : w) {
-        if (&weight == &largest) continue;
-        weight = rounded(weight, unit.weight_bits, Rounding::kNearest);
-        rest -= weight;
-      }
-      largest = rest;
+    const int corners = 1 << image.axes();
+    double w[8];
+    for (int k = 0; k < corners; ++k) {
+      w[k] = 1;
+      for (int a = 0; a < image.axes(); ++a) w[k] *= k >> a & 1 ? s[a] : 1 - s[a];
     }
-    Value out;
-    for (size_t k = 0; k < 4; ++k) out[k] = w[0] * a[k] + w[1] * b[k] + w[2] * c[k] + w[3] * d[k];
+    round_weights(w, corners);
+    Value out = {};
+    for (int k = 0; k < corners; ++k) {
+      int64_t at[3];
+      for (int a = 0; a < 3; ++a) {
+        const bool stuck = unit.bug == Bug::kOneColumn && a == unit.option % image.axes();
+        at[a] = first[a] + (stuck ? 0 : k >> a & 1);
+      }
+      const Value value = texel(at[0], at[1], at[2]);
+      for (size_t c = 0; c < 4; ++c) out[c] += w[k] * value[c];
+    }
     return out;
+  }
+  /// The largest weight takes the rest, so that no weight is negative. Eight weights need another bit for the sum of
+  /// their errors.
+  void round_weights(double* w, int count) const {
+    if (!unit.weight_bits) return;
+    double &largest = *std::max_element(w, w + count), rest = 1;
+    for (int k = 0; k < count; ++k) {
+      if (&w[k] == &largest) continue;
+      w[k] = rounded(w[k], unit.weight_bits + (count == 8), Rounding::kNearest);
+      rest -= w[k];
+    }
+    largest = rest;
   }
 };
 

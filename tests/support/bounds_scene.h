@@ -21,20 +21,30 @@ enum class Picture { kNoise, kRamp, kLevels, kDots };
 
 struct SceneTexture {
     shd_format format;
-    uint32_t width, height, layers;
-    bool cube;
+    uint32_t width, height, layers, depth;
+    shd_projection projection;
     Picture picture;
+
+    bool has_directions() const { return projection != SHD_PROJECTION_NONE; }
 };
 
 constexpr SceneTexture kSceneTextures[] = {
-    {SHD_FORMAT_RGBA8, 64, 32, 1, false, Picture::kNoise},
-    {SHD_FORMAT_RGBA8_SRGB, 37, 21, 1, false, Picture::kNoise},
-    {SHD_FORMAT_RGBA32F, 64, 64, 1, false, Picture::kRamp},
-    {SHD_FORMAT_RGBA8_SRGB, 64, 64, 1, false, Picture::kLevels},
-    {SHD_FORMAT_RGBA16, 17, 33, 3, false, Picture::kNoise},
-    {SHD_FORMAT_RGBA8, 16, 16, 6, true, Picture::kNoise},
-    {SHD_FORMAT_RGBA8_SRGB, 32, 32, 6, true, Picture::kLevels},
-    {SHD_FORMAT_RGBA8, 64, 64, 1, false, Picture::kDots},
+    {SHD_FORMAT_RGBA8, 64, 32, 1, 0, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 37, 21, 1, 0, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA32F, 64, 64, 1, 0, SHD_PROJECTION_NONE, Picture::kRamp},
+    {SHD_FORMAT_RGBA8_SRGB, 64, 64, 1, 0, SHD_PROJECTION_NONE, Picture::kLevels},
+    {SHD_FORMAT_RGBA16, 17, 33, 3, 0, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA8, 16, 16, 6, 0, SHD_PROJECTION_CUBE, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 32, 32, 6, 0, SHD_PROJECTION_CUBE, Picture::kLevels},
+    {SHD_FORMAT_RGBA8, 64, 64, 1, 0, SHD_PROJECTION_NONE, Picture::kDots},
+    {SHD_FORMAT_RGBA8, 16, 8, 1, 9, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 5, 13, 1, 16, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA16, 1, 1, 1, 1, SHD_PROJECTION_NONE, Picture::kNoise},
+    {SHD_FORMAT_RGBA32F, 16, 16, 1, 12, SHD_PROJECTION_NONE, Picture::kLevels},
+    {SHD_FORMAT_RGBA8, 32, 32, 1, 0, SHD_PROJECTION_OCTAHEDRAL, Picture::kNoise},
+    {SHD_FORMAT_RGBA16, 13, 13, 3, 0, SHD_PROJECTION_OCTAHEDRAL, Picture::kNoise},
+    {SHD_FORMAT_RGBA8, 32, 32, 1, 0, SHD_PROJECTION_MIRROR_BALL, Picture::kNoise},
+    {SHD_FORMAT_RGBA8_SRGB, 21, 21, 2, 0, SHD_PROJECTION_ANGULAR, Picture::kNoise},
 };
 
 constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
@@ -46,8 +56,8 @@ class ScenePixels
    public:
     ScenePixels(shd_context *context, const SceneTexture &kind, Random *random)
     {
-        image = {kind.format, 1, static_cast<int>(kind.layers), kind.cube, {}, {}};
-        while ((kind.width >> image.level_count) + (kind.height >> image.level_count) > 0) ++image.level_count;
+        image = {kind.format, 1, static_cast<int>(kind.layers), kind.projection, kind.depth, {}, {}};
+        while ((kind.width | kind.height | kind.depth) >> image.level_count) ++image.level_count;
         const auto levels = static_cast<uint32_t>(image.level_count);
         bytes.resize(size_t{kind.layers} * levels);
         for (uint32_t layer = 0; layer < kind.layers; ++layer) {
@@ -78,13 +88,14 @@ class ScenePixels
     void fill(const SceneTexture &kind, uint32_t layer, uint32_t level, Random *random)
     {
         const uint32_t w = std::max(kind.width >> level, 1u), h = std::max(kind.height >> level, 1u);
+        const uint32_t rows = h * std::max(kind.depth >> level, 1u);
         const size_t size = shd_format_size(kind.format) / 4;
         std::vector<uint8_t> &to = bytes[size_t{layer} * static_cast<size_t>(image.level_count) + level];
-        to.resize(size_t{w} * h * 4 * size);
-        for (size_t i = 0; i < size_t{w} * h * 4; ++i) {
+        to.resize(size_t{w} * rows * 4 * size);
+        for (size_t i = 0; i < size_t{w} * rows * 4; ++i) {
             const size_t texel = i / 4;
             const double v = value(kind, layer, level, (static_cast<double>(texel % w) + 0.5) / w,
-                                   (static_cast<double>(texel / w) + 0.5) / h, i % 4, random);
+                                   (static_cast<double>(texel / w % h) + 0.5) / h, i % 4, random);
             const auto real = static_cast<float>(v);
             const auto code = static_cast<uint16_t>(v * 65535);
             if (size == 4) memcpy(&to[i * 4], &real, 4);
@@ -106,15 +117,18 @@ class ScenePixels
                 shd_image given = shd_image_default();
                 given.format = kind.format;
                 given.width = std::max(kind.width >> level, 1u), given.height = std::max(kind.height >> level, 1u);
-                given.pixels = const_cast<uint8_t *>(from[level].data());
-                rest.push_back(given);
+                const size_t slice = size_t{given.width} * given.height * shd_format_size(kind.format);
+                for (size_t at = 0; at < from[level].size(); at += slice) {
+                    given.pixels = const_cast<uint8_t *>(from[level].data()) + at;
+                    rest.push_back(given);
+                }
             }
         }
         shd_texture_desc desc = shd_texture_desc_default();
         desc.format = kind.format, desc.width = kind.width, desc.height = kind.height, desc.layers = kind.layers;
+        desc.depth = kind.depth, desc.projection = kind.projection;
         desc.texels = base.data(), desc.tables = SHD_TABLE_MIPMAP;
         desc.levels = rest.data(), desc.level_count = levels - 1;
-        if (kind.cube) desc.projection = SHD_PROJECTION_CUBE;
         shd_assert_ok(shd_texture_create(context, &desc, &texture));
     }
 
@@ -135,21 +149,23 @@ struct SceneLookups {
         for (float &x : p) {
             x = random->whole(0, 3) ? random->real(0, 1) : random->real(-1.6, 2.6);
             if (!random->whole(0, 7)) x = static_cast<float>(std::floor(x * 128)) / 128;
-            if (kind.cube) x = random->whole(0, 9) ? 2 * x - 1 : std::copysign(1.0f, x - 0.5f);
+            if (kind.has_directions()) x = random->whole(0, 9) ? 2 * x - 1 : std::copysign(1.0f, x - 0.5f);
         }
-        if (kind.cube && p[0] == 0 && p[1] == 0 && p[2] == 0) p[2] = 1;
-        const double size = std::exp2(random->in(-1.5, 5)) / kind.width * (kind.cube ? 2 : 1);
+        if (kind.has_directions() && p[0] == 0 && p[1] == 0 && p[2] == 0) p[2] = 1;
+        const double size = std::exp2(random->in(-1.5, 5)) / kind.width * (kind.has_directions() ? 2 : 1);
         const double ratio = random->whole(0, 3) ? std::exp2(random->in(0, 5)) : 1.0;
         float d[6] = {};
         for (int i = 0; i < 6; ++i) {
             const double part = random->in(-1, 1) * size / (i >= 3 ? ratio : 1.0);
-            d[i] = static_cast<float>(i % 3 == 1 ? part * kind.width / kind.height : part);
+            const uint32_t across = i % 3 == 1 ? kind.height : i % 3 == 2 && kind.depth ? kind.depth : kind.width;
+            d[i] = static_cast<float>(part * kind.width / across);
         }
         if (!random->whole(0, 15)) std::fill(d, d + 6, 0.0f);
         for (int i = 0; i < 3; ++i) column[i].push_back(p[i]);
         for (int i = 0; i < 6; ++i) column[3 + i].push_back(d[i]);
         if (with_lod) lod.push_back(random->real(-1, 7));
-        layer.push_back(kind.cube ? 0 : static_cast<uint32_t>(random->whole(0, kind.layers - 1)));
+        layer.push_back(
+            kind.projection == SHD_PROJECTION_CUBE ? 0 : static_cast<uint32_t>(random->whole(0, kind.layers - 1)));
     }
 
     shd_lookups columns() const
@@ -208,13 +224,14 @@ struct Scene {
     }
 };
 
-inline shd_sampler_desc scene_sampler(shd_filter filter, int variant, Random *random)
+inline shd_sampler_desc scene_sampler(const SceneTexture &kind, shd_filter filter, int variant, Random *random)
 {
     shd_sampler_desc desc = shd_sampler_desc_default();
     desc.filter = filter;
-    desc.profile = SHD_PROFILE_VULKAN;
+    desc.profile = kind.depth ? SHD_PROFILE_EXACT : SHD_PROFILE_VULKAN;
     desc.wrap_u = static_cast<shd_wrap>(random->whole(0, 4));
     desc.wrap_v = static_cast<shd_wrap>(random->whole(0, 4));
+    if (kind.depth) desc.wrap_w = static_cast<shd_wrap>(random->whole(0, 4));
     for (float &x : desc.border) x = random->real(0.2, 1);
     if (variant == 1) desc.lod_bias = random->whole(0, 1) ? 0.7f : -0.6f;
     if (variant == 2) desc.lod_min = 1.25f, desc.lod_max = 3.5f;
@@ -243,7 +260,7 @@ class Scenes
     void add(const SceneTexture &kind, shd_filter filter, int variant, size_t lookups, Random *random)
     {
         Scene scene = {kind, pixels.back().get(), pixels.back()->image, {}};
-        scene.image.sampler = scene_sampler(filter, variant, random);
+        scene.image.sampler = scene_sampler(kind, filter, variant, random);
         const bool with_lod = variant == 2 && random->whole(0, 1);
         for (size_t i = 0; i < lookups; ++i) scene.lookups.add(kind, with_lod, random);
         list.push_back(std::move(scene));
@@ -252,16 +269,20 @@ class Scenes
     std::vector<std::unique_ptr<ScenePixels>> pixels;
 };
 
-/// The bounds of a scene.
+/// The bounds of a scene, or of another texture with its sampler and lookups.
 struct SceneBounds {
     SceneValues lower, upper;
 
     SceneBounds(shd_context *context, const Scene &scene, const shd_bounds_desc &desc)
+        : SceneBounds(context, scene, desc, scene.pixels->texture)
+    {
+    }
+    SceneBounds(shd_context *context, const Scene &scene, const shd_bounds_desc &desc, const shd_texture *texture)
     {
         shd_sampler *sampler = scene.sampler(context);
         const shd_lookups in = scene.lookups.columns();
         shd_texels low = lower.columns(in.count), high = upper.columns(in.count);
-        shd_assert_ok(shd_texture_bounds(scene.pixels->texture, sampler, &in, &desc, &low, &high));
+        shd_assert_ok(shd_texture_bounds(texture, sampler, &in, &desc, &low, &high));
         shd_sampler_release(sampler);
     }
 

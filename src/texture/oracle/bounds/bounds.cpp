@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "texture/oracle/bounds/directions.h"
 #include "texture/oracle/bounds/filters.h"
 
 namespace shd::texture {
@@ -12,7 +13,7 @@ namespace {
 
 /// Inputs of a lookup in doubles, without NaN, and without infinite coordinates.
 struct Lookup {
-  double point[3];  // (u, v) or a direction
+  double point[3];  // (u, v), (u, v, w) or a direction
   double dx[3], dy[3];
   double lod;
   bool has_lod, finite;
@@ -62,11 +63,18 @@ Lookup load(const Texture& texture, const Lookups& in, size_t i) {
 
 /// Derivatives times the widths of the sampler. A width of 0 removes an infinite derivative.
 Steps widened_steps(const Sampler& sampler, const Steps& steps) {
-  const auto scaled = [](const Vector2& step, float width) {
-    const double u = step.u * static_cast<double>(width), v = step.v * static_cast<double>(width);
-    return Vector2{std::isnan(u) ? 0.0 : u, std::isnan(v) ? 0.0 : v};
+  const auto scaled = [](double x, float width) {
+    const double product = x * static_cast<double>(width);
+    return std::isnan(product) ? 0.0 : product;
   };
-  return {scaled(steps.x, sampler.width_x), scaled(steps.y, sampler.width_y)};
+  Steps out;
+  for (int c = 0; c < 3; ++c) {
+    out.x.part[c] = scaled(steps.x.part[c], sampler.width_x);
+    out.y.part[c] = scaled(steps.y.part[c], sampler.width_y);
+  }
+  out.error_x = scaled(steps.error_x, sampler.width_x);
+  out.error_y = scaled(steps.error_y, sampler.width_y);
+  return out;
 }
 
 BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const Steps& steps) {
@@ -75,7 +83,8 @@ BoundsFootprint footprint_of(const BoundsCall& call, const Lookup& lookup, const
 }
 
 void add_direction(const BoundsCall& call, const Lookup& lookup, Color* out) {
-  const CubePlaces places = cube_places(call.model, lookup.point, lookup.dx, lookup.dy);
+  const DirectionPlaces places = places_of(call, lookup.point, lookup.dx, lookup.dy, lookup.layer);
+  if (places.count == 0) return out->add(format_range(call.texture, call.sampler));
   for (int k = 0; k < places.count; ++k) {
     add_filtered(call, places.place[k], footprint_of(call, lookup, places.steps[k]), out);
   }
@@ -83,13 +92,13 @@ void add_direction(const BoundsCall& call, const Lookup& lookup, Color* out) {
 
 Color legal_values(const BoundsCall& call, const Lookup& lookup) {
   Color color;
-  if (call.texture.projection == SHD_PROJECTION_CUBE) {
+  if (call.texture.projection != SHD_PROJECTION_NONE) {
     add_direction(call, lookup, &color);
     return color;
   }
-  const Steps steps = {{lookup.dx[0], lookup.dx[1]}, {lookup.dy[0], lookup.dy[1]}};
-  const Place place = place_of(call.sampler, call.model, lookup.point[0], lookup.point[1], lookup.layer);
-  add_filtered(call, place, footprint_of(call, lookup, steps), &color);
+  Steps steps = {};
+  for (int c = 0; c < axes_of(call.texture); ++c) steps.x.part[c] = lookup.dx[c], steps.y.part[c] = lookup.dy[c];
+  add_filtered(call, place_of(call, lookup.point, lookup.layer), footprint_of(call, lookup, steps), &color);
   return color;
 }
 
@@ -123,7 +132,8 @@ void store(const BoundsCall& call, const Color& color, size_t i, float* const (&
 
 size_t find_bounds(const Texture& texture, const Sampler& sampler, const BoundsModel& model, const Lookups& lookups,
                    float* const (&lower)[4], float* const (&upper)[4]) {
-  const BoundsCall call = {texture, sampler, model};
+  TexelReader reader(texture);
+  const BoundsCall call = {texture, sampler, model, reader};
   size_t nonfinite = 0;
   for (size_t i = 0; i < lookups.count; ++i) {
     const Lookup lookup = load(texture, lookups, i);

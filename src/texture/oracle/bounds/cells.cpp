@@ -9,6 +9,13 @@
 namespace shd::texture {
 namespace {
 
+bool is_deep(const Plane& plane) {
+  return plane.call->texture.depth != 0;
+}
+int64_t max_cells(const Plane& plane) {
+  return is_deep(plane) ? kMaxDeepCells : kMaxCells;
+}
+
 /// Returns a range of coordinates with the same texels and not much more than one image, or two of MIRROR.
 Range within_image(shd_wrap wrap, const Range& range, double n) {
   const double period = wrap == SHD_WRAP_MIRROR ? 2.0 * n : n;
@@ -18,116 +25,154 @@ Range within_image(shd_wrap wrap, const Range& range, double n) {
   return {clamp(range.low), clamp(range.high)};
 }
 
-/// Returns the rectangle with both axes within the image, or false if it is too wide to be searched.
-bool searchable(const Plane& plane, double shift, Rect* rect) {
-  const Sampler& sampler = *plane.sampler;
-  const bool cube = plane.texture->projection == SHD_PROJECTION_CUBE;
-  rect->x = within_image(cube ? SHD_WRAP_CLAMP : sampler.wrap_u, rect->x, static_cast<double>(plane.width));
-  rect->y = within_image(cube ? SHD_WRAP_CLAMP : sampler.wrap_v, rect->y, static_cast<double>(plane.height));
-  rect->x = {rect->x.low - shift, rect->x.high - shift};
-  rect->y = {rect->y.low - shift, rect->y.high - shift};
-  const auto fits = [](double length, int64_t size) {
-    return length <= static_cast<double>(2 * std::max(size, kMaxCells) + 8);
-  };
-  const auto wide = [](double length, int64_t size) {
-    return size > kMaxCells && length > static_cast<double>(kMaxCells);
-  };
-  return fits(rect->x.length(), plane.width) && fits(rect->y.length(), plane.height) &&
-         !wide(rect->x.length(), plane.width) && !wide(rect->y.length(), plane.height);
+/// Brings all axes within the image and moves them by -shift. Returns false if the box is too wide to be searched.
+bool searchable(const Plane& plane, double shift, PointBox* box) {
+  const int64_t most = max_cells(plane);
+  for (int a = 0; a < axes_of(plane.call->texture); ++a) {
+    Range& range = box->axis[a];
+    // Points of an octahedral map lie within one image of its edges, and those of other maps inside (place.cpp).
+    if (plane.call->texture.projection != SHD_PROJECTION_OCTAHEDRAL) {
+      range = within_image(wrap_of(*plane.call, a), range, static_cast<double>(plane.size[a]));
+    }
+    range = {range.low - shift, range.high - shift};
+    const double length = range.length();
+    if (!(length <= static_cast<double>(2 * std::max(plane.size[a], most) + 8))) return false;
+    if (plane.size[a] > most && length > static_cast<double>(most)) return false;
+  }
+  return true;
 }
 
-/// The four texels of a cell, and the part of the cell that a rectangle covers.
+/// The 2^n texels of a cell, and the part of the cell that a box covers.
+template <int kAxes>
 struct Cell {
-  Color texel[4];
-  Range s, t;
+  static constexpr int kTexels = 1 << kAxes;
+  Color texel[kTexels];  // bit a of the number: the second texel on axis a
+  Range part[kAxes];
 };
 
-double bilinear(const double (&texel)[4], double s, double t) {
-  const double top = (1.0 - s) * texel[0] + s * texel[1], bottom = (1.0 - s) * texel[2] + s * texel[3];
-  return (1.0 - t) * top + t * bottom;
+template <int kAxes>
+double linear(const double (&texel)[1 << kAxes], const double (&share)[kAxes]) {
+  double value[1 << kAxes];
+  std::copy(texel, texel + (1 << kAxes), value);
+  for (int a = 0; a < kAxes; ++a) {
+    for (int k = 0; k < 1 << (kAxes - 1 - a); ++k) {
+      value[k] = (1.0 - share[a]) * value[2 * k] + share[a] * value[2 * k + 1];
+    }
+  }
+  return value[0];
 }
 
-/// A bilinear function has its extremes on a rectangle at the corners.
-Range cell_range(const Cell& cell, int c, double weight_error) {
+/// A multilinear function has its extremes on a box at the corners.
+template <int kAxes>
+Range cell_range(const Cell<kAxes>& cell, int c, double weight_error) {
+  constexpr int kTexels = Cell<kAxes>::kTexels;
   Range out, all;
-  double low[4], high[4];
-  for (int k = 0; k < 4; ++k) {
+  double low[kTexels], high[kTexels];
+  for (int k = 0; k < kTexels; ++k) {
     const Range& value = cell.texel[k].channel[c];
     low[k] = value.low;
     high[k] = value.high;
     all.add(value);
   }
   if (!std::isfinite(all.low) || !std::isfinite(all.high)) return unbounded();
-  for (const double s : {cell.s.low, cell.s.high}) {
-    for (const double t : {cell.t.low, cell.t.high}) {
-      out.add({bilinear(low, s, t), bilinear(high, s, t)});
-    }
+  for (int corner = 0; corner < kTexels; ++corner) {
+    double share[kAxes];
+    for (int a = 0; a < kAxes; ++a) share[a] = corner >> a & 1 ? cell.part[a].high : cell.part[a].low;
+    out.add({linear<kAxes>(low, share), linear<kAxes>(high, share)});
   }
   const Range slack = widened(out, weight_error * all.length());
   return {std::max(slack.low, all.low), std::min(slack.high, all.high)};
 }
 
 /// The part [0, 1] of cell i that a range covers.
-Range part_of_cell(const Range& range, double i) {
-  return {std::max(range.low - i, 0.0), std::min(range.high - i, 1.0)};
+Range part_of_cell(const Range& range, int64_t i) {
+  const auto first = static_cast<double>(i);
+  return {std::max(range.low - first, 0.0), std::min(range.high - first, 1.0)};
 }
 
-void load_column(const Plane& plane, int64_t i, int64_t j, int side, Cell* cell) {
-  cell->texel[side] = texel_range(plane, i, j);
-  cell->texel[2 + side] = texel_range(plane, i, j + 1);
+/// First and last cell of a range.
+struct Cells {
+  int64_t first, last;
+};
+Cells cells_of(const Range& range) {
+  return {static_cast<int64_t>(std::floor(range.low)), static_cast<int64_t>(std::floor(range.high))};
 }
 
-void add_row(const Plane& plane, const Rect& rect, int64_t j, Color* out) {
-  Cell cell;
-  cell.t = part_of_cell(rect.y, static_cast<double>(j));
-  const auto first = static_cast<int64_t>(std::floor(rect.x.low)), last = static_cast<int64_t>(std::floor(rect.x.high));
-  load_column(plane, first, j, 1, &cell);
-  for (int64_t i = first; i <= last; ++i) {
-    cell.texel[0] = cell.texel[1];
-    cell.texel[2] = cell.texel[3];
-    load_column(plane, i + 1, j, 1, &cell);
-    cell.s = part_of_cell(rect.x, static_cast<double>(i));
-    for (uint32_t c = 0; c < plane.texture->channels; ++c) {
-      out->channel[c].add(cell_range(cell, static_cast<int>(c), plane.model->weight));
+/// Loads the texels of column i as the second ones of a cell, after the former second ones became the first ones.
+template <int kAxes>
+void load_column(const Plane& plane, int64_t i, int64_t j, int64_t k, Cell<kAxes>* cell) {
+  for (int n = 0; n < Cell<kAxes>::kTexels; n += 2) {
+    cell->texel[n] = cell->texel[n + 1];
+    cell->texel[n + 1] = texel_range(plane, i, j + (n >> 1 & 1), k + (n >> 2));
+  }
+}
+
+template <int kAxes>
+void add_row(const Plane& plane, const PointBox& box, int64_t j, int64_t k, Color* out) {
+  Cell<kAxes> cell;
+  cell.part[1] = part_of_cell(box.axis[1], j);
+  if (kAxes == 3) cell.part[kAxes - 1] = part_of_cell(box.axis[2], k);
+  const Cells x = cells_of(box.axis[0]);
+  load_column<kAxes>(plane, x.first, j, k, &cell);
+  for (int64_t i = x.first; i <= x.last; ++i) {
+    load_column<kAxes>(plane, i + 1, j, k, &cell);
+    cell.part[0] = part_of_cell(box.axis[0], i);
+    for (uint32_t c = 0; c < plane.call->texture.channels; ++c) {
+      out->channel[c].add(cell_range<kAxes>(cell, static_cast<int>(c), plane.call->model.weight));
     }
   }
 }
 
 }  // namespace
 
-void add_bilinear(const Plane& plane, const Rect& given, Color* out) {
-  Rect rect = given;
-  if (!searchable(plane, 0.5, &rect)) return out->add(format_range(*plane.texture, *plane.sampler));
-  const auto last = static_cast<int64_t>(std::floor(rect.y.high));
-  for (auto j = static_cast<int64_t>(std::floor(rect.y.low)); j <= last; ++j) add_row(plane, rect, j, out);
+void add_linear(const Plane& plane, const PointBox& given, Color* out) {
+  const Texture& texture = plane.call->texture;
+  PointBox box = given;
+  if (!searchable(plane, 0.5, &box)) return out->add(format_range(texture, plane.call->sampler));
+  const Cells y = cells_of(box.axis[1]), z = is_deep(plane) ? cells_of(box.axis[2]) : Cells{0, 0};
+  for (int64_t k = z.first; k <= z.last; ++k) {
+    for (int64_t j = y.first; j <= y.last; ++j) {
+      is_deep(plane) ? add_row<3>(plane, box, j, k, out) : add_row<2>(plane, box, j, k, out);
+    }
+  }
 }
 
-void add_nearest(const Plane& plane, const Rect& given, Color* out) {
-  Rect rect = given;
-  if (!searchable(plane, 0.0, &rect)) return out->add(format_range(*plane.texture, *plane.sampler));
-  // The far edge of a face of a cube belongs to its last texel.
-  const bool cube = plane.texture->projection == SHD_PROJECTION_CUBE;
-  const auto index = [&](double x) {
-    const auto i = static_cast<int64_t>(std::floor(x));
-    return cube ? std::min(std::max(i, int64_t{0}), plane.width - 1) : i;
-  };
-  for (int64_t j = index(rect.y.low); j <= index(rect.y.high); ++j) {
-    for (int64_t i = index(rect.x.low); i <= index(rect.x.high); ++i) out->add(texel_range(plane, i, j));
+void add_nearest(const Plane& plane, const PointBox& given, Color* out) {
+  const Texture& texture = plane.call->texture;
+  PointBox box = given;
+  if (!searchable(plane, 0.0, &box)) return out->add(format_range(texture, plane.call->sampler));
+  const bool folds = texture.projection != SHD_PROJECTION_NONE;
+  Cells cells[3] = {};
+  for (int a = 0; a < axes_of(texture); ++a) {
+    cells[a] = cells_of(box.axis[a]);
+    if (!folds) continue;
+    // The far edge of an image of directions belongs to its last texel, and nothing is folded.
+    const auto clamp = [&](int64_t i) { return std::min(std::max(i, int64_t{0}), plane.size[a] - 1); };
+    cells[a] = {clamp(cells[a].first), clamp(cells[a].last)};
+  }
+  for (int64_t k = cells[2].first; k <= cells[2].last; ++k) {
+    for (int64_t j = cells[1].first; j <= cells[1].last; ++j) {
+      for (int64_t i = cells[0].first; i <= cells[0].last; ++i) {
+        out->add(folds ? stored_range(plane, plane.layer, i, j) : texel_range(plane, i, j, k));
+      }
+    }
   }
 }
 
 void add_everywhere(const Plane& plane, Color* out) {
-  if (plane.width > kMaxCells || plane.height > kMaxCells) {
-    return out->add(format_range(*plane.texture, *plane.sampler));
+  const BoundsCall& call = *plane.call;
+  for (const int64_t size : plane.size) {
+    if (size > max_cells(plane)) return out->add(format_range(call.texture, call.sampler));
   }
-  const bool cube = plane.texture->projection == SHD_PROJECTION_CUBE;
-  Plane face = plane;
-  for (face.layer = cube ? 0 : plane.layer; face.layer < (cube ? 6 : plane.layer + 1); ++face.layer) {
-    for (int64_t j = 0; j < plane.height; ++j) {
-      for (int64_t i = 0; i < plane.width; ++i) out->add(texel_range(face, i, j));
+  const bool cube = call.texture.projection == SHD_PROJECTION_CUBE;
+  const uint32_t first = cube || is_deep(plane) ? 0 : plane.layer;
+  const uint32_t count = cube ? 6 : static_cast<uint32_t>(plane.size[2]);
+  for (uint32_t image = first; image < first + count; ++image) {
+    for (int64_t j = 0; j < plane.size[1]; ++j) {
+      for (int64_t i = 0; i < plane.size[0]; ++i) out->add(stored_range(plane, image, i, j));
     }
   }
-  if (has_border(*plane.texture, *plane.sampler)) out->add(texel_range(plane, -1, -1));
+  if (has_border(call.texture, call.sampler)) out->add(texel_range(plane, -1, -1, -1));
 }
 
 }  // namespace shd::texture

@@ -7,20 +7,14 @@
 namespace shd::texture {
 namespace {
 
-constexpr Reach kHere = {{0.0, 0.0}, {0.0, 0.0}};
-
-Plane level_of(const BoundsCall& call, const Place& place, uint32_t level) {
-  return plane_of(call.texture, call.sampler, call.model, place.layer, level);
-}
-
 Color nearest_at(const BoundsCall& call, const Place& place, uint32_t level) {
   Color out;
-  add_nearest_at(level_of(call, place, level), place, &out);
+  add_nearest_at(plane_of(call, place.layer, level), place, &out);
   return out;
 }
-Color bilinear_at(const BoundsCall& call, const Place& place, uint32_t level) {
+Color linear_at(const BoundsCall& call, const Place& place, uint32_t level) {
   Color out;
-  add_bilinear_at(level_of(call, place, level), place, kHere, &out);
+  add_linear_at(plane_of(call, place.layer, level), place, kHere, &out);
   return out;
 }
 
@@ -59,18 +53,18 @@ void add_minified(const BoundsCall& call, const Place& place, const BoundsFootpr
       final_levels(call.texture, call.sampler, call.model, probes ? footprint.probe_lambda : footprint.lambda);
   switch (call.sampler.filter) {
     case SHD_FILTER_NEAREST: return out->add(nearest_at(call, place, 0));
-    case SHD_FILTER_BILINEAR: return out->add(bilinear_at(call, place, 0));
+    case SHD_FILTER_BILINEAR: return out->add(linear_at(call, place, 0));
     case SHD_FILTER_NEAREST_MIP:
       return add_nearest_levels(
           call, levels, [&](uint32_t level) { return nearest_at(call, place, level); }, out);
     case SHD_FILTER_BILINEAR_MIP:
       return add_nearest_levels(
-          call, levels, [&](uint32_t level) { return bilinear_at(call, place, level); }, out);
+          call, levels, [&](uint32_t level) { return linear_at(call, place, level); }, out);
     default:
       return add_blended_levels(
           call, levels,
           [&](uint32_t level) {
-            if (!probes) return bilinear_at(call, place, level);
+            if (!probes) return linear_at(call, place, level);
             Color color;
             add_probes(call, level, place, footprint, &color);
             return color;
@@ -80,7 +74,7 @@ void add_minified(const BoundsCall& call, const Place& place, const BoundsFootpr
 }
 
 /// The filter for magnification of NEAREST_MIP is NEAREST by default, and BILINEAR of all others with levels.
-bool magnifies_bilinear(const Sampler& sampler) {
+bool magnifies_linear(const Sampler& sampler) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sampler.magnification == SHD_MAGNIFICATION_BILINEAR;
   return sampler.filter != SHD_FILTER_NEAREST && sampler.filter != SHD_FILTER_NEAREST_MIP;
 }
@@ -93,7 +87,7 @@ void add_filtered(const BoundsCall& call, const Place& place, const BoundsFootpr
     side = magnified(call.sampler, call.model, footprint.lambda);
     if (call.sampler.filter == SHD_FILTER_ANISOTROPIC) side.far = true;
   }
-  if (side.near) out->add(magnifies_bilinear(call.sampler) ? bilinear_at(call, place, 0) : nearest_at(call, place, 0));
+  if (side.near) out->add(magnifies_linear(call.sampler) ? linear_at(call, place, 0) : nearest_at(call, place, 0));
   if (side.far) add_minified(call, place, footprint, out);
 }
 

@@ -7,13 +7,6 @@
 
 namespace shd::texture {
 
-/// Texture, sampler and precision of a call.
-struct BoundsCall {
-  const Texture& texture;
-  const Sampler& sampler;
-  const BoundsModel& model;
-};
-
 /// Adds the legal values of the sampler's filter at a place.
 void add_filtered(const BoundsCall& call, const Place& place, const BoundsFootprint& footprint, Color* out);
 

@@ -22,61 +22,81 @@ double log2_of(double x) {
   return std::floor(log2 * 0x1p40 + 0.5) * 0x1p-40;
 }
 
-double length_of(const Vector2& v) {
-  const double largest = std::max(std::fabs(v.u), std::fabs(v.v));
+double length_of(const Vector& v) {
+  double largest = 0.0, squares = 0.0;
+  for (const double x : v.part) largest = std::max(largest, std::fabs(x));
   if (largest == 0.0 || !std::isfinite(largest)) return largest;
-  const double u = v.u / largest, w = v.v / largest;
-  return largest * std::sqrt(u * u + w * w);
+  for (const double x : v.part) squares += x / largest * (x / largest);
+  return largest * std::sqrt(squares);
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a.part[0] * b.part[0] + a.part[1] * b.part[1] + a.part[2] * b.part[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  const auto part = [&](int i, int j) { return a.part[i] * b.part[j] - a.part[j] * b.part[i]; };
+  return {{part(1, 2), part(2, 0), part(0, 1)}};
+}
+
+/// Returns s a + t b.
+Vector combined(double s, const Vector& a, double t, const Vector& b) {
+  const auto part = [&](int i) { return s * a.part[i] + t * b.part[i]; };
+  return {{part(0), part(1), part(2)}};
 }
 
 /// Singular values of the matrix of derivatives in texels, and the longer half axis of its ellipse. The smaller value
-/// is |det| / longer, which does not cancel.
+/// is the area of the parallelogram of the derivatives / longer, which does not cancel.
 struct Ellipse {
   double longer, shorter;
-  Vector2 axis;
+  Vector axis;
 };
 
-Ellipse ellipse_of(const Vector2& x, const Vector2& y) {
-  const double scale = std::max(length_of(x), length_of(y));
-  if (scale == 0.0) return {0.0, 0.0, {0.0, 0.0}};
-  const double xu = x.u / scale, xv = x.v / scale, yu = y.u / scale, yv = y.v / scale;
-  // J J^T = [a b; b c]
-  const double a = xu * xu + yu * yu, b = xu * xv + yu * yv, c = xv * xv + yv * yv;
+Ellipse ellipse_of(const Vector& given_x, const Vector& given_y) {
+  const double scale = std::max(length_of(given_x), length_of(given_y));
+  if (scale == 0.0) return {0.0, 0.0, {}};
+  const Vector x = combined(1.0 / scale, given_x, 0.0, given_y), y = combined(0.0, given_x, 1.0 / scale, given_y);
+  // J^T J = [a b; b c]
+  const double a = dot(x, x), b = dot(x, y), c = dot(y, y);
   const double root = std::sqrt(0.25 * (a - c) * (a - c) + b * b), square = 0.5 * (a + c) + root;
-  const double longer = std::sqrt(square), shorter = std::fabs(xu * yv - xv * yu) / longer;
+  const double longer = std::sqrt(square), shorter = length_of(cross(x, y)) / longer;
   // The eigenvector has two forms; the longer one has no cancellation.
-  const Vector2 first = {b, square - a}, second = {square - c, b};
-  const Vector2 direction = a > c ? second : first;
-  const double length = length_of(direction);
-  const Vector2 unit = length > 0.0 ? Vector2{direction.u / length, direction.v / length} : Vector2{1.0, 0.0};
-  return {longer * scale, shorter * scale, {unit.u * longer * scale, unit.v * longer * scale}};
+  const double p = a > c ? square - c : b, q = a > c ? b : square - a, length = std::sqrt(p * p + q * q);
+  const Vector axis = length > 0.0 ? combined(p / length, given_x, q / length, given_y) : given_x;
+  return {longer * scale, shorter * scale, axis};
 }
 
-/// Legal sizes of a footprint, and the shorter sizes of its probes, in texels.
+/// Legal sizes of a footprint, and the shorter sizes of its probes, in texels. `error` is that of every length.
 struct Sizes {
+  double error;
   Range size, probe;
   double ratio = 1.0;  // largest ratio of the axes
 
+  double less(double x) const { return std::max(x - error, 0.0); }
+
   void add(double longest, double shortest, double least_shorter, double cap) {
-    size.add({shortest, longest});
-    probe.add({std::max(least_shorter, shortest / cap), longest});
-    ratio = std::max(ratio, least_shorter > 0.0 ? longest / least_shorter : cap);
+    size.add({less(shortest), longest + error});
+    probe.add({std::max(less(least_shorter), less(shortest) / cap), longest + error});
+    ratio = std::max(ratio, less(least_shorter) > 0.0 ? (longest + error) / less(least_shorter) : cap);
   }
 };
 
-double largest_part(const Vector2& v) {
-  return std::max(std::fabs(v.u), std::fabs(v.v));
+double largest_part(const Vector& v) {
+  return std::max(std::max(std::fabs(v.part[0]), std::fabs(v.part[1])), std::fabs(v.part[2]));
 }
-double sum_of_parts(const Vector2& v) {
-  return std::fabs(v.u) + std::fabs(v.v);
+double sum_of_parts(const Vector& v) {
+  return std::fabs(v.part[0]) + std::fabs(v.part[1]) + std::fabs(v.part[2]);
 }
 
-void add_opengl(const Vector2& x, const Vector2& y, double cap, Sizes* sizes) {
-  const double u = std::max(std::fabs(x.u), std::fabs(y.u)), v = std::max(std::fabs(x.v), std::fabs(y.v));
-  sizes->size.add({std::max(u, v), u + v});
-  const double longer = std::max(length_of(x), length_of(y)), shorter = std::min(length_of(x), length_of(y));
+void add_opengl(const Vector& x, const Vector& y, double cap, Sizes* sizes) {
+  Vector m;
+  for (int c = 0; c < 3; ++c) m.part[c] = std::max(std::fabs(x.part[c]), std::fabs(y.part[c]));
+  const double least = sizes->less(largest_part(m)), most = sum_of_parts(m) + sizes->error;
+  sizes->size.add({least, most});
+  const double longer = std::max(length_of(x), length_of(y)) + sizes->error;
+  const double shorter = sizes->less(std::min(length_of(x), length_of(y)));
   const double ratio = shorter > 0.0 ? std::min(longer / shorter * (1.0 + 1e-6), cap) : longer > 0.0 ? cap : 1.0;
-  sizes->probe.add({std::max(u, v) / std::ceil(ratio), u + v});
+  sizes->probe.add({least / std::ceil(ratio), most});
   sizes->ratio = std::max(sizes->ratio, ratio);
 }
 
@@ -84,11 +104,16 @@ constexpr double kLeastErrorFiner = 0.7711054127039704;  // 2^-3/8
 
 void add_profile(const Sampler& sampler, const Ellipse& e, bool mip_levels, double cap, Sizes* sizes) {
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR) return sizes->add(e.longer, e.longer, e.shorter, cap);
-  const double rms = std::sqrt(0.5 * (e.longer * e.longer + e.shorter * e.shorter)) * kLeastErrorFiner;
-  sizes->size.add(mip_levels ? rms : e.longer);
-  const double ratio = e.shorter > 0.0 ? e.longer / e.shorter : cap, width = e.longer / std::min(ratio, cap);
-  sizes->probe.add({std::sqrt(0.5 * (width * width + e.shorter * e.shorter)) * kLeastErrorFiner, e.longer});
-  sizes->ratio = std::max(sizes->ratio, ratio);
+  const double rms = std::sqrt(0.5 * (e.longer * e.longer + e.shorter * e.shorter));
+  if (mip_levels) {
+    sizes->size.add({sizes->less(rms) * kLeastErrorFiner, (rms + sizes->error) * kLeastErrorFiner});
+  } else {
+    sizes->size.add({sizes->less(e.longer), e.longer + sizes->error});
+  }
+  const double longer = sizes->less(e.longer), shorter = sizes->less(e.shorter);
+  const double ratio = shorter > 0.0 ? longer / shorter : cap, width = longer / std::min(ratio, cap);
+  sizes->probe.add({std::sqrt(0.5 * (width * width + shorter * shorter)) * kLeastErrorFiner, e.longer + sizes->error});
+  sizes->ratio = std::max(sizes->ratio, shorter > 0.0 ? (e.longer + sizes->error) / shorter : cap);
 }
 
 bool has_mip_levels(const Sampler& sampler) {
@@ -104,38 +129,54 @@ uint32_t rules_of(const Sampler& sampler, const BoundsModel& model) {
   }
 }
 
-/// An axis for probes, unless the list has it already.
-void add_axis(const Vector2& texels, const Texture& texture, BoundsFootprint* out) {
-  if (out->axis_count == 3) return;
-  out->axis[out->axis_count++] = {texels.u / texture.width, texels.v / texture.height};
-}
-
-/// The columns that may be the longer one: both if their lengths differ by less than their approximations.
-void add_longer_columns(const Vector2& x, const Vector2& y, bool approximate, const Texture& texture,
-                        BoundsFootprint* out) {
-  const auto low = [&](const Vector2& v) { return approximate ? largest_part(v) : length_of(v) * (1.0 - 1e-6); };
-  const auto high = [&](const Vector2& v) { return approximate ? 1.41421357 * sum_of_parts(v) : length_of(v); };
-  if (high(x) >= low(y)) add_axis(x, texture, out);
-  if (high(y) >= low(x)) add_axis(y, texture, out);
-}
-
 /// Relative difference of half axes up to which the direction of the longer one is not certain.
 constexpr double kRound = 1e-3;
 
-void find_axes_of(const Vector2& x, const Vector2& y, const Ellipse& e, uint32_t rules, const Texture& texture,
-                  BoundsFootprint* out) {
-  if (rules & (SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_PROFILE)) {
-    add_axis(e.axis, texture, out);
-    out->round = e.longer <= e.shorter * (1.0 + kRound);
+/// Lists the axes along which probes may lie.
+class AxisList {
+ public:
+  AxisList(const Texture& texture, double error, BoundsFootprint* out)
+      : size_{static_cast<double>(texture.width), static_cast<double>(texture.height),
+              static_cast<double>(std::max(texture.depth, 1u))},
+        error_(error),
+        out_(*out) {}
+
+  void add_ellipse(const Ellipse& e) {
+    add(e.axis);
+    out_.round = e.longer <= (e.shorter + error_) * (1.0 + kRound) + error_;
+    // An error turns the longer axis by an angle of about its quotient by the difference of both axes.
+    if (error_ > 0.0 && !out_.round) out_.slop = 2.0 * error_ * e.longer / (e.longer - e.shorter);
   }
+
+  /// Adds the columns that may be the longer one: both if their lengths differ by less than their approximations.
+  void add_longer_columns(const Vector& x, const Vector& y, bool approximate) {
+    const auto low = [&](const Vector& v) { return approximate ? largest_part(v) : length_of(v) * (1.0 - 1e-6); };
+    const auto high = [&](const Vector& v) { return approximate ? 1.41421357 * sum_of_parts(v) : length_of(v); };
+    if (high(x) + error_ >= low(y) - error_) add(x);
+    if (high(y) + error_ >= low(x) - error_) add(y);
+  }
+
+ private:
+  void add(const Vector& texels) {
+    Vector& axis = out_.axis[out_.axis_count++];
+    for (int c = 0; c < 3; ++c) axis.part[c] = texels.part[c] / size_[c];
+  }
+
+  const double size_[3], error_;
+  BoundsFootprint& out_;
+};
+
+void find_axes_of(const Vector& x, const Vector& y, const Ellipse& e, uint32_t rules, AxisList axes) {
+  if (rules & (SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_PROFILE)) axes.add_ellipse(e);
   if (rules & (SHD_LEVEL_RULE_LENGTHS | SHD_LEVEL_RULE_VULKAN | SHD_LEVEL_RULE_OPENGL)) {
-    add_longer_columns(x, y, rules & (SHD_LEVEL_RULE_VULKAN | SHD_LEVEL_RULE_OPENGL), texture, out);
+    axes.add_longer_columns(x, y, rules & (SHD_LEVEL_RULE_VULKAN | SHD_LEVEL_RULE_OPENGL));
   }
 }
 
-Sizes sizes_of(const Vector2& x, const Vector2& y, const Ellipse& e, uint32_t rules, const Sampler& sampler) {
+Sizes sizes_of(const Vector& x, const Vector& y, double error, const Ellipse& e, uint32_t rules,
+               const Sampler& sampler) {
   const double cap = static_cast<double>(sampler.max_anisotropy);
-  Sizes sizes;
+  Sizes sizes = {error, {}, {}};
   if (rules & SHD_LEVEL_RULE_LENGTHS) {
     const double a = length_of(x), b = length_of(y);
     sizes.add(std::max(a, b), std::max(a, b), std::min(a, b), cap);
@@ -161,8 +202,8 @@ Range lambda_of(const Range& size, const BoundsModel& model) {
           log2_of(size.high * (1.0 + model.derivative_error)) + model.level_error};
 }
 
-bool is_finite(const Vector2& v) {
-  return std::isfinite(v.u) && std::isfinite(v.v);
+bool is_finite(const Vector& v) {
+  return std::isfinite(v.part[0]) && std::isfinite(v.part[1]) && std::isfinite(v.part[2]);
 }
 
 }  // namespace
@@ -174,8 +215,12 @@ BoundsFootprint bounds_footprint(const Texture& texture, const Sampler& sampler,
     out.lambda = out.probe_lambda = widened({*given_lod, *given_lod}, model.level_error);
     return out;
   }
-  const auto in_texels = [&](const Vector2& v) { return Vector2{v.u * texture.width, v.v * texture.height}; };
-  const Vector2 x = in_texels(steps.x), y = in_texels(steps.y);
+  const auto in_texels = [&](const Vector& v) {
+    return Vector{{v.part[0] * texture.width, v.part[1] * texture.height, v.part[2] * texture.depth}};
+  };
+  const Vector x = in_texels(steps.x), y = in_texels(steps.y);
+  // Errors of four components change a length, a sum of parts or a singular value by at most 2 sqrt(2) errors.
+  const double error = 3.0 * std::max(steps.error_x, steps.error_y) * std::max(texture.width, texture.height);
   if (!is_finite(x) || !is_finite(y)) {
     out.lambda = out.probe_lambda = {HUGE_VAL, HUGE_VAL};
     out.everywhere = true;
@@ -183,14 +228,15 @@ BoundsFootprint bounds_footprint(const Texture& texture, const Sampler& sampler,
   }
   const uint32_t rules = rules_of(sampler, model);
   const Ellipse e = ellipse_of(x, y);
-  const Sizes sizes = sizes_of(x, y, e, rules, sampler);
+  const Sizes sizes = sizes_of(x, y, error, e, rules, sampler);
   out.lambda = lambda_of(sizes.size, model);
   out.probe_lambda = lambda_of(sizes.probe, model);
   const double spread = (1.0 + model.derivative_error) / (1.0 - model.derivative_error);
   const double ratio = sizes.ratio * spread * (1.0 + 1e-6);
   const double probes = std::ceil(std::min(ratio, static_cast<double>(sampler.max_anisotropy)));
   out.reach = 0.5 * (1.0 - 1.0 / probes) * (1.0 + model.derivative_error);
-  find_axes_of(x, y, e, rules, texture, &out);
+  out.slop = 2.0 * error;
+  find_axes_of(x, y, e, rules, AxisList(texture, error, &out));
   return out;
 }
 

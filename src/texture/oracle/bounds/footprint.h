@@ -7,23 +7,25 @@
 
 namespace shd::texture {
 
-struct Vector2 {
-  double u, v;
+/// Components along u, v and w. w is 0 unless the texture is 3D.
+struct Vector {
+  double part[3];
 };
 
 /// Derivatives of a point, normalised; no NaN. Footprints are of derivatives times the sampler's widths.
 struct Steps {
-  Vector2 x, y;
+  Vector x, y;
+  double error_x = 0.0, error_y = 0.0;  // largest error of each component
 };
 
 /// The legal footprints of a lookup.
 struct BoundsFootprint {
   Range lambda;        // levels of detail before bias and clamps; infinite at size 0 or infinity
-  Range magnifying;    // levels that decide on the magnification of filters without mip levels
   Range probe_lambda;  // levels of detail of anisotropic lookups
   double reach;        // probes lie within +-reach of an axis
   int axis_count;      // axes along which probes may lie
-  Vector2 axis[3];     // normalised
+  Vector axis[3];      // normalised
+  double slop;         // error of the ends of the axes [base texels]
   bool round;          // the axes have no certain direction: probes lie within reach * |axis[0]| in any direction
   bool everywhere;     // probes may lie anywhere
 };

@@ -17,15 +17,6 @@ double reduced(shd_wrap wrap, double u) {
   return std::min(std::max(u, -kFar), kFar);
 }
 
-bool is_cube(const Plane& plane) {
-  return plane.texture->projection == SHD_PROJECTION_CUBE;
-}
-
-/// Points u + reach on an axis of n texels, before they are rounded to a grid.
-Range texels_at(double u, const Range& reach, double n, double error) {
-  return {(u + reach.low) * n - error, (u + reach.high) * n + error};
-}
-
 double down_to_grid(double x, double step) {
   return std::floor(x / step) * step;
 }
@@ -33,23 +24,33 @@ double up_to_grid(double x, double step) {
   return std::ceil(x / step) * step;
 }
 
-/// Points from which lookups may filter: rounding in either direction ends at most at the next points of the grid.
-Range on_grid(const Range& range, double step) {
-  return {down_to_grid(range.low, step), up_to_grid(range.high, step)};
-}
-
-Range within_face(const Range& range, double n) {
-  const auto clamp = [&](double x) { return std::min(std::max(x, 0.0), n); };
+Range clamped(const Range& range, double low, double high) {
+  const auto clamp = [&](double x) { return std::min(std::max(x, low), high); };
   return {clamp(range.low), clamp(range.high)};
 }
 
-void add_on_face(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
-  const auto width = static_cast<double>(plane.width), height = static_cast<double>(plane.height);
-  const double step = plane.model->subtexel;
-  Rect rect = {on_grid(texels_at(place.u, reach.u, width, place.error_u * width), step),
-               on_grid(texels_at(place.v, reach.v, height, place.error_v * height), step)};
-  if (is_cube(plane)) rect = {within_face(rect.x, width), within_face(rect.y, height)};
-  add_bilinear(plane, rect, out);
+/// Points of a level, before they are rounded to a grid.
+PointBox texels_at(const Plane& plane, const Place& place, const Reach& reach) {
+  PointBox box = {};
+  for (int a = 0; a < axes_of(plane.call->texture); ++a) {
+    const auto n = static_cast<double>(plane.size[a]);
+    const double error = place.error[a] * n;
+    box.axis[a] = {(place.at[a] + reach.axis[a].low) * n - error, (place.at[a] + reach.axis[a].high) * n + error};
+  }
+  return box;
+}
+
+/// Adds lookups about all points of an image: rounding in either direction ends at most at the next points of the
+/// grid. Images of directions end at `edge` images beyond their edges.
+void add_on_image(const Plane& plane, PointBox box, double edge, Color* out) {
+  const double step = plane.call->model.subtexel;
+  for (int a = 0; a < axes_of(plane.call->texture); ++a) {
+    Range& range = box.axis[a];
+    range = {down_to_grid(range.low, step), up_to_grid(range.high, step)};
+    const auto n = static_cast<double>(plane.size[a]);
+    if (plane.call->texture.projection != SHD_PROJECTION_NONE) range = clamped(range, -edge * n, n + edge * n);
+  }
+  add_linear(plane, box, out);
 }
 
 /// The part of [-1, 1] x [-1, 1] of an adjacent face onto which a rectangle of the plane of a face projects. Each
@@ -77,19 +78,26 @@ Projected project_beyond(const CubeFace& from, int side, const Range& s, const R
 }
 
 void add_projected(const Plane& plane, const Place& place, const Projected& part, Color* out) {
-  const auto unit = [](double x) { return 0.5 * (std::min(std::max(x, -1.0), 1.0) + 1.0); };
+  const auto unit = [](const Range& x) {
+    const Range inside = clamped(x, -1.0, 1.0);
+    return Range{0.5 * (inside.low + 1.0), 0.5 * (inside.high + 1.0)};
+  };
   Plane other = plane;
   other.layer = part.face;
-  const Place there = {0.0, 0.0, place.error_u, place.error_v, part.face};
-  add_on_face(other, there, {{unit(part.s.low), unit(part.s.high)}, {unit(part.t.low), unit(part.t.high)}}, out);
+  const Place there = {{0.0, 0.0, 0.0}, {place.error[0], place.error[1], 0.0}, part.face};
+  add_on_image(other, texels_at(other, there, {{unit(part.s), unit(part.t), {}}}), 0.0, out);
 }
 
-/// Adds the parts of a rectangle beyond the four edges of a face.
-void add_beyond_edges(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
-  const auto plane_of = [](double u, const Range& r) {
-    return Range{2.0 * (u + r.low) - 1.0, 2.0 * (u + r.high) - 1.0};
-  };
-  const Range s = plane_of(place.u, reach.u), t = plane_of(place.v, reach.v);
+/// Points of the plane of an image, whose image is [-1, 1].
+Range plane_range(const Place& place, const Reach& reach, int axis) {
+  return {2.0 * (place.at[axis] + reach.axis[axis].low) - 1.0, 2.0 * (place.at[axis] + reach.axis[axis].high) - 1.0};
+}
+
+/// Adds the parts of a rectangle on a face and beyond its four edges.
+void add_on_cube(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
+  const Range s = plane_range(place, reach, 0), t = plane_range(place, reach, 1);
+  const auto touches = [](const Range& range) { return range.high >= -1.0 && range.low <= 1.0; };
+  if (touches(s) && touches(t)) add_on_image(plane, texels_at(plane, place, reach), 0.0, out);
   const CubeFace& face = kCubeFaces[place.layer];
   const auto beyond = [&](int side, const Range& p, const Range& q) {
     add_projected(plane, place, project_beyond(face, side, p, q), out);
@@ -100,65 +108,66 @@ void add_beyond_edges(const Plane& plane, const Place& place, const Reach& reach
   if (t.low < -1.0) beyond(-face.down, s, {t.low, std::min(t.high, -1.0)});
 }
 
-bool touches_face(const Place& place, const Reach& reach) {
-  return place.u + reach.u.high >= 0.0 && place.u + reach.u.low <= 1.0 && place.v + reach.v.high >= 0.0 &&
-         place.v + reach.v.low <= 1.0;
+/// The range of p / |(p, q)| over a rectangle: it is monotone in p and, on each side of 0, in q.
+Range cosines(const Range& p, const Range& q) {
+  const bool crosses = q.low <= 0.0 && q.high >= 0.0;
+  if (crosses && p.low <= 0.0 && p.high >= 0.0) return {-1.0, 1.0};
+  Range out;
+  for (const double x : {p.low, p.high}) {
+    for (const double y : {q.low, q.high}) out.add(x / std::sqrt(x * x + y * y));
+    if (crosses) out.add(x < 0.0 ? -1.0 : 1.0);
+  }
+  return out;
 }
 
-/// Derivatives of a point on a face: with s = p / r, ds = (dp r - p dr) / r^2 (Vulkan 1.3, "Cube Map Derivative
-/// Transformation"). Products of floats are exact in double. A direction with an infinite change has infinite
-/// derivatives.
-Vector2 step_on_face(const CubeFace& face, const double (&n)[3], const double (&d)[3]) {
-  for (const double change : d) {
-    if (std::isinf(change)) return {HUGE_VAL, HUGE_VAL};
-  }
-  const double r = component(n, face.axis), dr = component(d, face.axis);
-  const auto step = [&](int axis) { return 0.5 * (component(d, axis) * r - component(n, axis) * dr) / (r * r); };
-  return {step(face.right), step(face.down)};
+/// The points at 2 - r on the other side of the disc: -(2 - r) times the unit vector.
+Range folded(const Range& cosine, const Range& distance) {
+  Range out;
+  for (const double d : {distance.low, distance.high}) out.add(Range{-cosine.high * d, -cosine.low * d});
+  return out;
+}
+
+/// Adds the parts of a rectangle inside and outside of a disc.
+void add_on_disc(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
+  const auto wide = [&](int axis) { return widened(plane_range(place, reach, axis), 2.0 * place.error[axis]); };
+  const Range p = wide(0), q = wide(1);
+  const auto nearest = [](const Range& x) { return std::max(std::max(x.low, -x.high), 0.0); };
+  const auto farthest = [](const Range& x) { return std::max(std::fabs(x.low), std::fabs(x.high)); };
+  const auto length = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  const Range r = {length(nearest(p), nearest(q)), length(farthest(p), farthest(q))};
+  if (r.low <= 1.0) add_on_image(plane, texels_at(plane, place, reach), 0.0, out);
+  if (!(r.high > 1.0)) return;
+  const Range distance = {std::max(2.0 - r.high, 0.0), std::max(2.0 - std::max(r.low, 1.0), 0.0)};
+  const auto unit = [](const Range& x) { return Range{0.5 * (x.low + 1.0), 0.5 * (x.high + 1.0)}; };
+  const Place centre = {{0.0, 0.0, 0.0}, {place.error[0], place.error[1], 0.0}, place.layer};
+  const Reach there = {{unit(folded(cosines(p, q), distance)), unit(folded(cosines(q, p), distance)), {}}};
+  add_on_image(plane, texels_at(plane, centre, there), 0.0, out);
 }
 
 }  // namespace
 
-Place place_of(const Sampler& sampler, const BoundsModel& model, double u, double v, uint32_t layer) {
-  return {reduced(sampler.wrap_u, u), reduced(sampler.wrap_v, v), model.coordinate_error * std::max(1.0, std::fabs(u)),
-          model.coordinate_error * std::max(1.0, std::fabs(v)), layer};
+Place place_of(const BoundsCall& call, const double (&point)[3], uint32_t layer) {
+  Place place = {{}, {}, layer};
+  for (int a = 0; a < axes_of(call.texture); ++a) {
+    place.at[a] = reduced(wrap_of(call, a), point[a]);
+    place.error[a] = call.model.coordinate_error * std::max(1.0, std::fabs(point[a]));
+  }
+  return place;
 }
 
-void add_bilinear_at(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
-  if (!is_cube(plane)) return add_on_face(plane, place, reach, out);
-  if (touches_face(place, reach)) add_on_face(plane, place, reach, out);
-  add_beyond_edges(plane, place, reach, out);
+void add_linear_at(const Plane& plane, const Place& place, const Reach& reach, Color* out) {
+  switch (plane.call->texture.projection) {
+    case SHD_PROJECTION_CUBE: return add_on_cube(plane, place, reach, out);
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return add_on_disc(plane, place, reach, out);
+    default: return add_on_image(plane, texels_at(plane, place, reach), 1.0, out);
+  }
 }
 
 void add_nearest_at(const Plane& plane, const Place& place, Color* out) {
-  const auto width = static_cast<double>(plane.width), height = static_cast<double>(plane.height);
-  const double step = plane.model->subtexel;
-  const Range here = {0.0, 0.0};
-  Rect rect = {texels_at(place.u, here, width, place.error_u * width),
-               texels_at(place.v, here, height, place.error_v * height)};
-  rect.x.high = up_to_grid(rect.x.high, step);
-  rect.y.high = up_to_grid(rect.y.high, step);
-  add_nearest(plane, rect, out);
-}
-
-CubePlaces cube_places(const BoundsModel& model, const double (&direction)[3], const double (&dx)[3],
-                       const double (&dy)[3]) {
-  constexpr double kTie = 1.0 - 0x1p-20;
-  double largest = 0.0;
-  for (const double x : direction) largest = std::max(largest, std::fabs(x));
-  CubePlaces out = {};
-  for (uint32_t f = 0; f < 6 && out.count < 3; ++f) {
-    const CubeFace& face = kCubeFaces[f];
-    const double r = component(direction, face.axis);
-    if (r < largest * kTie) continue;
-    Place& place = out.place[out.count];
-    const auto unit = [&](int axis) {
-      return std::min(std::max(0.5 * (component(direction, axis) / r + 1.0), 0.0), 1.0);
-    };
-    place = {unit(face.right), unit(face.down), model.coordinate_error, model.coordinate_error, f};
-    out.steps[out.count++] = {step_on_face(face, direction, dx), step_on_face(face, direction, dy)};
-  }
-  return out;
+  PointBox box = texels_at(plane, place, kHere);
+  for (Range& range : box.axis) range.high = up_to_grid(range.high, plane.call->model.subtexel);
+  add_nearest(plane, box, out);
 }
 
 }  // namespace shd::texture
