@@ -29,11 +29,11 @@
  *  - Results have a relative error of relative_error times the largest magnitude among the texels. Results of formats
  *    of 8 and 16 bits without floats may be rounded to result_bits as well: half of 1 / (2^result_bits - 1).
  *
- * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC; 2D textures, arrays
- * and SHD_PROJECTION_CUBE; every format and wrap. Directions within 2^-20 of an edge of the cube may be on either face;
- * filters read beyond edges, and the missing texel of a corner is the average of the other three. Other textures and
- * filters, bicubic magnification, blur, a level_blend other than 1, and nearest magnification of ANISOTROPIC return
- * SHD_ERROR_UNSUPPORTED.
+ * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC,
+ * for 2D textures, arrays and SHD_PROJECTION_CUBE; every format and wrap. Directions within
+ * 2^-20 of an edge of the cube may be on either face; filters read beyond edges, and the missing texel of a corner is
+ * the average of the other three. Other textures and filters, bicubic magnification, blur, a level_blend other than 1,
+ * and nearest magnification of ANISOTROPIC return SHD_ERROR_UNSUPPORTED.
  *
  * Defined for all inputs, as shd_texture_sample(): NaN and infinite coordinates count as 0, and so on. A channel of
  * which a legal texel is not finite has the bounds -infinity and infinity, and NaN is legal for it. Where an error

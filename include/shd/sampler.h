@@ -68,16 +68,21 @@ typedef enum shd_filter {
      * texels. Slow.
      */
     SHD_FILTER_EXACT = 11,
+    /**
+     * The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
+     * VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
+     */
+    SHD_FILTER_NEAREST_MIP_LINEAR = 12,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
 /**
- * Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below, and
- * where the footprint of all other filters is at most one texel long.
+ * Filter for magnification: where the level of detail of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP and TRILINEAR is
+ * 0 or below, and where the footprint of all other filters is at most one texel long.
  */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
-                                         BICUBIC, bilinear for all others */
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST, NEAREST_MIP and
+                                         NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others */
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -112,7 +117,8 @@ typedef enum shd_box {
 } shd_box;
 
 /**
- * Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
+ * Definition of the level of detail, the levels and the probes of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP,
+ * TRILINEAR and ANISOTROPIC.
  *
  * LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the same
  * in all profiles, because EWA, SUMMED_AREA and EXACT have the least error as they are.
@@ -265,9 +271,10 @@ typedef struct shd_sampler_desc {
      */
     float probe_slack;
     /**
-     * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-     * 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
-     * level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+     * Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
+     * EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
+     * clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level
+     * is read.
      */
     float level_blend;
     shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */

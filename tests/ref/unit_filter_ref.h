@@ -95,12 +95,19 @@ inline Value unit_bilinear(const UnitImage& image, const Unit& unit, int layer, 
   return Texels{image, unit, layer, level}.bilinear(u, v);
 }
 
-inline Value unit_trilinear(const UnitImage& image, const Unit& unit, int layer, double u, double v, double lod) {
+inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, double u, double v) {
+  if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
+  return Texels{image, unit, layer, level}.nearest(u, v);
+}
+
+/// The blend of two levels of TRILINEAR and NEAREST_MIP_LINEAR.
+inline Value unit_blend(const UnitImage& image, const Unit& unit, int layer, double u, double v, double lod) {
+  const auto at = image.sampler.filter == SHD_FILTER_NEAREST_MIP_LINEAR ? unit_nearest : unit_bilinear;
   const int fine = static_cast<int>(floor(lod)), coarse = std::min(fine + 1, image.level_count - 1);
   double s = lod - floor(lod);
   if (unit.bug == Bug::kNoBlend) s = unit.option & 1;
   if (unit.bug == Bug::kBlendFlipped) s = 1 - s;
-  const Value a = unit_bilinear(image, unit, layer, fine, u, v), b = unit_bilinear(image, unit, layer, coarse, u, v);
+  const Value a = at(image, unit, layer, fine, u, v), b = at(image, unit, layer, coarse, u, v);
   Value out;
   for (size_t c = 0; c < 4; ++c) out[c] = (1 - s) * a[c] + s * b[c];
   return out;
@@ -115,7 +122,7 @@ inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int laye
     const double weight = exp(-unit.probe_falloff * 4 * t * t);
     if (unit.bug == Bug::kLongLine) t *= unit.a;
     if (unit.bug == Bug::kLineShift) t += unit.a;
-    const Value value = unit_trilinear(image, unit, layer, u + t * shape.du, v + t * shape.dv, lod);
+    const Value value = unit_blend(image, unit, layer, u + t * shape.du, v + t * shape.dv, lod);
     for (size_t c = 0; c < 4; ++c) sum[c] += weight * value[c];
     total += weight;
   }
@@ -126,11 +133,6 @@ inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int laye
 
 inline int unit_level(const Unit& unit, double lod) {
   return static_cast<int>(fmax(unit.lower_tie ? ceil(lod + 0.5) - 1 : floor(lod + 0.5), 0));
-}
-
-inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, double u, double v) {
-  if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
-  return Texels{image, unit, layer, level}.nearest(u, v);
 }
 
 /// The filter at a point of an image.
@@ -145,7 +147,8 @@ inline Value unit_filter(const UnitImage& image, const Unit& unit, const UnitLoo
     case SHD_FILTER_BILINEAR: return Texels{image, unit, layer, 0}.bilinear(u, v);
     case SHD_FILTER_NEAREST_MIP: return unit_nearest(image, unit, layer, level, u, v);
     case SHD_FILTER_BILINEAR_MIP: return unit_bilinear(image, unit, layer, level, u, v);
-    case SHD_FILTER_TRILINEAR: return unit_trilinear(image, unit, layer, u, v, lod);
+    case SHD_FILTER_NEAREST_MIP_LINEAR:
+    case SHD_FILTER_TRILINEAR: return unit_blend(image, unit, layer, u, v, lod);
     default: return unit_anisotropic(image, unit, layer, u, v, unit_lod(image, unit, shape.probe_lambda), shape);
   }
 }

@@ -29,8 +29,8 @@ constexpr Refusal kRefusals[] = {
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
      bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
     // Uses.
-    {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_STOCHASTIC), kAny, kAny, bits(Use::kGradients),
-     "its values have steps"},
+    {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_STOCHASTIC), kAny, kAny,
+     bits(Use::kGradients), "its values have steps"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kGradients),
      "it is not a tree of blends with derivatives"},
     {kAny, bits(Domain::kDirections), kAny, bits(Use::kGradients), "directions have no derivatives"},
@@ -99,6 +99,7 @@ const char* name_of(shd_filter filter) {
     case SHD_FILTER_EWA: return "EWA";
     case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
     case SHD_FILTER_EXACT: return "EXACT";
+    case SHD_FILTER_NEAREST_MIP_LINEAR: return "NEAREST_MIP_LINEAR";
     case SHD_FILTER_MAX_ENUM: break;
   }
   return "unknown";

@@ -24,7 +24,8 @@ Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod layer, and the results r g b a.
   --rules NAME         vulkan (default), d3d11, webgpu or opengl
   --subtexel-bits N    --level-bits N    --weight-bits N    --result-bits N
   --coordinate-error X --derivative-error X --level-error X --relative-error X --srgb-error X
-  --filter NAME        nearest, bilinear, nearest-mip, bilinear-mip, trilinear (default) or anisotropic
+  --filter NAME        nearest, bilinear, nearest-mip, nearest-mip-linear, bilinear-mip, trilinear (default) or
+                       anisotropic
   --wrap U[,V]         repeat (default), clamp, mirror, border or mirror-once
   --border R,G,B,A     --bias X  --lod-min X  --lod-max X  --max-anisotropy X
   --srgb               8-bit texels are sRGB
@@ -46,9 +47,13 @@ constexpr Name kRules[] = {{"vulkan", SHD_RULES_VULKAN},
                            {"d3d11", SHD_RULES_D3D11},
                            {"webgpu", SHD_RULES_WEBGPU},
                            {"opengl", SHD_RULES_OPENGL}};
-constexpr Name kFilters[] = {{"nearest", SHD_FILTER_NEAREST},         {"bilinear", SHD_FILTER_BILINEAR},
-                             {"nearest-mip", SHD_FILTER_NEAREST_MIP}, {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
-                             {"trilinear", SHD_FILTER_TRILINEAR},     {"anisotropic", SHD_FILTER_ANISOTROPIC}};
+constexpr Name kFilters[] = {{"nearest", SHD_FILTER_NEAREST},
+                             {"bilinear", SHD_FILTER_BILINEAR},
+                             {"nearest-mip", SHD_FILTER_NEAREST_MIP},
+                             {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
+                             {"trilinear", SHD_FILTER_TRILINEAR},
+                             {"anisotropic", SHD_FILTER_ANISOTROPIC},
+                             {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR}};
 constexpr Name kWraps[] = {{"repeat", SHD_WRAP_REPEAT},
                            {"clamp", SHD_WRAP_CLAMP},
                            {"mirror", SHD_WRAP_MIRROR},
