@@ -76,6 +76,7 @@ typedef struct shd_lookups {
                                textures, without effect for others */
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
     shd_f32_in dwdy;      /**< dw/dy; absent = 0 */
+    shd_f32_in reference; /**< compared with texels by samplers with `compares`; absent = 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
 

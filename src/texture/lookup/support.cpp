@@ -37,7 +37,7 @@ constexpr Refusal kRefusals[] = {
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
           SHD_FILTER_EXACT),
-     kAny, kAny, bits(Use::kBounds), "no standard defines the filter"},
+     kAny, kAny, bits(Use::kBounds, Use::kComparison), "no standard defines the filter"},
     {kAny, bits(Domain::kSlices), kAny, bits(Use::kBounds), "bounds are those of 2D and CUBE"},
     // Fixed point: the other cells have the values of SHD_PRECISION_FULL.
     {~bits(SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC), kAny, kAny,
@@ -81,7 +81,7 @@ const char* name_of(Store store) {
 }
 
 const char* name_of(Use use) {
-  constexpr const char* kNames[kUses] = {"values", "derivatives", "explanation", "bounds", "fixed point"};
+  constexpr const char* kNames[kUses] = {"values", "derivatives", "explanation", "bounds", "fixed point", "comparison"};
   return kNames[static_cast<uint32_t>(use)];
 }
 

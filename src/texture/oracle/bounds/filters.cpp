@@ -10,7 +10,7 @@ namespace {
 constexpr Reach kHere = {{0.0, 0.0}, {0.0, 0.0}};
 
 Plane level_of(const BoundsCall& call, const Place& place, uint32_t level) {
-  return plane_of(call.texture, call.sampler, call.model, place.layer, level);
+  return plane_of(call.texture, call.sampler, call.model, call.reference, place.layer, level);
 }
 
 Color nearest_at(const BoundsCall& call, const Place& place, uint32_t level) {

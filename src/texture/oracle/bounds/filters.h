@@ -7,11 +7,12 @@
 
 namespace shd::texture {
 
-/// Texture, sampler and precision of a call.
+/// Texture, sampler and precision of a call, and the reference of a lookup.
 struct BoundsCall {
   const Texture& texture;
   const Sampler& sampler;
   const BoundsModel& model;
+  Range reference;  // reference_range() of the lookup
 };
 
 /// Adds the legal values of the sampler's filter at a place.

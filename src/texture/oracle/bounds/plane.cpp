@@ -3,6 +3,7 @@
 
 #include "texture/domain/wrap.h"
 #include "texture/format/formats.h"
+#include "texture/oracle/bounds/compare.h"
 #include "texture/oracle/bounds/cube.h"
 #include "texture/store/reader.h"
 #include "texture/store/storage.h"
@@ -10,7 +11,7 @@
 namespace shd::texture {
 namespace {
 
-Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
+Color texel_of_store(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
   const Texture& texture = *plane.texture;
   TexelReader reader(texture);
   const uint8_t* texel = reader.at(first_unit(texture, layer, plane.level), static_cast<uint32_t>(plane.width),
@@ -34,12 +35,24 @@ Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
   return color;
 }
 
+/// Returns a texel as the filter reads it: comparison lookups compare its channel of r.
+Color as_read(const Plane& plane, Color texel) {
+  const uint32_t source = plane.texture->channel_source[0];
+  if (!plane.sampler->compares || source == kFill) return texel;
+  texel.channel[source] = compared_range(*plane.sampler, plane.reference, texel.channel[source]);
+  return texel;
+}
+
+Color stored_range(const Plane& plane, uint32_t layer, int64_t x, int64_t y) {
+  return as_read(plane, texel_of_store(plane, layer, x, y));
+}
+
 Color border_range(const Plane& plane) {
   Color color;
   for (uint32_t c = 0; c < plane.texture->channels; ++c) {
     color.channel[c].add(static_cast<double>(plane.sampler->border[c]));
   }
-  return color;
+  return as_read(plane, color);
 }
 
 /// The texel beside an edge of a face, on the adjacent face. Centres are odd or even numbers 1 - n..n - 1 on a cube of
@@ -73,10 +86,10 @@ Color beyond_corner(const Plane& plane, int64_t i, int64_t j) {
 
 }  // namespace
 
-Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, uint32_t layer,
-               uint32_t level) {
-  return {
-      &texture, &sampler, &model, layer, level, level_size(texture.width, level), level_size(texture.height, level)};
+Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, const Range& reference,
+               uint32_t layer, uint32_t level) {
+  return {&texture, &sampler, &model, layer, level, level_size(texture.width, level), level_size(texture.height, level),
+          reference};
 }
 
 Color texel_range(const Plane& plane, int64_t i, int64_t j) {
@@ -95,6 +108,7 @@ Color format_range(const Texture& texture, const Sampler& sampler) {
   for (uint32_t c = 0; c < texture.channels; ++c) {
     color.channel[c] = is_float(texture.component) ? unbounded() : Range{0.0, 1.0};
     if (has_border(texture, sampler)) color.channel[c].add(static_cast<double>(sampler.border[c]));
+    if (sampler.compares) color.channel[c] = compared_range(sampler, unbounded(), unbounded());
   }
   return color;
 }

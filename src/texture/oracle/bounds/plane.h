@@ -16,10 +16,11 @@ struct Plane {
   const BoundsModel* model;
   uint32_t layer, level;
   int64_t width, height;
+  Range reference;  // reference of a comparison lookup
 };
 
-Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, uint32_t layer,
-               uint32_t level);
+Plane plane_of(const Texture& texture, const Sampler& sampler, const BoundsModel& model, const Range& reference,
+               uint32_t layer, uint32_t level);
 
 /// Returns the values that texel (i, j) may have, for any i and j. Channels that are not finite are unbounded. On a
 /// face of a cube, i and j are -1..size.

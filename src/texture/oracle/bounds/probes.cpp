@@ -54,7 +54,7 @@ void add_disc(const Plane& plane, const Place& place, const Texture& texture, co
 
 void add_probes(const BoundsCall& call, uint32_t level, const Place& place, const BoundsFootprint& footprint,
                 Color* out) {
-  const Plane plane = plane_of(call.texture, call.sampler, call.model, place.layer, level);
+  const Plane plane = plane_of(call.texture, call.sampler, call.model, call.reference, place.layer, level);
   if (footprint.everywhere) return add_everywhere(plane, out);
   if (footprint.reach == 0.0 || footprint.axis_count == 0) {
     return add_bilinear_at(plane, place, {{0.0, 0.0}, {0.0, 0.0}}, out);
