@@ -37,6 +37,7 @@ static const struct figure {
     {"bilinear", SHD_FILTER_BILINEAR, SHD_BOX_BOUNDING, 1},
     {"bicubic", SHD_FILTER_BICUBIC, SHD_BOX_BOUNDING, 1},
     {"nearest-mip", SHD_FILTER_NEAREST_MIP, SHD_BOX_BOUNDING, 1},
+    {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_BOX_BOUNDING, 1},
     {"bilinear-mip", SHD_FILTER_BILINEAR_MIP, SHD_BOX_BOUNDING, 1},
     {"trilinear", SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, 1},
     {"ripmap", SHD_FILTER_RIPMAP, SHD_BOX_BOUNDING, 1},

@@ -26,15 +26,19 @@
  *    the point of the lookup, d is the vector of p, and 0 <= t <= (1 - 1/N) / 2 with N = ceil(min(|p| / |q|, a)). All
  *    lookups have one level of detail, between log2(max(|q|, |p| / a)) and log2|p|. This contains the rules of Vulkan
  *    and Direct3D 11, and one probe on the isotropic level. For SHD_LEVEL_RULE_OPENGL the lower end is log2(|p| / N).
+ *  - Comparison lookups (`compares`) compare before they blend. The reference may be rounded to a texture's format of 8
+ *    or 16 bits in either direction by half a step, as Direct3D requires and Vulkan does not. A reference that is NaN
+ *    may give either result.
  *  - sRGB texels are decoded before filtering, each within srgb_error codes of its own.
- *  - Results have a relative error of relative_error times the largest magnitude among the texels. Results of formats
- *    of 8 and 16 bits without floats may be rounded to result_bits as well: half of 1 / (2^result_bits - 1).
+ *  - Results have a relative error of relative_error times the largest magnitude among the texels. Results of
+ *    comparisons, and of formats of 8 and 16 bits without floats, may be rounded to result_bits as well: half of
+ *    1 / (2^result_bits - 1).
  *
- * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC; 2D textures, arrays,
- * 3D textures, and directions except SHD_PROJECTION_LAT_LONG, because no standard defines its lookups along parallels;
- * every format, wrap and store. Missing tiles are loaded, for any missing_tiles. Other filters, bicubic
- * magnification, blur, a level_blend other than 1, and nearest magnification of ANISOTROPIC return
- * SHD_ERROR_UNSUPPORTED.
+ * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC,
+ * with and without comparisons; 2D textures, arrays, 3D textures, and directions except SHD_PROJECTION_LAT_LONG,
+ * because no standard defines its lookups along parallels; every format, wrap and store. Missing tiles are loaded, for
+ * any missing_tiles. Other filters, bicubic magnification, blur, a level_blend other than 1, and nearest magnification
+ * of ANISOTROPIC return SHD_ERROR_UNSUPPORTED.
  *
  * Directions within 2^-20 of an edge of the cube, or of a fold of an octahedral map, may be on either side. Filters
  * read beyond the edges of an image, where the directions continue. The missing texel of a corner of the cube is the

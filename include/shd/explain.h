@@ -39,7 +39,7 @@ typedef struct shd_tap {
     uint32_t border;  /**< 1 = the border colour instead of the texel, else 0 */
     float weight;     /**< share of the result; the weights of all taps sum to 1 up to rounding */
     float value[4];   /**< stored channels as the blends read them: unorm channels as integers, unless a wrap is
-                           SHD_WRAP_BORDER */
+                           SHD_WRAP_BORDER; comparison lookups: 0 or 1 in the channel of r */
     uint32_t z;       /**< slice of a 3D texture, after wrapping; else 0 */
 } shd_tap;
 
@@ -66,7 +66,7 @@ typedef struct shd_explanation {
     float lod;               /**< written: level of detail of trilinear in the profile, after bias and clamps */
     float scale_high[4];     /**< written: factor from the blends' units to the result, by stored channel */
     float scale_low[4];      /**< written: lower bits of that factor */
-    /** Written: the stored channel of r, g, b, a of the result; 4 = the texture's `fill`. */
+    /** Written: the stored channel of r, g, b, a of the result; 4 = a constant: `fill`, or 0, 0, 1 of comparisons. */
     uint32_t channel_source[4];
     /**
      * Written: longer half axis of the footprint's ellipse, u and v in base-level texels, width and blur included;

@@ -16,9 +16,9 @@
  * gives the coarsest level. Only places of probes are limited: a line of probes is at most one circle along a parallel
  * of LAT_LONG, and ends at most one image beyond OCTAHEDRAL, MIRROR_BALL and ANGULAR. Beyond an edge of an image texels
  * come from the neighbouring image, so that no filter has a seam or a pole. Wraps and borders have no effect; `layer`
- * has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR, ANISOTROPIC and EWA, without
- * derivatives of the result; others return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect. A direction of
- * length 0, or with a component that is NaN or infinite, counts as +Z.
+ * has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR,
+ * ANISOTROPIC and EWA, without derivatives of the result; others return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has
+ * no effect. A direction of length 0, or with a component that is NaN or infinite, counts as +Z.
  *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
@@ -26,8 +26,9 @@
  *
  * A 3D texture is linear in w, too. BILINEAR is linear on all three axes, TRILINEAR between two levels as well, and
  * probes of ANISOTROPIC lie along the longer axis of the footprint's ellipse in space. J is then the 3 x 2 matrix of
- * derivatives, and s the root mean square of its two singular values. Only these filters, NEAREST, NEAREST_MIP and
- * BILINEAR_MIP, with LEAST_ERROR or EXACT and without blur, filter 3D textures. SHD_PRECISION_FAST has no effect.
+ * derivatives, and s the root mean square of its two singular values. Only these filters, NEAREST, NEAREST_MIP,
+ * NEAREST_MIP_LINEAR and BILINEAR_MIP, with LEAST_ERROR or EXACT and without blur, filter 3D textures.
+ * SHD_PRECISION_FAST has no effect.
  *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. A texel of weight 0 has no effect, even if it is NaN. Finite texels and
@@ -75,6 +76,7 @@ typedef struct shd_lookups {
                                textures, without effect for others */
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
     shd_f32_in dwdy;      /**< dw/dy; absent = 0 */
+    shd_f32_in reference; /**< compared with texels by samplers with `compares`; absent = 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
 

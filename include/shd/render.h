@@ -67,19 +67,6 @@ typedef enum shd_cull {
     SHD_CULL_MAX_ENUM = 0x7fffffff
 } shd_cull;
 
-/** Depth test: the depths z that pass against the depth d of a sample. NaN never passes. */
-typedef enum shd_compare {
-    SHD_COMPARE_LESS = 0,          /**< z < d */
-    SHD_COMPARE_LESS_EQUAL = 1,    /**< z <= d */
-    SHD_COMPARE_EQUAL = 2,         /**< z = d */
-    SHD_COMPARE_GREATER_EQUAL = 3, /**< z >= d */
-    SHD_COMPARE_GREATER = 4,       /**< z > d, for depth that decreases with the distance (clear_depth 0) */
-    SHD_COMPARE_NOT_EQUAL = 5,     /**< z != d */
-    SHD_COMPARE_ALWAYS = 6,        /**< every z */
-    SHD_COMPARE_NEVER = 7,         /**< none */
-    SHD_COMPARE_MAX_ENUM = 0x7fffffff
-} shd_compare;
-
 /** Options of a draw; combine with |. */
 typedef enum shd_draw_flag {
     SHD_DRAW_NONE = 0,

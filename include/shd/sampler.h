@@ -12,6 +12,17 @@
  * desc.max_anisotropy = 8.0f;
  * result = shd_sampler_create(context, &desc, &sampler);
  * @endcode
+ *
+ * A shadow map is compared with the depth of each lookup, and the results are filtered:
+ *
+ * @code
+ * desc = shd_sampler_desc_default();
+ * desc.filter = SHD_FILTER_BILINEAR, desc.wrap_u = desc.wrap_v = SHD_WRAP_CLAMP;
+ * desc.compares = 1, desc.compare = SHD_COMPARE_LESS_EQUAL;
+ * result = shd_sampler_create(context, &desc, &compare);
+ * lookups.reference = shd_f32_column(depth, 0);
+ * result = shd_texture_sample(shadow_map, compare, &lookups, &lit);
+ * @endcode
  */
 #ifndef SHD_SAMPLER_H
 #define SHD_SAMPLER_H
@@ -68,16 +79,21 @@ typedef enum shd_filter {
      * texels. Slow.
      */
     SHD_FILTER_EXACT = 11,
+    /**
+     * The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
+     * VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
+     */
+    SHD_FILTER_NEAREST_MIP_LINEAR = 12,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
 /**
- * Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below, and
- * where the footprint of all other filters is at most one texel long.
+ * Filter for magnification: where the level of detail of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP and TRILINEAR is
+ * 0 or below, and where the footprint of all other filters is at most one texel long.
  */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
-                                         BICUBIC, bilinear for all others */
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST, NEAREST_MIP and
+                                         NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others */
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -112,7 +128,8 @@ typedef enum shd_box {
 } shd_box;
 
 /**
- * Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
+ * Definition of the level of detail, the levels and the probes of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP,
+ * TRILINEAR and ANISOTROPIC.
  *
  * LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the same
  * in all profiles, because EWA, SUMMED_AREA and EXACT have the least error as they are.
@@ -220,6 +237,22 @@ typedef enum shd_missing_tiles {
     SHD_MISSING_TILES_MAX_ENUM = 0x7fffffff
 } shd_missing_tiles;
 
+/**
+ * Comparisons `z OP d`: of a depth z with the depth d of a sample in depth tests, or of a reference z with a texel d in
+ * comparison lookups (shd_sampler_desc.compares). If z or d is NaN, every comparison except ALWAYS is false.
+ */
+typedef enum shd_compare {
+    SHD_COMPARE_LESS = 0,          /**< z < d */
+    SHD_COMPARE_LESS_EQUAL = 1,    /**< z <= d */
+    SHD_COMPARE_EQUAL = 2,         /**< z = d */
+    SHD_COMPARE_GREATER_EQUAL = 3, /**< z >= d */
+    SHD_COMPARE_GREATER = 4,       /**< z > d, for depth that decreases with the distance (clear_depth 0) */
+    SHD_COMPARE_NOT_EQUAL = 5,     /**< z < d or z > d */
+    SHD_COMPARE_ALWAYS = 6,        /**< true */
+    SHD_COMPARE_NEVER = 7,         /**< false */
+    SHD_COMPARE_MAX_ENUM = 0x7fffffff
+} shd_compare;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -265,14 +298,31 @@ typedef struct shd_sampler_desc {
      */
     float probe_slack;
     /**
-     * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-     * 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
-     * level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+     * Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
+     * EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
+     * clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level
+     * is read.
      */
     float level_blend;
     shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
     shd_wrap wrap_w;           /**< across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
     shd_missing_tiles missing_tiles; /**< default SHD_MISSING_TILES_WAIT */
+    /**
+     * 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves, Salesin
+     * and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0. Each
+     * texel that the filter reads becomes 1 if the comparison of the lookup's `reference` with it is true, else 0. The
+     * filter blends these numbers. The result is in r; g and b are 0, and a is 1.
+     *
+     * A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside with
+     * SHD_WRAP_BORDER have the border colour. Formats without floats clamp the reference to [0, 1]. Numbers are
+     * compared as floats, after sRGB is decoded.
+     *
+     * Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
+     * textures. Other filters, derivatives, and samplers of materials, lights and tessellations return
+     * SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect.
+     */
+    uint32_t compares;
+    shd_compare compare; /**< comparison of these lookups; default SHD_COMPARE_LESS */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

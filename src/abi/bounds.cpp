@@ -38,7 +38,7 @@ shd_result check_model(const shd_bounds_desc& desc) {
 /// Whether bounds are defined for a texture and a sampler.
 shd_result check_bounded(const texture::Texture& texture, const texture::Sampler& sampler, uint32_t rules) {
   const auto refuse = [](const char* what) { return core::fail(SHD_ERROR_UNSUPPORTED, "%s has no bounds", what); };
-  SHD_TRY(check_use(texture, sampler, texture::Use::kBounds));
+  SHD_TRY(check_lookups(texture, sampler, texture::Use::kBounds));
   if (texture.projection == SHD_PROJECTION_LAT_LONG) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "texture.projection: LAT_LONG has no bounds: no standard defines its lookups along parallels");

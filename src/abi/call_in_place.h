@@ -19,8 +19,8 @@ class CallInPlace {
   texture::Lookups in;
   texture::Texels out;
 
-  /// Returns false if the call is not in place. `needs_w`: that of the texture.
-  [[gnu::always_inline]] bool read(const shd_lookups* lookups, const shd_texels* texels, bool needs_w) {
+  /// Returns false if the call is not in place. `needs_w`: that of the texture. `compares`: the sampler compares.
+  [[gnu::always_inline]] bool read(const shd_lookups* lookups, const shd_texels* texels, bool needs_w, bool compares) {
     if (!has_size(lookups, sizeof *lookups)) return false;
     if (!has_size(texels, sizeof *texels) && !has_size(texels, 0)) return false;
     count_ = in.count = lookups->count;
@@ -28,6 +28,7 @@ class CallInPlace {
     for (size_t c = 0; c < texture::kPlaneColumns; ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
     in.w = in.dwdx = in.dwdy = nullptr;
     if (needs_w) use_third(*lookups);
+    if (HWY_UNLIKELY(compares)) in.reference = use(lookups->reference, &read_);
     for (size_t c = 0; c < std::size(kIntegerRows); ++c) in.integer(c) = use(lookups->*kIntegerRows[c].column, &read_);
     for (size_t c = 0; c < 4; ++c) {
       out.channel[c] = use(texels->channel[c], &written_);
@@ -77,7 +78,7 @@ class CallInPlace {
 
   /// Uses the columns of the third coordinate.
   [[gnu::noinline]] void use_third(const shd_lookups& lookups) {
-    for (size_t c = texture::kPlaneColumns; c < std::size(kFloatRows); ++c) {
+    for (size_t c = texture::kPlaneColumns; c < texture::kPlaceColumns; ++c) {
       in.real(c) = use(lookups.*kFloatRows[c].column, &read_);
     }
   }

@@ -40,7 +40,7 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    SHD_TRY(check_use(*texture_body, *sampler_body, texture::Use::kExplanation));
+    SHD_TRY(check_lookups(*texture_body, *sampler_body, texture::Use::kExplanation));
     Batch<kLookupColumns, 0> batch;
     SHD_TRY(read_lookups(lookups, *texture_body, &batch.in, &batch.count));
     if (index >= batch.count) {

@@ -59,7 +59,7 @@ shd_result fill(const shd_light_desc& desc, light::LightBody* out) {
   SHD_TRY(retain_part("light.texture", desc.texture, core::ObjectType::kTexture, &texture, &out->texture_object));
   SHD_TRY(retain_part("light.sampler", desc.sampler, core::ObjectType::kSampler, &sampler, &out->sampler_object));
   if (texture) SHD_TRY(check_flat("light.texture", *texture));
-  if (texture) SHD_TRY(check_use(*texture, *sampler, texture::Use::kValues));
+  if (texture) SHD_TRY(check_use(*texture, *sampler));
   out->light = light::make_light(desc, texture, sampler);
   return SHD_OK;
 }

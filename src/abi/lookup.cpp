@@ -32,7 +32,7 @@ shd_result take_third(const texture::Texture& texture, size_t count, LookupColum
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "lookups.w.data: NULL, but the texture is %s",
                       texture.depth ? "3D" : "one of directions");
   }
-  for (size_t c = kColumnW; c < texture::kFloatColumns; ++c) (*columns)[c].data = nullptr;
+  for (size_t c = kColumnW; c < texture::kPlaceColumns; ++c) (*columns)[c].data = nullptr;
   return SHD_OK;
 }
 
@@ -135,11 +135,16 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
                     texture.depth != 0 ? "of 3D" : "of directions");
 }
 
-shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
+shd_result check_lookups(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
   // All filters have values in 2D and in memory.
   const bool common = use == texture::Use::kValues && !needs_w(texture) && !has_tiles(texture) && !has_blocks(texture);
   if (HWY_UNLIKELY(!common)) SHD_TRY(check_cells(texture, sampler, texture::Use::kValues));
   if (use != texture::Use::kValues) SHD_TRY(check_cells(texture, sampler, use));
+  if (HWY_UNLIKELY(sampler.compares)) {
+    SHD_TRY(check_cells(texture, sampler, texture::Use::kComparison));
+    if (use == texture::Use::kGradients)
+      return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.compares: 1, but comparisons have no derivatives");
+  }
   if (HWY_UNLIKELY(texture.depth != 0)) SHD_TRY(check_slices(sampler));
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
@@ -149,6 +154,13 @@ shd_result check_use(const texture::Texture& texture, const texture::Sampler& sa
                       "sampler.filter: SUMMED_AREA, but the texture has no SHD_TABLE_SUMMED_AREA");
   }
   return SHD_OK;
+}
+
+shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler) {
+  if (sampler.compares) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.compares: 1, but only lookups have a reference");
+  }
+  return check_lookups(texture, sampler, texture::Use::kValues);
 }
 
 }  // namespace shd::abi
@@ -189,7 +201,7 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Texture& text
   if (along_w && texture.depth == 0) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
   }
-  return check_use(texture, sampler, texture::Use::kGradients);
+  return check_lookups(texture, sampler, texture::Use::kGradients);
 }
 
 /// Reads the caller's texels. A struct_size of 0 is that of 0.1.
@@ -237,10 +249,10 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    SHD_TRY(check_use(*texture_body, *sampler_body, texture::Use::kValues));
+    SHD_TRY(check_lookups(*texture_body, *sampler_body, texture::Use::kValues));
     const core::Context& context = *object_of(texture)->context;
     CallInPlace call;
-    if (!call.read(lookups, out, texture::needs_w(*texture_body)))
+    if (!call.read(lookups, out, texture::needs_w(*texture_body), sampler_body->compares))
       return sample_columns(context, *texture_body, *sampler_body, lookups, out);
     write_nonfinite(texture::sample(*texture_body, *sampler_body, context.simd, call.in, call.out), out);
     return SHD_OK;

@@ -25,11 +25,17 @@ struct LookupRow {
 };
 
 inline constexpr LookupRow<shd_f32_in> kFloatRows[] = {
-    {"lookups.u", Need::kRequired, &shd_lookups::u},       {"lookups.v", Need::kRequired, &shd_lookups::v},
-    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx}, {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
-    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy}, {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
-    {"lookups.lod", Need::kOptional, &shd_lookups::lod},   {"lookups.w", Need::kOptional, &shd_lookups::w},
-    {"lookups.dwdx", Need::kOptional, &shd_lookups::dwdx}, {"lookups.dwdy", Need::kOptional, &shd_lookups::dwdy},
+    {"lookups.u", Need::kRequired, &shd_lookups::u},
+    {"lookups.v", Need::kRequired, &shd_lookups::v},
+    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx},
+    {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
+    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy},
+    {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
+    {"lookups.lod", Need::kOptional, &shd_lookups::lod},
+    {"lookups.w", Need::kOptional, &shd_lookups::w},
+    {"lookups.dwdx", Need::kOptional, &shd_lookups::dwdx},
+    {"lookups.dwdy", Need::kOptional, &shd_lookups::dwdy},
+    {"lookups.reference", Need::kOptional, &shd_lookups::reference},
 };
 inline constexpr LookupRow<shd_u32_in> kIntegerRows[] = {
     {"lookups.layer", Need::kOptional, &shd_lookups::layer},
@@ -61,7 +67,10 @@ texture::Lookups lookups_of(const Piece<kLookupColumns, kOut>& piece) {
 shd_result check_flat(const char* field, const texture::Texture& texture);
 
 /// Whether a sampler works with a texture for a use (texture/support.h), and the texture has the table that its filter
-/// reads.
-shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use);
+/// reads. The lookups have references if the sampler compares.
+shd_result check_lookups(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use);
+
+/// check_lookups() for values of lookups without references.
+shd_result check_use(const texture::Texture& texture, const texture::Sampler& sampler);
 
 }  // namespace shd::abi

@@ -70,6 +70,8 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("sampler.wrap_w", desc.wrap_w, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("sampler.missing_tiles", desc.missing_tiles, SHD_MISSING_TILES_WAIT, SHD_MISSING_TILES_COARSER));
+  SHD_TRY(check_count("sampler.compares", desc.compares, 0, 1));
+  SHD_TRY(check_enum("sampler.compare", desc.compare, SHD_COMPARE_LESS, SHD_COMPARE_NEVER));
   SHD_TRY(check_finite("sampler.border", desc.border, 4));
   SHD_TRY(check_footprint(desc));
   SHD_TRY(check_enum("sampler.probe_weights", desc.probe_weights, SHD_PROBE_WEIGHTS_EQUAL, SHD_PROBE_WEIGHTS_GAUSSIAN));

@@ -62,7 +62,7 @@ shd_result read_displacement(const shd_tessellation_desc& desc, Displacement* ou
   if (!desc.displacement) return SHD_OK;
   SHD_TRY(read_handle("tessellation.displacement", desc.displacement, core::ObjectType::kTexture, &out->texture));
   SHD_TRY(check_flat("tessellation.displacement", *out->texture));
-  return check_use(*out->texture, *out->sampler, texture::Use::kValues);
+  return check_use(*out->texture, *out->sampler);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
   ROW(TEXTURE_DESC, shd_texture_desc, texels, tiles, 136, ())                     \
   ROW(TEXTURE_INFO, shd_texture_info, height, projection, 48, ())                 \
   ROW(MIP_DESC, shd_mip_desc, content, alpha_cutoff, 28, ())                      \
-  ROW(SAMPLER_DESC, shd_sampler_desc, filter, missing_tiles, 124, ())             \
-  ROW(LOOKUPS, shd_lookups, v, dwdy, 208, ())                                     \
+  ROW(SAMPLER_DESC, shd_sampler_desc, filter, compare, 132, ())                   \
+  ROW(LOOKUPS, shd_lookups, v, reference, 224, ())                                \
   ROW(TEXELS, shd_texels, channel, coarser, 288, ())                              \
   ROW(LEVELS, shd_levels, lod, level, 40, ())                                     \
   ROW(EXPLANATION, shd_explanation, blend_count, shorter_axis, 136, ())           \

@@ -137,12 +137,13 @@ shd_sampler_desc sampler_of(const Map& map, shd_sampler_desc host, bool host_fil
   if (map.no_mip) {
     host.filter = nearest ? SHD_FILTER_NEAREST : SHD_FILTER_BILINEAR;
   } else if (nearest) {
-    host.filter = SHD_FILTER_NEAREST_MIP;
+    host.filter = map.mip == Filter::kLinear ? SHD_FILTER_NEAREST_MIP_LINEAR : SHD_FILTER_NEAREST_MIP;
   } else if (map.mip == Filter::kNearest) {
     host.filter = SHD_FILTER_BILINEAR_MIP;
   }  // else linear in all respects: the host's filter is at least as good
   if (map.magnify == Filter::kNearest) host.magnification = SHD_MAGNIFICATION_NEAREST;
-  const bool sharp = host.filter == SHD_FILTER_NEAREST || host.filter == SHD_FILTER_NEAREST_MIP;
+  const bool sharp = host.filter == SHD_FILTER_NEAREST || host.filter == SHD_FILTER_NEAREST_MIP ||
+                     host.filter == SHD_FILTER_NEAREST_MIP_LINEAR;
   if (map.magnify == Filter::kLinear && sharp) host.magnification = SHD_MAGNIFICATION_BILINEAR;
   return host;
 }

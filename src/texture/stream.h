@@ -135,8 +135,9 @@ struct Consumption {
   Recording* recording;  // tree of blends, for the consumer that records; else null
   const Texels& out;     // unwanted columns are null; nothing is written past `count`
   size_t count;
-  size_t done = 0;    // lookups written so far
-  bool open = false;  // the stream ended within a vector of lookups, whose averages are in `state`
+  const float* reference;  // references of all lookups, for ComparedOf(); null = 0
+  size_t done = 0;         // lookups written so far
+  bool open = false;       // the stream ended within a vector of lookups, whose averages are in `state`
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
 };
 
@@ -176,7 +177,12 @@ struct FilterCall {
 };
 
 inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)
-    : texels(source), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
+    : texels(source),
+      sampler(call.sampler),
+      recording(record),
+      out(call.out),
+      count(call.in.count),
+      reference(call.in.reference) {}
 
 /// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);

@@ -20,11 +20,12 @@ enum class Domain : uint32_t { kPlane, kSlices, kDirections };
 /// Where a texel lies.
 enum class Store : uint32_t { kMemory, kBorrowed, kBlocks, kTiles, kTilesOfBlocks };
 
-/// The output of a call: values, derivatives of values, an explanation, bounds, or values in fixed point
-/// (SHD_PRECISION_FAST). A cell without fixed point is not refused: it has the values of SHD_PRECISION_FULL.
-enum class Use : uint32_t { kValues, kGradients, kExplanation, kBounds, kFast };
+/// The output of a call: values, derivatives of values, an explanation, bounds, values in fixed point
+/// (SHD_PRECISION_FAST), or values of comparisons. A cell without fixed point is not refused: it has the values of
+/// SHD_PRECISION_FULL.
+enum class Use : uint32_t { kValues, kGradients, kExplanation, kBounds, kFast, kComparison };
 
-constexpr uint32_t kDomains = 3, kStores = 5, kUses = 5;
+constexpr uint32_t kDomains = 3, kStores = 5, kUses = 6;
 
 struct SupportCell {
   shd_filter filter;

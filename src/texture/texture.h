@@ -180,6 +180,8 @@ struct Sampler {
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
   shd_stochastic stochastic;
   shd_missing_tiles missing_tiles;
+  bool compares;
+  shd_compare compare;  // set if `compares`
 };
 
 /// Returns whether lookups outside the image read the border colour on some axis.
@@ -209,8 +211,9 @@ bool has_gradient(shd_filter filter);
 /// Makes the sampler of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
-constexpr size_t kFloatColumns = 10, kIntegerColumns = 2;
-constexpr size_t kPlaneColumns = 7;  // float columns before w: those that textures without needs_w() read
+constexpr size_t kFloatColumns = 11, kIntegerColumns = 2;
+constexpr size_t kPlaneColumns = 7;   // float columns before w: those that textures without needs_w() read
+constexpr size_t kPlaceColumns = 10;  // float columns of places and footprints: all but the reference
 
 /// Packed columns of `count` elements. Optional columns that are absent are null.
 struct Lookups {
@@ -221,13 +224,14 @@ struct Lookups {
   const uint32_t* layer;                   // null = 0
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
   const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
-  bool one_footprint = false;  // each column of derivatives holds one finite value; false = not known
+  bool one_footprint = false;        // each column of derivatives holds one finite value; false = not known
+  const float* reference = nullptr;  // read by samplers with `compares`; null = 0
 
   /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {
     constexpr const float* Lookups::*kColumns[kFloatColumns] = {
-        &Lookups::u,    &Lookups::v,   &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy,
-        &Lookups::dvdy, &Lookups::lod, &Lookups::w,    &Lookups::dwdx, &Lookups::dwdy};
+        &Lookups::u,   &Lookups::v, &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy,     &Lookups::dvdy,
+        &Lookups::lod, &Lookups::w, &Lookups::dwdx, &Lookups::dwdy, &Lookups::reference};
     return this->*kColumns[i];
   }
   const float* real(size_t i) const { return const_cast<Lookups*>(this)->real(i); }
@@ -261,9 +265,10 @@ inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
   Lookups part = in;
   part.count = count;
   for (size_t c = 0; c < kPlaneColumns; ++c) part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
-  for (size_t c = kPlaneColumns; in.w && c < kFloatColumns; ++c) {
+  for (size_t c = kPlaneColumns; in.w && c < kPlaceColumns; ++c) {
     part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
   }
+  part.reference = in.reference ? in.reference + first : nullptr;
   for (size_t c = 0; c < kIntegerColumns; ++c) part.integer(c) = in.integer(c) ? in.integer(c) + first : nullptr;
   return part;
 }

@@ -76,8 +76,8 @@ Surface
   --solid K             a solid texture on everything, instead: stripes, checker, perlin, value, simplex, worley,
                         marble, wood
   --solid-size S        of its cells, stripes or rings, in world units (default 0.5)
-  --filter F            nearest, bilinear, trilinear, bicubic, nearest-mip, bilinear-mip, ripmap, summed-area,
-                        anisotropic, ewa, stochastic, exact (default trilinear)
+  --filter F            nearest, bilinear, trilinear, bicubic, nearest-mip, nearest-mip-linear,
+                        bilinear-mip, ripmap, summed-area, anisotropic, ewa, stochastic, exact (default trilinear)
   --lod-bias B          added to the level of detail: below 0 sharper, above 0 smoother (default 0)
   --uv-scale S          textures S times as often
   --normal-map FILE     tangent-space normals on everything, instead of the model's

@@ -51,11 +51,19 @@ Value pick(const std::string& option, const std::string& value, const Name<Value
   refuse(option, value, wanted.c_str());
 }
 
-constexpr Name<shd_filter> kFilters[] = {
-    {"nearest", SHD_FILTER_NEAREST}, {"bilinear", SHD_FILTER_BILINEAR},       {"trilinear", SHD_FILTER_TRILINEAR},
-    {"bicubic", SHD_FILTER_BICUBIC}, {"nearest-mip", SHD_FILTER_NEAREST_MIP}, {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
-    {"ripmap", SHD_FILTER_RIPMAP},   {"summed-area", SHD_FILTER_SUMMED_AREA}, {"anisotropic", SHD_FILTER_ANISOTROPIC},
-    {"ewa", SHD_FILTER_EWA},         {"stochastic", SHD_FILTER_STOCHASTIC},   {"exact", SHD_FILTER_EXACT}};
+constexpr Name<shd_filter> kFilters[] = {{"nearest", SHD_FILTER_NEAREST},
+                                         {"bilinear", SHD_FILTER_BILINEAR},
+                                         {"trilinear", SHD_FILTER_TRILINEAR},
+                                         {"bicubic", SHD_FILTER_BICUBIC},
+                                         {"nearest-mip", SHD_FILTER_NEAREST_MIP},
+                                         {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
+                                         {"ripmap", SHD_FILTER_RIPMAP},
+                                         {"summed-area", SHD_FILTER_SUMMED_AREA},
+                                         {"anisotropic", SHD_FILTER_ANISOTROPIC},
+                                         {"ewa", SHD_FILTER_EWA},
+                                         {"stochastic", SHD_FILTER_STOCHASTIC},
+                                         {"exact", SHD_FILTER_EXACT},
+                                         {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR}};
 constexpr Name<shd_solid> kSolids[] = {{"stripes", SHD_SOLID_STRIPES}, {"checker", SHD_SOLID_CHECKER},
                                        {"perlin", SHD_SOLID_PERLIN},   {"value", SHD_SOLID_VALUE},
                                        {"simplex", SHD_SOLID_SIMPLEX}, {"worley", SHD_SOLID_WORLEY},

@@ -24,6 +24,7 @@ static const struct {
                  {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR},
                  {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR},
                  {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_FILTER_TRILINEAR},
+                 {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_TRILINEAR},
                  {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR},
                  {"trilinear", SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR},
                  {"ripmap", SHD_FILTER_RIPMAP, SHD_FILTER_TRILINEAR},

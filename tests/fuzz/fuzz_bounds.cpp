@@ -19,9 +19,10 @@ struct BoundsCase : LookupCase {
 void choose_bounded_sampler(Source& source, BoundsCase& c) {
   shd_sampler_desc& desc = c.sampler;
   choose_sampler(source, desc);
-  constexpr shd_filter kBounded[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                     SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC};
-  const shd_filter filter = kBounded[source.below(6)];
+  constexpr shd_filter kBounded[] = {SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
+                                     SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
+                                     SHD_FILTER_NEAREST_MIP_LINEAR};
+  const shd_filter filter = kBounded[source.below(7)];
   if (source.one_in(32)) return;
   desc.filter = filter;
   constexpr shd_magnification kMagnifications[] = {SHD_MAGNIFICATION_DEFAULT, SHD_MAGNIFICATION_NEAREST,

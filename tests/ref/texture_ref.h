@@ -174,6 +174,24 @@ inline double nearest_on(const Image& image, int level, double u, double v, doub
   return texel(image, level, static_cast<int64_t>(floor(x)), static_cast<int64_t>(floor(y)), c);
 }
 
+/// Whether a value is the blend of the texels at the point on the two levels around a final level of detail, each texel
+/// within 4e-7 of the width and height.
+inline bool is_nearest_blend(const Image& image, double lod, double u, double v, int c, double got, double tolerance) {
+  const int high = static_cast<int>(floor(lod)), low = high + 1 < image.level_count ? high + 1 : high;
+  const double slack[] = {0, -4e-7, 4e-7};
+  const auto texel_at = [&](int level, int k) {
+    const Level& l = image.levels[level];
+    return nearest_on(image, level, u, v, slack[k % 3] * static_cast<double>(l.width),
+                      slack[k / 3] * static_cast<double>(l.height), c);
+  };
+  for (int k = 0; k < 81; ++k) {
+    const double a = texel_at(high, k % 9), s = lod - floor(lod),
+                 want = s == 0 ? a : (1 - s) * a + s * texel_at(low, k / 9);
+    if (fabs(got - want) <= tolerance) return true;
+  }
+  return false;
+}
+
 /// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988), equation (8).
 inline double cubic_kernel(double b, double c, double x) {
   x = fabs(x);

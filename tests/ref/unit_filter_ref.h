@@ -138,12 +138,19 @@ inline Value unit_linear(const UnitImage& image, const Unit& unit, int layer, in
   return Texels{image, unit, layer, level}.linear(p);
 }
 
-inline Value unit_trilinear(const UnitImage& image, const Unit& unit, int layer, const UnitPoint& p, double lod) {
+inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, UnitPoint p) {
+  if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
+  return Texels{image, unit, layer, level}.nearest(p);
+}
+
+/// The blend of two levels of TRILINEAR and NEAREST_MIP_LINEAR.
+inline Value unit_blend(const UnitImage& image, const Unit& unit, int layer, const UnitPoint& p, double lod) {
+  const auto at = image.sampler.filter == SHD_FILTER_NEAREST_MIP_LINEAR ? unit_nearest : unit_linear;
   const int fine = static_cast<int>(floor(lod)), coarse = std::min(fine + 1, image.level_count - 1);
   double s = lod - floor(lod);
   if (unit.bug == Bug::kNoBlend) s = unit.option & 1;
   if (unit.bug == Bug::kBlendFlipped) s = 1 - s;
-  const Value a = unit_linear(image, unit, layer, fine, p), b = unit_linear(image, unit, layer, coarse, p);
+  const Value a = at(image, unit, layer, fine, p), b = at(image, unit, layer, coarse, p);
   Value out;
   for (size_t c = 0; c < 4; ++c) out[c] = (1 - s) * a[c] + s * b[c];
   return out;
@@ -160,7 +167,7 @@ inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int laye
     if (unit.bug == Bug::kLineShift) t += unit.a;
     UnitPoint probe;
     for (size_t c = 0; c < 3; ++c) probe[c] = p[c] + t * shape.d[c];
-    const Value value = unit_trilinear(image, unit, layer, probe, lod);
+    const Value value = unit_blend(image, unit, layer, probe, lod);
     for (size_t c = 0; c < 4; ++c) sum[c] += weight * value[c];
     total += weight;
   }
@@ -171,11 +178,6 @@ inline Value unit_anisotropic(const UnitImage& image, const Unit& unit, int laye
 
 inline int unit_level(const Unit& unit, double lod) {
   return static_cast<int>(fmax(unit.lower_tie ? ceil(lod + 0.5) - 1 : floor(lod + 0.5), 0));
-}
-
-inline Value unit_nearest(const UnitImage& image, const Unit& unit, int layer, int level, const UnitPoint& p) {
-  if (unit.bug == Bug::kLevelBit) level = std::min(level ^ 1, image.level_count - 1);
-  return Texels{image, unit, layer, level}.nearest(p);
 }
 
 /// The filter at a point of an image.
@@ -190,7 +192,8 @@ inline Value unit_filter(const UnitImage& image, const Unit& unit, const UnitLoo
     case SHD_FILTER_BILINEAR: return Texels{image, unit, layer, 0}.linear(p);
     case SHD_FILTER_NEAREST_MIP: return unit_nearest(image, unit, layer, level, p);
     case SHD_FILTER_BILINEAR_MIP: return unit_linear(image, unit, layer, level, p);
-    case SHD_FILTER_TRILINEAR: return unit_trilinear(image, unit, layer, p, lod);
+    case SHD_FILTER_NEAREST_MIP_LINEAR:
+    case SHD_FILTER_TRILINEAR: return unit_blend(image, unit, layer, p, lod);
     default: return unit_anisotropic(image, unit, layer, p, unit_lod(image, unit, shape.probe_lambda), shape);
   }
 }

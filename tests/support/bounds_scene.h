@@ -47,8 +47,9 @@ constexpr SceneTexture kSceneTextures[] = {
     {SHD_FORMAT_RGBA8_SRGB, 21, 21, 2, 0, SHD_PROJECTION_ANGULAR, Picture::kNoise},
 };
 
-constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                          SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC};
+constexpr shd_filter kBoundedFilters[] = {SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
+                                          SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
+                                          SHD_FILTER_NEAREST_MIP_LINEAR};
 
 /// One texture with its levels, in the library and for the oracle.
 class ScenePixels

@@ -121,14 +121,17 @@ struct DirectionFilter {
     shd_filter filter;
 };
 constexpr DirectionFilter kDirectionFilters[] = {
-    {"nearest", SHD_FILTER_NEAREST},
-    {"bilinear", SHD_FILTER_BILINEAR},
-    {"nearest_mip", SHD_FILTER_NEAREST_MIP},
-    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP},
-    {"trilinear", SHD_FILTER_TRILINEAR},
-    {"anisotropic", SHD_FILTER_ANISOTROPIC},
-    {"ewa", SHD_FILTER_EWA},
+    {"nearest", SHD_FILTER_NEAREST},           {"bilinear", SHD_FILTER_BILINEAR},
+    {"nearest_mip", SHD_FILTER_NEAREST_MIP},   {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR},
+    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR},
+    {"anisotropic", SHD_FILTER_ANISOTROPIC},   {"ewa", SHD_FILTER_EWA},
 };
+
+/// Whether values have steps at the edges of texels.
+inline bool has_steps(shd_filter filter)
+{
+    return filter == SHD_FILTER_NEAREST || filter == SHD_FILTER_NEAREST_MIP || filter == SHD_FILTER_NEAREST_MIP_LINEAR;
+}
 
 inline shd_sampler *make_sampler(shd_context *context, shd_filter filter)
 {

@@ -22,6 +22,7 @@ static const shd_filter_row k_filters[] = {
     {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR, 4, 0},
     {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_BILINEAR, 16, 0.6f},
     {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR, 1, 0},
+    {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_BILINEAR, 2, 0},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_FILTER_BILINEAR, 4, 0},
     {"trilinear", SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR, 8, 0},
     {"ripmap", SHD_FILTER_RIPMAP, SHD_FILTER_BILINEAR, 16, 0},

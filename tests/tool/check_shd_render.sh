@@ -243,7 +243,8 @@ shapes=(teapot sphere plane box torus)
 for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
 same --shape plane -- --shape plane --supersampling 1
-for filter in nearest bilinear bicubic nearest-mip bilinear-mip ripmap summed-area anisotropic ewa stochastic exact; do
+for filter in nearest bilinear bicubic nearest-mip nearest-mip-linear bilinear-mip ripmap summed-area anisotropic ewa \
+  stochastic exact; do
   other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
     --shape plane --texture checker --uv-scale 4 --orbit 30,10 --filter $filter
 done

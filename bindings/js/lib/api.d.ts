@@ -822,28 +822,6 @@ export type Cull =
   ;
 
 /**
- * Depth test: the depths z that pass against the depth d of a sample. NaN never passes.
- * - `less`: z < d
- * - `less_equal`: z <= d
- * - `equal`: z = d
- * - `greater_equal`: z >= d
- * - `greater`: z > d, for depth that decreases with the distance (clear_depth 0)
- * - `not_equal`: z != d
- * - `always`: every z
- * - `never`: none
- */
-export type Compare =
-  | "less"
-  | "less_equal"
-  | "equal"
-  | "greater_equal"
-  | "greater"
-  | "not_equal"
-  | "always"
-  | "never"
-  ;
-
-/**
  * Options of a draw; combine with |.
  * - `keep_depth`: test depth without writing it
  * - `sample_shading`: shade every sample at its own position, instead of every pixel once
@@ -993,6 +971,9 @@ export type Result =
  * If
  * it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
  * texels. Slow.
+ * - `nearest_mip_linear`: The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of
+ * the level of detail:
+ * VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
  */
 export type Filter =
   | "trilinear"
@@ -1007,14 +988,15 @@ export type Filter =
   | "ewa"
   | "stochastic"
   | "exact"
+  | "nearest_mip_linear"
   ;
 
 /**
- * Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below,
- * and
- * where the footprint of all other filters is at most one texel long.
- * - `default`: the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
- * BICUBIC, bilinear for all others
+ * Filter for magnification: where the level of detail of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP and
+ * TRILINEAR is
+ * 0 or below, and where the footprint of all other filters is at most one texel long.
+ * - `default`: the default of the filter: nearest for NEAREST, NEAREST_MIP and
+ * NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others
  * - `nearest`: SHD_FILTER_NEAREST
  * - `bilinear`: SHD_FILTER_BILINEAR
  * - `bicubic`: SHD_FILTER_BICUBIC
@@ -1061,8 +1043,8 @@ export type Box =
   ;
 
 /**
- * Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and
- * ANISOTROPIC.
+ * Definition of the level of detail, the levels and the probes of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP,
+ * TRILINEAR and ANISOTROPIC.
  *
  * LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the
  * same
@@ -1170,6 +1152,30 @@ export type Stochastic =
 export type MissingTiles =
   | "wait"
   | "coarser"
+  ;
+
+/**
+ * Comparisons `z OP d`: of a depth z with the depth d of a sample in depth tests, or of a reference z with a texel
+ * d in
+ * comparison lookups (shd_sampler_desc.compares). If z or d is NaN, every comparison except ALWAYS is false.
+ * - `less`: z < d
+ * - `less_equal`: z <= d
+ * - `equal`: z = d
+ * - `greater_equal`: z >= d
+ * - `greater`: z > d, for depth that decreases with the distance (clear_depth 0)
+ * - `not_equal`: z < d or z > d
+ * - `always`: true
+ * - `never`: false
+ */
+export type Compare =
+  | "less"
+  | "less_equal"
+  | "equal"
+  | "greater_equal"
+  | "greater"
+  | "not_equal"
+  | "always"
+  | "never"
   ;
 
 /**
@@ -1726,7 +1732,7 @@ export interface Tap {
   weight: number;
   /**
    * stored channels as the blends read them: unorm channels as integers, unless a wrap is
-   * SHD_WRAP_BORDER
+   * SHD_WRAP_BORDER; comparison lookups: 0 or 1 in the channel of r
    */
   value: Numbers;
   /** slice of a 3D texture, after wrapping; else 0 */
@@ -1771,7 +1777,7 @@ export interface Explanation {
   scaleHigh?: Numbers;
   /** written: lower bits of that factor */
   scaleLow?: Numbers;
-  /** Written: the stored channel of r, g, b, a of the result; 4 = the texture's `fill`. */
+  /** Written: the stored channel of r, g, b, a of the result; 4 = a constant: `fill`, or 0, 0, 1 of comparisons. */
   channelSource?: Numbers;
   /**
    * Written: longer half axis of the footprint's ellipse, u and v in base-level texels, width and blur included;
@@ -1985,6 +1991,8 @@ export interface Lookups {
   dwdx?: Column;
   /** dw/dy; absent = 0 */
   dwdy?: Column;
+  /** compared with texels by samplers with `compares`; absent = 0 */
+  reference?: Column;
 }
 
 /** Columns for the filtered values: linear, and premultiplied only if the texels are. */
@@ -2777,10 +2785,13 @@ export interface SamplerDesc {
    */
   probeSlack?: number;
   /**
-   * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-   * 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f -
-   * 1/2) /
-   * level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+   * Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR
+   * and
+   * EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level
+   * is
+   * clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer
+   * level
+   * is read.
    */
   levelBlend?: number;
   /** random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
@@ -2789,6 +2800,27 @@ export interface SamplerDesc {
   wrapW?: Wrap | number;
   /** default SHD_MISSING_TILES_WAIT */
   missingTiles?: MissingTiles | number;
+  /**
+   * 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves,
+   * Salesin
+   * and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0.
+   * Each
+   * texel that the filter reads becomes 1 if the comparison of the lookup's `reference` with it is true, else 0.
+   * The
+   * filter blends these numbers. The result is in r; g and b are 0, and a is 1.
+   *
+   * A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside
+   * with
+   * SHD_WRAP_BORDER have the border colour. Formats without floats clamp the reference to [0, 1]. Numbers are
+   * compared as floats, after sRGB is decoded.
+   *
+   * Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
+   * textures. Other filters, derivatives, and samplers of materials, lights and tessellations return
+   * SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect.
+   */
+  compares?: number;
+  /** comparison of these lookups; default SHD_COMPARE_LESS */
+  compare?: Compare | number;
 }
 
 /** Options of a shadow. */
@@ -3105,8 +3137,8 @@ export interface TessellationDesc {
 export interface TextureDesc {
   /**
    * any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-   * decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-   * and the caller gives its levels
+   * decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+   * kept decoded
    */
   format: Format | number;
   /** texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
@@ -3167,15 +3199,17 @@ export interface TextureDesc {
   projection?: Projection | number;
   /**
    * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-   * the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
-   * `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers
-   * at
-   * most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels`
+   * and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and
+   * layers
+   * at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture
    * is
-   * NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of
-   * a
-   * texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
-   * give SHD_ERROR_UNSUPPORTED.
+   * made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+   * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters
+   * have
+   * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
+   * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says
+   * about
+   * missing tiles.
    */
   tiles?: TileSource;
 }
@@ -3266,7 +3300,7 @@ export interface TileCacheStats {
 
 /** A rectangle of a level. Required: width, height. */
 export interface TileRegion {
-  /** 0..layers - 1; default 0 */
+  /** layer, face, or slice of the level of a 3D texture; default 0 */
   layer?: number;
   /** 0..level_count - 1; default 0 */
   level?: number;

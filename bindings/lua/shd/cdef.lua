@@ -454,17 +454,6 @@ typedef enum shd_cull {
   SHD_CULL_FRONT = 2,
   SHD_CULL_MAX_ENUM = 2147483647
 } shd_cull;
-typedef enum shd_compare {
-  SHD_COMPARE_LESS = 0,
-  SHD_COMPARE_LESS_EQUAL = 1,
-  SHD_COMPARE_EQUAL = 2,
-  SHD_COMPARE_GREATER_EQUAL = 3,
-  SHD_COMPARE_GREATER = 4,
-  SHD_COMPARE_NOT_EQUAL = 5,
-  SHD_COMPARE_ALWAYS = 6,
-  SHD_COMPARE_NEVER = 7,
-  SHD_COMPARE_MAX_ENUM = 2147483647
-} shd_compare;
 typedef enum shd_draw_flag {
   SHD_DRAW_NONE = 0,
   SHD_DRAW_KEEP_DEPTH = 1,
@@ -522,6 +511,7 @@ typedef enum shd_filter {
   SHD_FILTER_EWA = 9,
   SHD_FILTER_STOCHASTIC = 10,
   SHD_FILTER_EXACT = 11,
+  SHD_FILTER_NEAREST_MIP_LINEAR = 12,
   SHD_FILTER_MAX_ENUM = 2147483647
 } shd_filter;
 typedef enum shd_magnification {
@@ -570,6 +560,17 @@ typedef enum shd_missing_tiles {
   SHD_MISSING_TILES_COARSER = 1,
   SHD_MISSING_TILES_MAX_ENUM = 2147483647
 } shd_missing_tiles;
+typedef enum shd_compare {
+  SHD_COMPARE_LESS = 0,
+  SHD_COMPARE_LESS_EQUAL = 1,
+  SHD_COMPARE_EQUAL = 2,
+  SHD_COMPARE_GREATER_EQUAL = 3,
+  SHD_COMPARE_GREATER = 4,
+  SHD_COMPARE_NOT_EQUAL = 5,
+  SHD_COMPARE_ALWAYS = 6,
+  SHD_COMPARE_NEVER = 7,
+  SHD_COMPARE_MAX_ENUM = 2147483647
+} shd_compare;
 typedef enum shd_scene_flag {
   SHD_SCENE_NONE = 0,
   SHD_SCENE_REQUIRE_TEXTURES = 1,
@@ -1234,6 +1235,7 @@ struct shd_lookups {
   shd_f32_in w;
   shd_f32_in dwdx;
   shd_f32_in dwdy;
+  shd_f32_in reference;
 };
 struct shd_texels {
   uint32_t struct_size;
@@ -1560,6 +1562,8 @@ struct shd_sampler_desc {
   shd_stochastic stochastic;
   shd_wrap wrap_w;
   shd_missing_tiles missing_tiles;
+  uint32_t compares;
+  shd_compare compare;
 };
 struct shd_scene_desc {
   uint32_t struct_size;

@@ -429,16 +429,6 @@ class Cull(enum.IntEnum):
     BACK = 1
     FRONT = 2
 
-class Compare(enum.IntEnum):
-    LESS = 0
-    LESS_EQUAL = 1
-    EQUAL = 2
-    GREATER_EQUAL = 3
-    GREATER = 4
-    NOT_EQUAL = 5
-    ALWAYS = 6
-    NEVER = 7
-
 class DrawFlag(enum.IntFlag):
     NONE = 0
     KEEP_DEPTH = 1
@@ -490,6 +480,7 @@ class Filter(enum.IntEnum):
     EWA = 9
     STOCHASTIC = 10
     EXACT = 11
+    NEAREST_MIP_LINEAR = 12
 
 class Magnification(enum.IntEnum):
     DEFAULT = 0
@@ -528,6 +519,16 @@ class Stochastic(enum.IntEnum):
 class MissingTiles(enum.IntEnum):
     WAIT = 0
     COARSER = 1
+
+class Compare(enum.IntEnum):
+    LESS = 0
+    LESS_EQUAL = 1
+    EQUAL = 2
+    GREATER_EQUAL = 3
+    GREATER = 4
+    NOT_EQUAL = 5
+    ALWAYS = 6
+    NEVER = 7
 
 class SceneFlag(enum.IntFlag):
     NONE = 0
@@ -1299,6 +1300,7 @@ class Lookups(Desc):
     w: _Array
     dwdx: _Array
     dwdy: _Array
+    reference: _Array
     def __init__(self, *,
                  count: int = ...,
                  u: _Array = ...,
@@ -1313,6 +1315,7 @@ class Lookups(Desc):
                  w: _Array = ...,
                  dwdx: _Array = ...,
                  dwdy: _Array = ...,
+                 reference: _Array = ...,
                  ) -> None: ...
 
 class Texels(Desc):
@@ -1881,6 +1884,8 @@ class SamplerDesc(Desc):
     stochastic: Union[int, str]
     wrap_w: Union[int, str]
     missing_tiles: Union[int, str]
+    compares: int
+    compare: Union[int, str]
     def __init__(self, *,
                  filter: Union[int, str] = ...,
                  magnification: Union[int, str] = ...,
@@ -1909,6 +1914,8 @@ class SamplerDesc(Desc):
                  stochastic: Union[int, str] = ...,
                  wrap_w: Union[int, str] = ...,
                  missing_tiles: Union[int, str] = ...,
+                 compares: int = ...,
+                 compare: Union[int, str] = ...,
                  ) -> None: ...
 
 class SceneDesc(Desc):

@@ -154,8 +154,8 @@ class Texture(Object):
     def sample(self, sampler, u, v, channels=4, out=None, **more):
         """Filtered values at (u, v), as an array [..., channels] of float32.
 
-        Other columns are those of shd_lookups: dudx, dvdx, dudy, dvdy, lod, layer, random, w, dwdx, dwdy. `out` is an
-        array of that shape to write to, or a list of columns with None for unwanted ones.
+        Other columns are those of shd_lookups: dudx, dvdx, dudy, dvdy, lod, layer, random, w, dwdx, dwdy, reference.
+        `out` is an array of that shape to write to, or a list of columns with None for unwanted ones.
         """
         if out is not None:
             Lookup(self, sampler, u, v, out, **more)()

@@ -20,8 +20,8 @@ enum class Finish { kNone, kFraction, kNearest };
 
 Finish finish_of(const Sampler& sampler, LodRounding rounding) {
   if (rounding == LodRounding::kNone) return Finish::kNone;
-  const bool blends = sampler.filter == SHD_FILTER_ANISOTROPIC || sampler.filter == SHD_FILTER_TRILINEAR;
-  return blends ? Finish::kFraction : Finish::kNearest;
+  const bool one_level = sampler.filter == SHD_FILTER_NEAREST_MIP || sampler.filter == SHD_FILTER_BILINEAR_MIP;
+  return one_level ? Finish::kNearest : Finish::kFraction;
 }
 
 template <class Profile, class D, class V>
@@ -89,9 +89,8 @@ uint32_t nearest_level(const Sampler& sampler, float lod) {
 
 bool has_rounded_weights(const shd_sampler_desc& desc) {
   if (desc.profile != SHD_PROFILE_VULKAN && desc.profile != SHD_PROFILE_D3D11) return false;
-  return desc.filter == SHD_FILTER_BILINEAR || desc.filter == SHD_FILTER_NEAREST_MIP ||
-         desc.filter == SHD_FILTER_BILINEAR_MIP || desc.filter == SHD_FILTER_TRILINEAR ||
-         desc.filter == SHD_FILTER_ANISOTROPIC;
+  return desc.filter == SHD_FILTER_BILINEAR || desc.filter == SHD_FILTER_ANISOTROPIC ||
+         reads_isotropic_levels(desc.filter);
 }
 
 }  // namespace shd::texture

@@ -14,11 +14,16 @@ inline bool is_foreign(shd_profile profile) {
   return profile != SHD_PROFILE_LEAST_ERROR && profile != SHD_PROFILE_EXACT;
 }
 
+/// Returns whether a filter reads mip levels by the level of detail of isotropic lookups.
+inline bool reads_isotropic_levels(shd_filter filter) {
+  return filter == SHD_FILTER_NEAREST_MIP || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR ||
+         filter == SHD_FILTER_NEAREST_MIP_LINEAR;
+}
+
 /// Returns whether the profile of another texture unit changes the filter of a sampler.
 inline bool is_profiled(const Sampler& sampler) {
-  if (!is_foreign(sampler.profile)) return false;
-  return sampler.filter == SHD_FILTER_NEAREST_MIP || sampler.filter == SHD_FILTER_BILINEAR_MIP ||
-         sampler.filter == SHD_FILTER_TRILINEAR || sampler.filter == SHD_FILTER_ANISOTROPIC;
+  return is_foreign(sampler.profile) &&
+         (reads_isotropic_levels(sampler.filter) || sampler.filter == SHD_FILTER_ANISOTROPIC);
 }
 
 /// Returns whether levels of detail follow another texture unit. Queries (kNone) always follow the sampler's profile;

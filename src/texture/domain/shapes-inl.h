@@ -84,7 +84,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
 
 /// The incomplete last vector of a block, filled with copies of the last lookup.
 struct Tail {
-  alignas(64) float reals[kFloatColumns][kMaxLanes];
+  alignas(64) float reals[kPlaceColumns][kMaxLanes];
   alignas(64) uint32_t integers[kIntegerColumns][kMaxLanes];
 
   Lookups copy(const Lookups& from, size_t first) {
@@ -93,7 +93,7 @@ struct Tail {
     const size_t count = from.count - first;
     Lookups in = from;
     for (size_t c = 0; c < kPlaneColumns; ++c) in.real(c) = fill(d, from.real(c), first, count, reals[c]);
-    for (size_t c = kPlaneColumns; from.w && c < kFloatColumns; ++c) {
+    for (size_t c = kPlaneColumns; from.w && c < kPlaceColumns; ++c) {
       in.real(c) = fill(d, from.real(c), first, count, reals[c]);
     }
     for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(du, from.integer(c), first, count, integers[c]);

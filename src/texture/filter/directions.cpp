@@ -12,6 +12,7 @@
 #include "texture/filter/directions-inl.h"
 #include "texture/filter/mip-inl.h"
 #include "texture/filter/nearest-inl.h"
+#include "texture/filter/nearest_mip_linear-inl.h"
 #include "texture/filter/trilinear-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,6 +26,7 @@ RunFilter DirectionFilterOf(shd_filter filter) {
     case SHD_FILTER_BILINEAR_MIP: return RunDirections<BilinearMip>;
     case SHD_FILTER_TRILINEAR: return RunDirections<Trilinear>;
     case SHD_FILTER_ANISOTROPIC: return RunDirections<Anisotropic>;
+    case SHD_FILTER_NEAREST_MIP_LINEAR: return RunDirections<NearestMipLinear>;
     case SHD_FILTER_EWA: return RunEwaDirections;
     default: return nullptr;
   }

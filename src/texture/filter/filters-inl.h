@@ -25,16 +25,18 @@
   ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)  \
   ROW(SHD_FILTER_EWA, RunEwa, true)                  \
   ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)   \
-  ROW(SHD_FILTER_EXACT, RunExact, false)
+  ROW(SHD_FILTER_EXACT, RunExact, false)             \
+  ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinear, false)
 
 // The filters of 3D textures.
-#define SHD_TEXTURE_SLICE_FILTERS(ROW)               \
-  ROW(SHD_FILTER_NEAREST, RunNearestInSlices)        \
-  ROW(SHD_FILTER_BILINEAR, RunLinearInSlices)        \
-  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMipInSlices) \
-  ROW(SHD_FILTER_BILINEAR_MIP, RunLinearMipInSlices) \
-  ROW(SHD_FILTER_TRILINEAR, RunTrilinearInSlices)    \
-  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropicInSlices)
+#define SHD_TEXTURE_SLICE_FILTERS(ROW)                \
+  ROW(SHD_FILTER_NEAREST, RunNearestInSlices)         \
+  ROW(SHD_FILTER_BILINEAR, RunLinearInSlices)         \
+  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMipInSlices)  \
+  ROW(SHD_FILTER_BILINEAR_MIP, RunLinearMipInSlices)  \
+  ROW(SHD_FILTER_TRILINEAR, RunTrilinearInSlices)     \
+  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropicInSlices) \
+  ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinearInSlices)
 #endif
 
 HWY_BEFORE_NAMESPACE();

@@ -36,6 +36,7 @@ struct NearestMip : OnMipLevels {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);
+    sink.finish();
   }
 };
 

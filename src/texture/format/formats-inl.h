@@ -19,6 +19,8 @@ namespace shd::texture::HWY_NAMESPACE {
 Consume ValuesOf(image::Component component);
 Consume BorderedOf(image::Component component);
 Consume GradientOf(image::Component component);
+/// Comparisons of texels with the references of lookups.
+Consume ComparedOf(image::Component component);
 /// Derivatives in w, of 3D textures.
 Consume DeepGradientOf(image::Component component);
 

@@ -68,6 +68,12 @@ inline bool is_float(image::Component component) {
   return floats;
 }
 
+/// Returns the reference of a comparison lookup as texels of a component type are compared with it. NaN stays NaN.
+inline float clamped_reference(image::Component component, float reference) {
+  if (is_float(component)) return reference;
+  return reference < 0.0f ? 0.0f : reference > 1.0f ? 1.0f : reference;
+}
+
 }  // namespace shd::texture
 
 #endif  // SHD_TEXTURE_FORMATS_H_

@@ -38,6 +38,7 @@ struct Recording {
   core::Array<RecordedBlend> blends;
   size_t place_count = 0, tap_count = 0, blend_count = 0;
   bool finished_taps = false;  // texels leave the lerp domain before they are blended
+  float reference = 0.0f;      // clamped reference of a comparison lookup
 
   explicit Recording(const core::Allocator& allocator)
       : places(allocator, kMaxTaps), taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}

@@ -16,10 +16,9 @@ LodRange free_range(const Sampler& sampler) {
   return {sampler.lod_min, sampler.lod_max};
 }
 
-/// Returns whether a filter, or the filter that it estimates, reads the levels of isotropic lookups.
+/// Returns whether a sampler's filter, or the filter that it estimates, reads the levels of isotropic lookups.
 bool is_isotropic(const Sampler& sampler) {
-  const shd_filter filter = sampler.filter == SHD_FILTER_STOCHASTIC ? sampler.stochastic_filter : sampler.filter;
-  return filter == SHD_FILTER_NEAREST_MIP || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
+  return reads_isotropic_levels(sampler.filter == SHD_FILTER_STOCHASTIC ? sampler.stochastic_filter : sampler.filter);
 }
 
 /// Finds the levels of detail that decide between magnification and minification: those of the filter if it is

@@ -7,6 +7,8 @@
 
 #include "core/simd_narrow.h"
 #include "core/status.h"
+#include "data/compare.h"
+#include "texture/format/formats.h"
 #include "texture/format/record.h"
 #include "texture/lookup/coarser.h"
 #include "texture/lookup/magnify.h"
@@ -51,11 +53,17 @@ RunFilter SliceFilterOf(shd_filter filter) {
   }
 }
 
+/// Returns the consumer of values.
+Consume ConsumerOf(const Texture& texture, const Sampler& sampler) {
+  if (HWY_UNLIKELY(sampler.compares)) return ComparedOf(texture.component);
+  return has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
+}
+
 /// Kernels of a 3D texture. kDeep: derivatives in w.
 void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
   Kernels& kernels = *out;
   kernels.run = SliceFilterOf(sampler.filter);
-  kernels.format.values = has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
+  kernels.format.values = ConsumerOf(texture, sampler);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(texture.component);
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
@@ -68,20 +76,17 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   if (HWY_UNLIKELY(is_placed)) out->place = has_tiles(texture) ? PlaceInTiles : PlaceInBlocks;
   if (HWY_UNLIKELY(texture.depth != 0)) return FindSliceKernels(texture, sampler, gradient, out);
   const image::Component component = texture.component;
-  const bool bordered = has_border(sampler);
   Kernels& kernels = *out;
+  kernels.format.values = ConsumerOf(texture, sampler);
+  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
     kernels.run = DirectionFilterOf(sampler.filter);
-    kernels.format.values = ValuesOf(component);
-    kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
     return;
   }
   kernels.run = FilterOf(sampler.filter);
-  kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
-  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient != Gradient::kNone) {
     kernels.format.gradient = GradientOf(component);
-  } else if (!bordered && !is_placed) {
+  } else if (!has_border(sampler) && !is_placed && !sampler.compares) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
   if (sampler.precision == SHD_PRECISION_FAST && !is_placed) {
@@ -213,11 +218,30 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
   if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
   return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr, nullptr);
 }
+
+/// Comparison lookups: the results in r, and constants in the other channels.
+[[gnu::noinline]] size_t sample_compared(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                         const Lookups& lookups, const Texels& out, Recording* recording) {
+  const uint32_t source = texture.channel_source[0];
+  Texels stored = {};
+  stored.coarser = out.coarser;
+  if (source != kFill) stored.channel[source] = out.channel[0];
+  const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);
+  for (size_t i = 0; source == kFill && out.channel[0] && i < lookups.count; ++i) {
+    const float reference = clamped_reference(texture.component, lookups.reference ? lookups.reference[i] : 0.0f);
+    out.channel[0][i] = passes(data::comparison_of(sampler.compare), reference, texture.fill[0]) ? 1.0f : 0.0f;
+  }
+  for (size_t c = 1; c < 4; ++c) {
+    if (out.channel[c]) std::fill_n(out.channel[c], lookups.count, c == 3 ? 1.0f : 0.0f);
+  }
+  return nonfinite;
+}
 }  // namespace
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
+  if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
   if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
   const Texels stored = stored_columns(texture, out);
   const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);

@@ -19,6 +19,7 @@ struct Recording;
 ///   trilinear  bound of bilinear, plus m 4e-6 for the level of detail
 ///   bicubic    m (3e-6 + 4e-6 (w + h)): slopes and lobes of the kernels are at most 5 times those of bilinear
 ///   mip        bound of nearest or bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
+///   nearest, two levels  bound of nearest on both levels, plus m 4e-6 for the level of detail
 ///   ripmap     bound of bilinear, plus m 8e-6 for the levels of detail
 ///   summed-area m (5e-7 + 2e-6 (w + h)) for the positions of the edges, each divided by the length of its side in
 ///              texels; if sums are doubles, plus m 2^-50 w h / (area of the box in texels) (summed_area.h)

@@ -61,11 +61,13 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.tolerance = desc.tolerance;
   sampler.profile = desc.profile;
   sampler.rounded_weights = has_rounded_weights(desc);
-  sampler.precision = desc.precision;
+  sampler.precision = desc.compares ? SHD_PRECISION_FULL : desc.precision;
   sampler.probe_slack = desc.probe_slack;
   sampler.level_steepness = desc.level_blend < 0x1p-24f ? 0.0f : 1.0f / desc.level_blend;
   sampler.stochastic = desc.stochastic;
   sampler.missing_tiles = desc.missing_tiles;
+  sampler.compares = desc.compares != 0;
+  sampler.compare = desc.compare;
   return sampler;
 }
 

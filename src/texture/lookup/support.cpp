@@ -29,15 +29,15 @@ constexpr Refusal kRefusals[] = {
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
      bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
     // Uses.
-    {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_STOCHASTIC), kAny, kAny, bits(Use::kGradients),
-     "its values have steps"},
+    {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_STOCHASTIC), kAny, kAny,
+     bits(Use::kGradients), "its values have steps"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kGradients),
      "it is not a tree of blends with derivatives"},
     {kAny, bits(Domain::kDirections), kAny, bits(Use::kGradients), "directions have no derivatives"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
           SHD_FILTER_EXACT),
-     kAny, kAny, bits(Use::kBounds), "no standard defines the filter"},
+     kAny, kAny, bits(Use::kBounds, Use::kComparison), "no standard defines the filter"},
     // Fixed point: the other cells have the values of SHD_PRECISION_FULL.
     {~bits(SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC), kAny, kAny,
      bits(Use::kFast), kFull},
@@ -80,7 +80,7 @@ const char* name_of(Store store) {
 }
 
 const char* name_of(Use use) {
-  constexpr const char* kNames[kUses] = {"values", "derivatives", "explanation", "bounds", "fixed point"};
+  constexpr const char* kNames[kUses] = {"values", "derivatives", "explanation", "bounds", "fixed point", "comparison"};
   return kNames[static_cast<uint32_t>(use)];
 }
 
@@ -98,6 +98,7 @@ const char* name_of(shd_filter filter) {
     case SHD_FILTER_EWA: return "EWA";
     case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
     case SHD_FILTER_EXACT: return "EXACT";
+    case SHD_FILTER_NEAREST_MIP_LINEAR: return "NEAREST_MIP_LINEAR";
     case SHD_FILTER_MAX_ENUM: break;
   }
   return "unknown";

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/read_desc.h"
+#include "data/compare.h"
 #include "texture/domain/lod.h"
 #include "texture/format/formats.h"
 #include "texture/format/record.h"
@@ -74,10 +75,14 @@ shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording
   out.border = tap.border;
   if (tap.border) {
     std::copy_n(sampler.border, texture.channels, out.value);
-    return out;
+  } else {
+    const uint8_t* const texel = reader->at(tap.first, level_size(texture.width, place.level_u), tap.x, tap.y);
+    for (size_t c = 0; c < texture.channels; ++c) out.value[c] = lerp_value(texture, texel, c, recording.finished_taps);
   }
-  const uint8_t* const texel = reader->at(tap.first, level_size(texture.width, place.level_u), tap.x, tap.y);
-  for (size_t c = 0; c < texture.channels; ++c) out.value[c] = lerp_value(texture, texel, c, recording.finished_taps);
+  if (sampler.compares && texture.channel_source[0] != kFill) {
+    float& value = out.value[texture.channel_source[0]];
+    value = passes(data::comparison_of(sampler.compare), recording.reference, value) ? 1.0f : 0.0f;
+  }
   return out;
 }
 
@@ -138,11 +143,14 @@ void explain(const core::Context& context, const Texture& given, const Sampler& 
   const Sampler taken = sampler_of(given, sampler, context.simd, lookups);
   const Texture& texture = read_by(given, taken.filter);
   Recording recording(context.allocator);
-  recording.finished_taps = has_border(texture, taken);
+  recording.finished_taps = has_border(texture, taken) || taken.compares;
+  recording.reference = clamped_reference(texture.component, lookups.reference ? lookups.reference[0] : 0.0f);
   sample(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
   out->filter = taken.filter;
-  for (size_t c = 0; c < 4; ++c) out->channel_source[c] = given.channel_source[c];
+  for (size_t c = 0; c < 4; ++c) {
+    out->channel_source[c] = taken.compares && c > 0 ? kFill : given.channel_source[c];
+  }
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   Sampler full = sampler;  // the tree of blends has no other precision
   full.precision = SHD_PRECISION_FULL;

@@ -15,10 +15,17 @@ struct Input {
   const char* name;
   shd_f32_in shd_lookups::*column;
 };
-constexpr Input kInputs[] = {{"u", &shd_lookups::u},       {"v", &shd_lookups::v},       {"w", &shd_lookups::w},
-                             {"dudx", &shd_lookups::dudx}, {"dvdx", &shd_lookups::dvdx}, {"dwdx", &shd_lookups::dwdx},
-                             {"dudy", &shd_lookups::dudy}, {"dvdy", &shd_lookups::dvdy}, {"dwdy", &shd_lookups::dwdy},
-                             {"lod", &shd_lookups::lod}};
+constexpr Input kInputs[] = {{"u", &shd_lookups::u},
+                             {"v", &shd_lookups::v},
+                             {"w", &shd_lookups::w},
+                             {"dudx", &shd_lookups::dudx},
+                             {"dvdx", &shd_lookups::dvdx},
+                             {"dwdx", &shd_lookups::dwdx},
+                             {"dudy", &shd_lookups::dudy},
+                             {"dvdy", &shd_lookups::dvdy},
+                             {"dwdy", &shd_lookups::dwdy},
+                             {"lod", &shd_lookups::lod},
+                             {"reference", &shd_lookups::reference}};
 
 bool is_known(const std::string& name) {
   for (const Input& input : kInputs) {

@@ -17,14 +17,17 @@ float32, or an image file that libshd_io reads. LOOKUPS is one of
   CSV           the first line names the columns
   .npy          a structured array, or [rows][columns] with --columns
   SHDLOOK1      this word, uint32 columns, uint64 rows, names of 16 bytes, columns of float32; little-endian
-Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod layer, and the results r g b a.
+Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod reference layer, and the results r g b a.
 
   --results FILE       results as a .npy array or an image of floats, row by row, in place of the columns r g b a
   --columns LIST       names of the columns of a .npy array [rows][columns]
   --rules NAME         vulkan (default), d3d11, webgpu or opengl
   --subtexel-bits N    --level-bits N    --weight-bits N    --result-bits N
   --coordinate-error X --derivative-error X --level-error X --relative-error X --srgb-error X
-  --filter NAME        nearest, bilinear, nearest-mip, bilinear-mip, trilinear (default) or anisotropic
+  --filter NAME        nearest, bilinear, nearest-mip, nearest-mip-linear, bilinear-mip, trilinear (default) or
+                       anisotropic
+  --compare NAME       compare reference NAME texel: less, less-equal, equal, greater-equal, greater, not-equal, always
+                       or never
   --wrap U[,V]         repeat (default), clamp, mirror, border or mirror-once
   --border R,G,B,A     --bias X  --lod-min X  --lod-max X  --max-anisotropy X
   --srgb               8-bit texels are sRGB
@@ -46,9 +49,17 @@ constexpr Name kRules[] = {{"vulkan", SHD_RULES_VULKAN},
                            {"d3d11", SHD_RULES_D3D11},
                            {"webgpu", SHD_RULES_WEBGPU},
                            {"opengl", SHD_RULES_OPENGL}};
-constexpr Name kFilters[] = {{"nearest", SHD_FILTER_NEAREST},         {"bilinear", SHD_FILTER_BILINEAR},
-                             {"nearest-mip", SHD_FILTER_NEAREST_MIP}, {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
-                             {"trilinear", SHD_FILTER_TRILINEAR},     {"anisotropic", SHD_FILTER_ANISOTROPIC}};
+constexpr Name kFilters[] = {{"nearest", SHD_FILTER_NEAREST},
+                             {"bilinear", SHD_FILTER_BILINEAR},
+                             {"nearest-mip", SHD_FILTER_NEAREST_MIP},
+                             {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
+                             {"trilinear", SHD_FILTER_TRILINEAR},
+                             {"anisotropic", SHD_FILTER_ANISOTROPIC},
+                             {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR}};
+constexpr Name kComparisons[] = {{"less", SHD_COMPARE_LESS},       {"less-equal", SHD_COMPARE_LESS_EQUAL},
+                                 {"equal", SHD_COMPARE_EQUAL},     {"greater-equal", SHD_COMPARE_GREATER_EQUAL},
+                                 {"greater", SHD_COMPARE_GREATER}, {"not-equal", SHD_COMPARE_NOT_EQUAL},
+                                 {"always", SHD_COMPARE_ALWAYS},   {"never", SHD_COMPARE_NEVER}};
 constexpr Name kWraps[] = {{"repeat", SHD_WRAP_REPEAT},
                            {"clamp", SHD_WRAP_CLAMP},
                            {"mirror", SHD_WRAP_MIRROR},
@@ -134,6 +145,9 @@ void set_option(const std::string& option, const std::string& text, Options* out
   if (option == "--rules") return;  // read before the numbers that change it
   if (option == "--filter") {
     out->sampler.filter = static_cast<shd_filter>(value_of(option, text, kFilters));
+  } else if (option == "--compare") {
+    out->sampler.compares = 1;
+    out->sampler.compare = static_cast<shd_compare>(value_of(option, text, kComparisons));
   } else if (option == "--wrap") {
     set_wrap(option, text, &out->sampler);
   } else if (option == "--border") {

@@ -94,6 +94,7 @@ void test_filters(void**) {
                {"no levels", none, linear, none, true, SHD_FILTER_BILINEAR, SHD_MAGNIFICATION_DEFAULT},
                {"nearest level", none, linear, nearest, false, SHD_FILTER_BILINEAR_MIP, SHD_MAGNIFICATION_DEFAULT},
                {"nearest both", none, nearest, nearest, false, SHD_FILTER_NEAREST_MIP, SHD_MAGNIFICATION_DEFAULT},
+               {"two levels", none, nearest, linear, false, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_MAGNIFICATION_DEFAULT},
                {"smooth near", linear, nearest, nearest, false, SHD_FILTER_NEAREST_MIP, SHD_MAGNIFICATION_BILINEAR},
                {"sharp near", nearest, linear, linear, false, SHD_FILTER_EWA, SHD_MAGNIFICATION_NEAREST}};
   shd_sampler_desc host = shd_sampler_desc_default();

@@ -173,8 +173,9 @@ void test_ripmap(void**) {
 
 /// Levels of the `lod` column have the bits of SHD_PROFILE_EXACT; so have the filters that the profile does not change.
 void test_unchanged(void**) {
-  const shd_filter by_lod[] = {SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
-                               SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA,          SHD_FILTER_STOCHASTIC};
+  const shd_filter by_lod[] = {SHD_FILTER_NEAREST_MIP,       SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
+                               SHD_FILTER_ANISOTROPIC,       SHD_FILTER_EWA,          SHD_FILTER_STOCHASTIC,
+                               SHD_FILTER_NEAREST_MIP_LINEAR};
   const shd_filter others[] = {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_EWA,
                                SHD_FILTER_EXACT};
   make_points(&t_batch);

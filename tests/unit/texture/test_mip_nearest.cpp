@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filters that read one mip level, and magnification: every format x wrap pair x size x target against the oracle.
+// The filters of the nearest mip level, nearest texels of two levels, and magnification: every format x wrap pair x
+// size x target against the oracle.
 #include "filter_cases.h"
 
 namespace {
@@ -18,6 +19,12 @@ const mip_case k_cases[] = {
     {"nearest_mip/128x32", SHD_FILTER_NEAREST_MIP, 128, 32},
     {"nearest_mip/1023x511", SHD_FILTER_NEAREST_MIP, 1023, 511},
     {"nearest_mip/4096x1", SHD_FILTER_NEAREST_MIP, 4096, 1},
+    {"nearest_mip_linear/1x1", SHD_FILTER_NEAREST_MIP_LINEAR, 1, 1},
+    {"nearest_mip_linear/1x7", SHD_FILTER_NEAREST_MIP_LINEAR, 1, 7},
+    {"nearest_mip_linear/5x3", SHD_FILTER_NEAREST_MIP_LINEAR, 5, 3},
+    {"nearest_mip_linear/128x32", SHD_FILTER_NEAREST_MIP_LINEAR, 128, 32},
+    {"nearest_mip_linear/1023x511", SHD_FILTER_NEAREST_MIP_LINEAR, 1023, 511},
+    {"nearest_mip_linear/4096x1", SHD_FILTER_NEAREST_MIP_LINEAR, 4096, 1},
     {"bilinear_mip/1x1", SHD_FILTER_BILINEAR_MIP, 1, 1},
     {"bilinear_mip/1x7", SHD_FILTER_BILINEAR_MIP, 1, 7},
     {"bilinear_mip/5x3", SHD_FILTER_BILINEAR_MIP, 5, 3},
@@ -55,6 +62,11 @@ void check_point(const mip_case& c, const ref::Image& image, const Batch& batch,
     bool found = false;
     for (const double slack : {0.0, -2e-6, 2e-6}) {
       const double lod = ref::clamp_lod(image, lambda_of(c, batch, i) + slack);
+      if (c.filter == SHD_FILTER_NEAREST_MIP_LINEAR) {
+        const double bound = 4e-6 * fmax(magnitude(image.format), 2);
+        found = found || ref::is_nearest_blend(image, lod, u, v, channel, got, bound);
+        continue;
+      }
       const int level = static_cast<int>(fmax(ceil(lod + 0.5) - 1, 0));
       found = found || matches(c, image, level, u, v, channel, got);
     }
@@ -97,6 +109,34 @@ void test_halfway(void**) {
   free_texture(texture);
 }
 
+/// A whole level of detail has the bits of the texel of its level, and tails the bits of the whole batch; a texel of
+/// share 0 has no effect even if it is NaN.
+void test_blend(void**) {
+  make_points(&t_batch);
+  for (size_t i = 0; i < kPoints; ++i) t_batch.lod[i] = static_cast<float>(i % 7);
+  memcpy(&t_near, &t_batch, sizeof t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 37, 24, true);
+    check_same_bits(*texture, wrap_desc(SHD_FILTER_NEAREST_MIP_LINEAR, 8), wrap_desc(SHD_FILTER_NEAREST_MIP, 8), true,
+                    &t_batch, &t_near);
+    free_texture(texture);
+  }
+  check_tails_of_formats(wrap_desc(SHD_FILTER_NEAREST_MIP_LINEAR, 3), true);
+  const float texels[] = {1, 1, 1, NAN};
+  Texture* texture = make_texture(SHD_FORMAT_R32F, 2, 2, reinterpret_cast<const uint8_t*>(texels), true);
+  t_batch.count = 3;
+  for (size_t i = 0; i < 3; ++i) {
+    t_batch.u[i] = t_batch.v[i] = 0.25f;
+    t_batch.lod[i] = 0.5f * static_cast<float>(i);
+  }
+  for_each_target([&](int64_t target) {
+    const Sampler sampler = make_sampler(wrap_desc(SHD_FILTER_NEAREST_MIP_LINEAR, 6));
+    run(*texture, sampler, target, t_batch.lookups(false, true), &t_batch);
+    assert_true(t_batch.out[0][0] == 1 && isnan(t_batch.out[0][1]) && isnan(t_batch.out[0][2]));
+  });
+  free_texture(texture);
+}
+
 struct magnification_case {
   const char* name;
   shd_filter filter;
@@ -110,6 +150,8 @@ const magnification_case k_magnifications[] = {
     {"magnification/trilinear_bicubic", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_BICUBIC, SHD_FILTER_BICUBIC, 0},
     {"magnification/nearest_bilinear", SHD_FILTER_NEAREST, SHD_MAGNIFICATION_BILINEAR, SHD_FILTER_BILINEAR, 0},
     {"magnification/nearest_mip_bicubic", SHD_FILTER_NEAREST_MIP, SHD_MAGNIFICATION_BICUBIC, SHD_FILTER_BICUBIC, 0},
+    {"magnification/nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_MAGNIFICATION_BILINEAR, SHD_FILTER_BILINEAR,
+     0},
     {"magnification/never_above_lod_min", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_NEAREST, SHD_FILTER_NEAREST, 0.5f},
 };
 
@@ -164,7 +206,7 @@ void test_magnification(void** state) {
 }  // namespace
 
 int main() {
-  CMUnitTest tests[24];
+  CMUnitTest tests[32];
   size_t n = 0;
   for (const mip_case& c : k_cases) {
     tests[n++] = {c.name, test_against_oracle, nullptr, nullptr, const_cast<mip_case*>(&c)};
@@ -172,6 +214,7 @@ int main() {
   for (const magnification_case& c : k_magnifications) {
     tests[n++] = {c.name, test_magnification, nullptr, nullptr, const_cast<magnification_case*>(&c)};
   }
+  tests[n++] = {"blend", test_blend, nullptr, nullptr, nullptr};
   tests[n++] = {"halfway", test_halfway, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.mip_nearest", tests, n, nullptr, nullptr);
 }

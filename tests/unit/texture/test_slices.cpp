@@ -120,6 +120,23 @@ bool is_near_texel(const ref::Solid& solid, const SolidSize& size, const int (&l
   return false;
 }
 
+/// Whether a value is a blend of texels of the two levels around a final level of detail, within the error of their
+/// positions.
+bool is_near_blend(const ref::Solid& solid, const SolidSize& size, double lod, const ref::Place& p, int c, double got,
+                   double tolerance) {
+  const double slack[] = {0, -4e-7, 4e-7}, s = lod - floor(lod);
+  const int high = static_cast<int>(floor(lod)), low = high + 1 < solid.level_count ? high + 1 : high;
+  const auto texel_at = [&](int level, int k) {
+    return ref::nearest_on(solid, level, p,
+                           {slack[k % 3] * size.width, slack[k / 3 % 3] * size.height, slack[k / 9] * size.depth}, c);
+  };
+  for (int k = 0; k < 27 * 27; ++k) {
+    const double a = texel_at(high, k % 27);
+    if (shd_is_close(got, s == 0 ? a : (1 - s) * a + s * texel_at(low, k / 27), tolerance, 0)) return true;
+  }
+  return false;
+}
+
 /// Whether a value is that of a filter, for the level of detail `lod` (of the probes for ANISOTROPIC).
 bool matches(const ref::Solid& solid, const SolidSize& size, const ref::Place& p, const ref::Spread& s, double lod,
              int c, double got) {
@@ -132,6 +149,10 @@ bool matches(const ref::Solid& solid, const SolidSize& size, const ref::Place& p
   switch (sampler.filter) {
     case SHD_FILTER_NEAREST: return is_near_texel(solid, size, {0, 0}, p, c, got);
     case SHD_FILTER_NEAREST_MIP: return is_near_texel(solid, size, level, p, c, got);
+    case SHD_FILTER_NEAREST_MIP_LINEAR:
+      return is_near_blend(solid, size, clamped, p, c, got, 4e-6 * m) ||
+             is_near_blend(solid, size, ref::clamp_lod(solid, lod - 2e-6), p, c, got, 4e-6 * m) ||
+             is_near_blend(solid, size, ref::clamp_lod(solid, lod + 2e-6), p, c, got, 4e-6 * m);
     case SHD_FILTER_BILINEAR: return shd_is_close(got, ref::linear(solid, 0, p, c), linear, 0);
     case SHD_FILTER_BILINEAR_MIP:
       return shd_is_close(got, ref::linear(solid, level[0], p, c), linear, 0) ||
@@ -172,8 +193,9 @@ void check_solid(const Texture& texture, const SolidSize& size, const shd_sample
 
 void test_oracle(void** state) {
   const auto& size = *static_cast<const SolidSize*>(*state);
-  const shd_filter filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC};
+  const shd_filter filters[] = {SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
+                                SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
+                                SHD_FILTER_NEAREST_MIP_LINEAR};
   make_places(&t_batch);
   uint32_t triple = 0;
   for (const shd_format format : k_solid_formats) {
@@ -195,7 +217,8 @@ void test_one_slice(void**) {
     Texture *solid = build_solid(solid_desc(format, size, texels)), *flat = make_texture(format, 37, 20, texels, true);
     assert_int_equal(solid->level_count, flat->level_count);
     assert_memory_equal(solid->texels.data(), flat->texels.data(), flat->texels.size());
-    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+    for (const shd_filter filter :
+         {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_NEAREST_MIP_LINEAR}) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = filter;
       desc.wrap_w = SHD_WRAP_MIRROR;
@@ -215,7 +238,8 @@ void test_one_slice(void**) {
 /// Every tail length gives the bits of the whole batch and writes nothing after it.
 void test_tails(void**) {
   const SolidSize size = {"", 9, 6, 5};
-  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC}) {
+  for (const shd_filter filter :
+       {SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_NEAREST_MIP_LINEAR}) {
     Texture* texture = random_solid(SHD_FORMAT_RGBA8, size);
     const Sampler sampler = make_sampler(solid_sampler(filter, 3));
     make_places(&t_batch);

@@ -19,10 +19,11 @@ namespace {
 
 using namespace shd::texture;
 
-constexpr shd_filter kFilters[] = {SHD_FILTER_NEAREST,     SHD_FILTER_BILINEAR,     SHD_FILTER_BICUBIC,
-                                   SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
-                                   SHD_FILTER_RIPMAP,      SHD_FILTER_SUMMED_AREA,  SHD_FILTER_ANISOTROPIC,
-                                   SHD_FILTER_EWA,         SHD_FILTER_STOCHASTIC,   SHD_FILTER_EXACT};
+constexpr shd_filter kFilters[] = {
+    SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_BICUBIC,    SHD_FILTER_NEAREST_MIP,
+    SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_RIPMAP,     SHD_FILTER_SUMMED_AREA,
+    SHD_FILTER_ANISOTROPIC,       SHD_FILTER_EWA,       SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT,
+    SHD_FILTER_NEAREST_MIP_LINEAR};
 
 template <class Body>
 void for_each_cell(const Body& body) {
@@ -244,7 +245,8 @@ void check_values(const SupportCell& cell, const Lookups& lookups) {
                   *const last = &lookups.out[8 + c][i];
       const float wanted =
           c == 3 && cell.store != Store::kBlocks && cell.store != Store::kTilesOfBlocks ? 132.0f / 255.0f : want[c];
-      bool right = std::fabs(value - wanted) <= slack;
+      const bool compares = cell.use == Use::kComparison;  // 0 < texel
+      bool right = compares ? value == (c == 0 || c == 3 ? 1.0f : 0.0f) : std::fabs(value - wanted) <= slack;
       if (cell.use == Use::kGradients) right = right && *other == 0.0f && *last == 0.0f;
       if (cell.use == Use::kExplanation) right = right && *other == value;
       if (cell.use == Use::kBounds) right = right && *other <= value && value <= *last && *last - *other <= 0.03f;
@@ -276,6 +278,7 @@ void check_cell(const SupportCell& cell, shd_context* context, shd_tile_cache* c
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = cell.filter;
   desc.tolerance = 1.0f;
+  desc.compares = cell.use == Use::kComparison;
   desc.precision = cell.use == Use::kFast ? SHD_PRECISION_FAST : SHD_PRECISION_FULL;
   shd_sampler* sampler = nullptr;
   shd_texture* texture = nullptr;

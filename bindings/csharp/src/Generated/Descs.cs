@@ -711,6 +711,8 @@ namespace Shd
         public Column<float> Dwdx;
         /// <summary>dw/dy; absent = 0</summary>
         public Column<float> Dwdy;
+        /// <summary>compared with texels by samplers with `compares`; absent = 0</summary>
+        public Column<float> Reference;
 
         /// <summary>The struct of C for a call. `rows` is the given length of columns, or -1.</summary>
         internal Native.Lookups Build(Call call, string name, long rows = -1)
@@ -728,6 +730,7 @@ namespace Shd
             made.W = call.F32In(W, name, "W", ref rows);
             made.Dwdx = call.F32In(Dwdx, name, "Dwdx", ref rows);
             made.Dwdy = call.F32In(Dwdy, name, "Dwdy", ref rows);
+            made.Reference = call.F32In(Reference, name, "Reference", ref rows);
             made.Count = Math.Max(rows, 0);
             return made;
         }
@@ -2177,8 +2180,8 @@ namespace Shd
 
         /// <summary>
         /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-        /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
-        /// and the caller gives its levels
+        /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+        /// kept decoded
         /// </summary>
         public Format Format { get { return Fields.Format; } set { Fields.Format = value; } }
         /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>

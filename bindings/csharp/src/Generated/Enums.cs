@@ -965,27 +965,6 @@ namespace Shd
         Front = 2,
     }
 
-    /// <summary>Depth test: the depths z that pass against the depth d of a sample. NaN never passes.</summary>
-    public enum Compare
-    {
-        /// <summary>z &lt; d</summary>
-        Less = 0,
-        /// <summary>z &lt;= d</summary>
-        LessEqual = 1,
-        /// <summary>z = d</summary>
-        Equal = 2,
-        /// <summary>z &gt;= d</summary>
-        GreaterEqual = 3,
-        /// <summary>z &gt; d, for depth that decreases with the distance (clear_depth 0)</summary>
-        Greater = 4,
-        /// <summary>z != d</summary>
-        NotEqual = 5,
-        /// <summary>every z</summary>
-        Always = 6,
-        /// <summary>none</summary>
-        Never = 7,
-    }
-
     /// <summary>Options of a draw; combine with |.</summary>
     [Flags]
     public enum DrawFlags : uint
@@ -1147,17 +1126,22 @@ namespace Shd
         /// texels. Slow.
         /// </summary>
         Exact = 11,
+        /// <summary>
+        /// The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
+        /// VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
+        /// </summary>
+        NearestMipLinear = 12,
     }
 
     /// <summary>
-    /// Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below, and
-    /// where the footprint of all other filters is at most one texel long.
+    /// Filter for magnification: where the level of detail of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP and TRILINEAR is
+    /// 0 or below, and where the footprint of all other filters is at most one texel long.
     /// </summary>
     public enum Magnification
     {
         /// <summary>
-        /// the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
-        /// BICUBIC, bilinear for all others
+        /// the default of the filter: nearest for NEAREST, NEAREST_MIP and
+        /// NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others
         /// </summary>
         Default = 0,
         /// <summary>Filter.Nearest</summary>
@@ -1201,7 +1185,8 @@ namespace Shd
     }
 
     /// <summary>
-    /// Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
+    /// Definition of the level of detail, the levels and the probes of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP,
+    /// TRILINEAR and ANISOTROPIC.
     ///
     /// LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the same
     /// in all profiles, because EWA, SUMMED_AREA and EXACT have the least error as they are.
@@ -1309,6 +1294,30 @@ namespace Shd
         /// If no tile of any level is resident, the result is 0. Texels has the column `coarser`.
         /// </summary>
         Coarser = 1,
+    }
+
+    /// <summary>
+    /// Comparisons `z OP d`: of a depth z with the depth d of a sample in depth tests, or of a reference z with a texel d in
+    /// comparison lookups (SamplerDesc.compares). If z or d is NaN, every comparison except ALWAYS is false.
+    /// </summary>
+    public enum Compare
+    {
+        /// <summary>z &lt; d</summary>
+        Less = 0,
+        /// <summary>z &lt;= d</summary>
+        LessEqual = 1,
+        /// <summary>z = d</summary>
+        Equal = 2,
+        /// <summary>z &gt;= d</summary>
+        GreaterEqual = 3,
+        /// <summary>z &gt; d, for depth that decreases with the distance (clear_depth 0)</summary>
+        Greater = 4,
+        /// <summary>z &lt; d or z &gt; d</summary>
+        NotEqual = 5,
+        /// <summary>true</summary>
+        Always = 6,
+        /// <summary>false</summary>
+        Never = 7,
     }
 
     /// <summary>Options of a load; combine with |.</summary>

@@ -164,7 +164,7 @@ namespace Shd
         public float Weight;
         /// <summary>
         /// stored channels as the blends read them: unorm channels as integers, unless a wrap is
-        /// Wrap.Border
+        /// Wrap.Border; comparison lookups: 0 or 1 in the channel of r
         /// </summary>
         public Float4 Value;
         /// <summary>slice of a 3D texture, after wrapping; else 0</summary>
@@ -500,9 +500,10 @@ namespace Shd
         /// </summary>
         public float ProbeSlack;
         /// <summary>
-        /// Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-        /// 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
-        /// level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+        /// Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
+        /// EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
+        /// clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level
+        /// is read.
         /// </summary>
         public float LevelBlend;
         /// <summary>random choice of Filter.Stochastic; default Stochastic.Texel</summary>
@@ -511,6 +512,23 @@ namespace Shd
         public Wrap WrapW;
         /// <summary>default MissingTiles.Wait</summary>
         public MissingTiles MissingTiles;
+        /// <summary>
+        /// 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves, Salesin
+        /// and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0. Each
+        /// texel that the filter reads becomes 1 if the comparison of the lookup's `reference` with it is true, else 0. The
+        /// filter blends these numbers. The result is in r; g and b are 0, and a is 1.
+        ///
+        /// A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside with
+        /// Wrap.Border have the border colour. Formats without floats clamp the reference to [0, 1]. Numbers are
+        /// compared as floats, after sRGB is decoded.
+        ///
+        /// Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
+        /// textures. Other filters, derivatives, and samplers of materials, lights and tessellations return
+        /// Result.ErrorUnsupported. Precision.Fast has no effect.
+        /// </summary>
+        public uint Compares;
+        /// <summary>comparison of these lookups; default Compare.Less</summary>
+        public Compare Compare;
 
         /// <summary>The defaults of the library.</summary>
         public static SamplerDesc Default
@@ -976,7 +994,7 @@ namespace Shd
     {
         /// <summary>set by shd_tile_region_default()</summary>
         public uint StructSize;
-        /// <summary>0..layers - 1; default 0</summary>
+        /// <summary>layer, face, or slice of the level of a 3D texture; default 0</summary>
         public uint Layer;
         /// <summary>0..level_count - 1; default 0</summary>
         public uint Level;

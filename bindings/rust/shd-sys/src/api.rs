@@ -1332,38 +1332,6 @@ pub const SHD_CULL_BACK: shd_cull = shd_cull::BACK;
 pub const SHD_CULL_FRONT: shd_cull = shd_cull::FRONT;
 names!(shd_cull: NONE, BACK, FRONT);
 
-/// Depth test: the depths z that pass against the depth d of a sample. NaN never passes.
-#[repr(transparent)]
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
-pub struct shd_compare(pub u32);
-impl shd_compare {
-    /// z \< d
-    pub const LESS: Self = Self(0);
-    /// z \<= d
-    pub const LESS_EQUAL: Self = Self(1);
-    /// z = d
-    pub const EQUAL: Self = Self(2);
-    /// z >= d
-    pub const GREATER_EQUAL: Self = Self(3);
-    /// z > d, for depth that decreases with the distance (clear_depth 0)
-    pub const GREATER: Self = Self(4);
-    /// z != d
-    pub const NOT_EQUAL: Self = Self(5);
-    /// every z
-    pub const ALWAYS: Self = Self(6);
-    /// none
-    pub const NEVER: Self = Self(7);
-}
-pub const SHD_COMPARE_LESS: shd_compare = shd_compare::LESS;
-pub const SHD_COMPARE_LESS_EQUAL: shd_compare = shd_compare::LESS_EQUAL;
-pub const SHD_COMPARE_EQUAL: shd_compare = shd_compare::EQUAL;
-pub const SHD_COMPARE_GREATER_EQUAL: shd_compare = shd_compare::GREATER_EQUAL;
-pub const SHD_COMPARE_GREATER: shd_compare = shd_compare::GREATER;
-pub const SHD_COMPARE_NOT_EQUAL: shd_compare = shd_compare::NOT_EQUAL;
-pub const SHD_COMPARE_ALWAYS: shd_compare = shd_compare::ALWAYS;
-pub const SHD_COMPARE_NEVER: shd_compare = shd_compare::NEVER;
-names!(shd_compare: LESS, LESS_EQUAL, EQUAL, GREATER_EQUAL, GREATER, NOT_EQUAL, ALWAYS, NEVER);
-
 /// Options of a draw; combine with |.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -1551,6 +1519,9 @@ impl shd_filter {
     /// it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
     /// texels. Slow.
     pub const EXACT: Self = Self(11);
+    /// The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
+    /// VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
+    pub const NEAREST_MIP_LINEAR: Self = Self(12);
 }
 pub const SHD_FILTER_TRILINEAR: shd_filter = shd_filter::TRILINEAR;
 pub const SHD_FILTER_NEAREST: shd_filter = shd_filter::NEAREST;
@@ -1564,16 +1535,17 @@ pub const SHD_FILTER_ANISOTROPIC: shd_filter = shd_filter::ANISOTROPIC;
 pub const SHD_FILTER_EWA: shd_filter = shd_filter::EWA;
 pub const SHD_FILTER_STOCHASTIC: shd_filter = shd_filter::STOCHASTIC;
 pub const SHD_FILTER_EXACT: shd_filter = shd_filter::EXACT;
-names!(shd_filter: TRILINEAR, NEAREST, BILINEAR, BICUBIC, NEAREST_MIP, BILINEAR_MIP, RIPMAP, SUMMED_AREA, ANISOTROPIC, EWA, STOCHASTIC, EXACT);
+pub const SHD_FILTER_NEAREST_MIP_LINEAR: shd_filter = shd_filter::NEAREST_MIP_LINEAR;
+names!(shd_filter: TRILINEAR, NEAREST, BILINEAR, BICUBIC, NEAREST_MIP, BILINEAR_MIP, RIPMAP, SUMMED_AREA, ANISOTROPIC, EWA, STOCHASTIC, EXACT, NEAREST_MIP_LINEAR);
 
-/// Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below, and
-/// where the footprint of all other filters is at most one texel long.
+/// Filter for magnification: where the level of detail of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP and TRILINEAR is
+/// 0 or below, and where the footprint of all other filters is at most one texel long.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct shd_magnification(pub u32);
 impl shd_magnification {
-    /// the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
-    /// BICUBIC, bilinear for all others
+    /// the default of the filter: nearest for NEAREST, NEAREST_MIP and
+    /// NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others
     pub const DEFAULT: Self = Self(0);
     /// SHD_FILTER_NEAREST
     pub const NEAREST: Self = Self(1);
@@ -1634,7 +1606,8 @@ pub const SHD_BOX_BOUNDING: shd_box = shd_box::BOUNDING;
 pub const SHD_BOX_ORIENTED: shd_box = shd_box::ORIENTED;
 names!(shd_box: BOUNDING, ORIENTED);
 
-/// Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
+/// Definition of the level of detail, the levels and the probes of NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP,
+/// TRILINEAR and ANISOTROPIC.
 ///
 /// LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the same
 /// in all profiles, because EWA, SUMMED_AREA and EXACT have the least error as they are.
@@ -1749,6 +1722,39 @@ impl shd_missing_tiles {
 pub const SHD_MISSING_TILES_WAIT: shd_missing_tiles = shd_missing_tiles::WAIT;
 pub const SHD_MISSING_TILES_COARSER: shd_missing_tiles = shd_missing_tiles::COARSER;
 names!(shd_missing_tiles: WAIT, COARSER);
+
+/// Comparisons `z OP d`: of a depth z with the depth d of a sample in depth tests, or of a reference z with a texel d in
+/// comparison lookups (shd_sampler_desc.compares). If z or d is NaN, every comparison except ALWAYS is false.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct shd_compare(pub u32);
+impl shd_compare {
+    /// z \< d
+    pub const LESS: Self = Self(0);
+    /// z \<= d
+    pub const LESS_EQUAL: Self = Self(1);
+    /// z = d
+    pub const EQUAL: Self = Self(2);
+    /// z >= d
+    pub const GREATER_EQUAL: Self = Self(3);
+    /// z > d, for depth that decreases with the distance (clear_depth 0)
+    pub const GREATER: Self = Self(4);
+    /// z \< d or z > d
+    pub const NOT_EQUAL: Self = Self(5);
+    /// true
+    pub const ALWAYS: Self = Self(6);
+    /// false
+    pub const NEVER: Self = Self(7);
+}
+pub const SHD_COMPARE_LESS: shd_compare = shd_compare::LESS;
+pub const SHD_COMPARE_LESS_EQUAL: shd_compare = shd_compare::LESS_EQUAL;
+pub const SHD_COMPARE_EQUAL: shd_compare = shd_compare::EQUAL;
+pub const SHD_COMPARE_GREATER_EQUAL: shd_compare = shd_compare::GREATER_EQUAL;
+pub const SHD_COMPARE_GREATER: shd_compare = shd_compare::GREATER;
+pub const SHD_COMPARE_NOT_EQUAL: shd_compare = shd_compare::NOT_EQUAL;
+pub const SHD_COMPARE_ALWAYS: shd_compare = shd_compare::ALWAYS;
+pub const SHD_COMPARE_NEVER: shd_compare = shd_compare::NEVER;
+names!(shd_compare: LESS, LESS_EQUAL, EQUAL, GREATER_EQUAL, GREATER, NOT_EQUAL, ALWAYS, NEVER);
 
 /// Options of a load; combine with |.
 #[repr(transparent)]
@@ -2560,7 +2566,9 @@ pub type shd_scene_desc_find_fn = Option<unsafe extern "C" fn(user_data: *mut c_
 /// for scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
-/// Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
+/// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a compressed
+/// texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The cache keeps
+/// them decoded. It is called without a lock, from
 /// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
 /// another. It may call shd: see the rules above.
 /// @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
@@ -3016,7 +3024,7 @@ pub struct shd_tap {
     /// share of the result; the weights of all taps sum to 1 up to rounding
     pub weight: f32,
     /// stored channels as the blends read them: unorm channels as integers, unless a wrap is
-    /// SHD_WRAP_BORDER
+    /// SHD_WRAP_BORDER; comparison lookups: 0 or 1 in the channel of r
     pub value: [f32; 4],
     /// slice of a 3D texture, after wrapping; else 0
     pub z: u32,
@@ -3076,7 +3084,7 @@ pub struct shd_explanation {
     pub scale_high: [f32; 4],
     /// written: lower bits of that factor
     pub scale_low: [f32; 4],
-    /// Written: the stored channel of r, g, b, a of the result; 4 = the texture's `fill`.
+    /// Written: the stored channel of r, g, b, a of the result; 4 = a constant: `fill`, or 0, 0, 1 of comparisons.
     pub channel_source: [u32; 4],
     /// Written: longer half axis of the footprint's ellipse, u and v in base-level texels, width and blur included;
     /// (2^lod, 0) if the lookup has a level of detail. At most 2^100 long. 3D textures: the first two components.
@@ -3570,9 +3578,11 @@ pub struct shd_lookups {
     pub dwdx: shd_f32_in,
     /// dw/dy; absent = 0
     pub dwdy: shd_f32_in,
+    /// compared with texels by samplers with `compares`; absent = 0
+    pub reference: shd_f32_in,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_lookups>() == 208);
+const _: () = assert!(core::mem::size_of::<shd_lookups>() == 224);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_lookups>() == 8);
 init!(shd_lookups, SHD_DESC_KIND_LOOKUPS);
@@ -4517,9 +4527,10 @@ pub struct shd_sampler_desc {
     /// added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
     /// probes.
     pub probe_slack: f32,
-    /// Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-    /// 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
-    /// level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+    /// Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
+    /// EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
+    /// clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level
+    /// is read.
     pub level_blend: f32,
     /// random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL
     pub stochastic: shd_stochastic,
@@ -4527,9 +4538,24 @@ pub struct shd_sampler_desc {
     pub wrap_w: shd_wrap,
     /// default SHD_MISSING_TILES_WAIT
     pub missing_tiles: shd_missing_tiles,
+    /// 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves, Salesin
+    /// and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0. Each
+    /// texel that the filter reads becomes 1 if the comparison of the lookup's `reference` with it is true, else 0. The
+    /// filter blends these numbers. The result is in r; g and b are 0, and a is 1.
+    ///
+    /// A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside with
+    /// SHD_WRAP_BORDER have the border colour. Formats without floats clamp the reference to \[0, 1\]. Numbers are
+    /// compared as floats, after sRGB is decoded.
+    ///
+    /// Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
+    /// textures. Other filters, derivatives, and samplers of materials, lights and tessellations return
+    /// SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect.
+    pub compares: u32,
+    /// comparison of these lookups; default SHD_COMPARE_LESS
+    pub compare: shd_compare,
 }
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(core::mem::size_of::<shd_sampler_desc>() == 124);
+const _: () = assert!(core::mem::size_of::<shd_sampler_desc>() == 132);
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(core::mem::align_of::<shd_sampler_desc>() == 4);
 init!(shd_sampler_desc, SHD_DESC_KIND_SAMPLER_DESC);
@@ -4994,8 +5020,8 @@ pub struct shd_texture_desc {
     /// set by shd_texture_desc_default()
     pub struct_size: u32,
     /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-    /// and the caller gives its levels
+    /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+    /// kept decoded
     pub format: shd_format,
     /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
@@ -5037,12 +5063,13 @@ pub struct shd_texture_desc {
     /// `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
     pub projection: shd_projection,
     /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-    /// the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
-    /// `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
-    /// most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
-    /// NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
-    /// texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
-    /// give SHD_ERROR_UNSUPPORTED.
+    /// and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and layers
+    /// at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture is
+    /// made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+    /// number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
+    /// fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
+    /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says about
+    /// missing tiles.
     pub tiles: shd_tile_source,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5164,7 +5191,7 @@ init!(shd_tile_cache_desc, SHD_DESC_KIND_TILE_CACHE_DESC);
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct shd_tile {
-    /// layer of the texture
+    /// layer, face, or slice of the level of a 3D texture
     pub layer: u32,
     /// 0 = the base level
     pub level: u32,
@@ -5176,9 +5203,9 @@ pub struct shd_tile {
     pub width: u32,
     /// rows to write; fewer at the lower edge
     pub height: u32,
-    /// \[height\] rows, `row_stride` apart; aligned to 64 bytes; content undefined
+    /// rows of texels or of blocks, `row_stride` apart; aligned to 64 bytes; content undefined
     pub texels: *mut c_void,
-    /// bytes between rows
+    /// bytes between rows of texels or of blocks
     pub row_stride: usize,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5297,7 +5324,7 @@ init!(shd_tile_file_info, SHD_DESC_KIND_TILE_FILE_INFO);
 pub struct shd_tile_region {
     /// set by shd_tile_region_default()
     pub struct_size: u32,
-    /// 0..layers - 1; default 0
+    /// layer, face, or slice of the level of a 3D texture; default 0
     pub layer: u32,
     /// 0..level_count - 1; default 0
     pub level: u32,

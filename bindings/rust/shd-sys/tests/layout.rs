@@ -423,6 +423,7 @@ fn shd_lookups_offsets() {
     offset!(shd_lookups, w, 160);
     offset!(shd_lookups, dwdx, 176);
     offset!(shd_lookups, dwdy, 192);
+    offset!(shd_lookups, reference, 208);
 }
 
 #[test]
@@ -800,6 +801,8 @@ fn shd_sampler_desc_offsets() {
     offset!(shd_sampler_desc, stochastic, 112);
     offset!(shd_sampler_desc, wrap_w, 116);
     offset!(shd_sampler_desc, missing_tiles, 120);
+    offset!(shd_sampler_desc, compares, 124);
+    offset!(shd_sampler_desc, compare, 128);
 }
 
 #[test]

@@ -201,8 +201,8 @@ impl Default for ContextDesc {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureDesc {
     /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-    /// and the caller gives its levels
+    /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+    /// kept decoded
     pub format: Format,
     /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
@@ -393,9 +393,10 @@ pub struct SamplerDesc {
     /// added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
     /// probes.
     pub probe_slack: f32,
-    /// Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
-    /// 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
-    /// level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+    /// Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
+    /// EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
+    /// clamp((f - 1/2) / level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level
+    /// is read.
     pub level_blend: f32,
     /// random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL
     pub stochastic: Stochastic,
@@ -403,6 +404,21 @@ pub struct SamplerDesc {
     pub wrap_w: Wrap,
     /// default SHD_MISSING_TILES_WAIT
     pub missing_tiles: MissingTiles,
+    /// 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves, Salesin
+    /// and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0. Each
+    /// texel that the filter reads becomes 1 if the comparison of the lookup's `reference` with it is true, else 0. The
+    /// filter blends these numbers. The result is in r; g and b are 0, and a is 1.
+    ///
+    /// A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside with
+    /// SHD_WRAP_BORDER have the border colour. Formats without floats clamp the reference to \[0, 1\]. Numbers are
+    /// compared as floats, after sRGB is decoded.
+    ///
+    /// Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
+    /// textures. Other filters, derivatives, and samplers of materials, lights and tessellations return
+    /// SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect.
+    pub compares: u32,
+    /// comparison of these lookups; default SHD_COMPARE_LESS
+    pub compare: Compare,
 }
 impl SamplerDesc {
     #[allow(dead_code)]
@@ -435,6 +451,8 @@ impl SamplerDesc {
         raw.stochastic = self.stochastic;
         raw.wrap_w = self.wrap_w;
         raw.missing_tiles = self.missing_tiles;
+        raw.compares = self.compares;
+        raw.compare = self.compare;
         raw
     }
     #[allow(dead_code)]
@@ -467,6 +485,8 @@ impl SamplerDesc {
             stochastic: raw.stochastic,
             wrap_w: raw.wrap_w,
             missing_tiles: raw.missing_tiles,
+            compares: raw.compares,
+            compare: raw.compare,
         }
     }
 }
@@ -2299,7 +2319,7 @@ impl Default for TileCacheStats {
 /// A rectangle of a level. Required: width, height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TileRegion {
-    /// 0..layers - 1; default 0
+    /// layer, face, or slice of the level of a 3D texture; default 0
     pub layer: u32,
     /// 0..level_count - 1; default 0
     pub level: u32,

@@ -70,6 +70,7 @@ impl<'a> Lookups<'a> {
         w: Column<'a>, shd_f32_in, "Third coordinate of a 3D texture or a direction.";
         dwdx: Column<'a>, shd_f32_in, "dw/dx per pixel step.";
         dwdy: Column<'a>, shd_f32_in, "dw/dy per pixel step.";
+        reference: Column<'a>, shd_f32_in, "Compared with texels by samplers with `compares`.";
     }
 
     /// Number of points.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "texture/format/formats.h"
+#include "texture/oracle/bounds/compare.h"
 #include "texture/oracle/bounds/directions.h"
 #include "texture/oracle/bounds/filters.h"
 
@@ -110,19 +112,25 @@ float round_down(double x) {
 
 /// The error of results. Rounding to `result_step` moves values of unorm formats only.
 Range with_result_error(const BoundsCall& call, const Range& range) {
-  const bool floats =
-      call.texture.component == image::Component::kFloat16 || call.texture.component == image::Component::kFloat32;
+  const bool floats = !call.sampler.compares && is_float(call.texture.component);
   const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
   if (!std::isfinite(largest)) return range;
   const double error = call.model.relative_error * largest + (floats ? 0.0 : call.model.result_step);
   return widened(range, error + 1e-13 * largest);
 }
 
+/// Returns the range of an output. Comparison lookups give (r, 0, 0, 1).
+Range result_range(const BoundsCall& call, const Color& color, int c) {
+  const bool compares = call.sampler.compares;
+  const uint32_t source = compares && c > 0 ? kFill : call.texture.channel_source[c];
+  if (source != kFill) return with_result_error(call, color.channel[source]);
+  const double fill = !compares || c == 0 ? static_cast<double>(call.texture.fill[c]) : c == 3 ? 1.0 : 0.0;
+  return compares && c == 0 ? compared_range(call.sampler, call.reference, {fill, fill}) : Range{fill, fill};
+}
+
 void store(const BoundsCall& call, const Color& color, size_t i, float* const (&lower)[4], float* const (&upper)[4]) {
   for (int c = 0; c < 4; ++c) {
-    const uint32_t source = call.texture.channel_source[c];
-    const auto fill = static_cast<double>(call.texture.fill[c]);
-    const Range range = source == kFill ? Range{fill, fill} : with_result_error(call, color.channel[source]);
+    const Range range = result_range(call, color, c);
     if (lower[c]) lower[c][i] = round_down(range.low);
     if (upper[c]) upper[c][i] = -round_down(-range.high);
   }
@@ -133,9 +141,9 @@ void store(const BoundsCall& call, const Color& color, size_t i, float* const (&
 size_t find_bounds(const Texture& texture, const Sampler& sampler, const BoundsModel& model, const Lookups& lookups,
                    float* const (&lower)[4], float* const (&upper)[4]) {
   TexelReader reader(texture);
-  const BoundsCall call = {texture, sampler, model, reader};
   size_t nonfinite = 0;
   for (size_t i = 0; i < lookups.count; ++i) {
+    const BoundsCall call = {texture, sampler, model, reader, reference_range(texture, lookups, i)};
     const Lookup lookup = load(texture, lookups, i);
     nonfinite += !lookup.finite;
     store(call, legal_values(call, lookup), i, lower, upper);

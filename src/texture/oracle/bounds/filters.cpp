@@ -64,6 +64,7 @@ void add_minified(const BoundsCall& call, const Place& place, const BoundsFootpr
       return add_blended_levels(
           call, levels,
           [&](uint32_t level) {
+            if (call.sampler.filter == SHD_FILTER_NEAREST_MIP_LINEAR) return nearest_at(call, place, level);
             if (!probes) return linear_at(call, place, level);
             Color color;
             add_probes(call, level, place, footprint, &color);
@@ -73,10 +74,11 @@ void add_minified(const BoundsCall& call, const Place& place, const BoundsFootpr
   }
 }
 
-/// The filter for magnification of NEAREST_MIP is NEAREST by default, and BILINEAR of all others with levels.
+/// The filter for magnification of filters of nearest texels is NEAREST by default, and BILINEAR of all others.
 bool magnifies_linear(const Sampler& sampler) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sampler.magnification == SHD_MAGNIFICATION_BILINEAR;
-  return sampler.filter != SHD_FILTER_NEAREST && sampler.filter != SHD_FILTER_NEAREST_MIP;
+  return sampler.filter != SHD_FILTER_NEAREST && sampler.filter != SHD_FILTER_NEAREST_MIP &&
+         sampler.filter != SHD_FILTER_NEAREST_MIP_LINEAR;
 }
 
 }  // namespace

@@ -10,12 +10,13 @@
 
 namespace shd::texture {
 
-/// Texture, sampler and precision of a call, and the reader of its texels.
+/// Texture, sampler and precision of a call, the reader of its texels, and the reference of a lookup.
 struct BoundsCall {
   const Texture& texture;
   const Sampler& sampler;
   const BoundsModel& model;
   TexelReader& reader;
+  Range reference;  // reference of the lookup, of comparison lookups
 };
 
 /// One level of one layer, of one face of a cube, or of a 3D texture.
