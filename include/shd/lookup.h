@@ -24,11 +24,10 @@
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
  * 4e-7 n texels of the exact one, with every wrap and filter.
  *
- * A 3D texture is linear in w, too. BILINEAR is linear on all three axes, TRILINEAR between two levels as well, and
- * probes of ANISOTROPIC lie along the longer axis of the footprint's ellipse in space. J is then the 3 x 2 matrix of
- * derivatives, and s the root mean square of its two singular values. Only these filters, NEAREST, NEAREST_MIP,
- * NEAREST_MIP_LINEAR and BILINEAR_MIP, with LEAST_ERROR or EXACT and without blur, filter 3D textures.
- * SHD_PRECISION_FAST has no effect.
+ * All filters but RIPMAP and SUMMED_AREA filter 3D textures, with LEAST_ERROR or EXACT and without blur. J is then the
+ * 3 x 2 matrix of derivatives, s the root mean square of its two singular values, and the footprint lies in space, in
+ * the plane of the derivatives. BILINEAR is linear and BICUBIC cubic on all three axes, and other filters accordingly;
+ * docs/volumes.md has their definitions. SHD_PRECISION_FAST has no effect.
  *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. A texel of weight 0 has no effect, even if it is NaN. Finite texels and
@@ -71,7 +70,7 @@ typedef struct shd_lookups {
     shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
     shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
-    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v */
+    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w */
     shd_f32_in w;         /**< third coordinate: across the slices of a 3D texture, or of a direction; required by these
                                textures, without effect for others */
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */

@@ -67,7 +67,7 @@ typedef enum shd_filter {
      * texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
      * sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
      * the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
-     * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+     * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels, 4 times as many in 3D.
      */
     SHD_FILTER_EWA = 9,
     /** An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic picks at random. */
@@ -76,7 +76,7 @@ typedef enum shd_filter {
      * The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
      * truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
      * it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
-     * texels. Slow.
+     * texels, in 3D a box. Slow.
      */
     SHD_FILTER_EXACT = 11,
     /**
@@ -216,9 +216,9 @@ typedef enum shd_stochastic {
     SHD_STOCHASTIC_TEXEL = 0,
     /**
      * One of the two levels of TRILINEAR, or one probe of ANISOTROPIC and one of its levels; then the bilinear lookup
-     * b_i of its four texels. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the variance of one
-     * texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has none. Other
-     * filters are refused.
+     * b_i of its four texels, or eight in 3D. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the
+     * variance of one texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has
+     * none. Other filters are refused.
      */
     SHD_STOCHASTIC_QUAD = 1,
     SHD_STOCHASTIC_MAX_ENUM = 0x7fffffff
@@ -286,9 +286,9 @@ typedef struct shd_sampler_desc {
     uint32_t seed;           /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
     shd_precision precision; /**< default SHD_PRECISION_FULL */
     /**
-     * Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32 or
-     * more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
-     * coarser levels.
+     * Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
+     * limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+     * max_anisotropy does: longer footprints use coarser levels.
      */
     uint32_t max_texels;
     /**

@@ -288,13 +288,12 @@ static void edit_width(shd_slot *s) { s->place_width = 1001; }
 
 static const struct bad_case k_bad[] = {
     {"slot/trilinear", edit_nothing, SHD_FILTER_TRILINEAR, SHD_OK, ""},
-    {"slot/default_sampler", edit_default_sampler, SHD_FILTER_EWA, SHD_OK, ""},
+    {"slot/ewa", edit_nothing, SHD_FILTER_EWA, SHD_OK, ""},
+    {"slot/default_sampler", edit_default_sampler, SHD_FILTER_RIPMAP, SHD_OK, ""},
     {"slot/height", edit_height, SHD_FILTER_TRILINEAR, SHD_ERROR_UNSUPPORTED,
      "material.slots[0].texture: a texture of 3D, not a 2D one"},
     {"slot/matcap", edit_matcap, SHD_FILTER_TRILINEAR, SHD_ERROR_UNSUPPORTED,
      "material.slots[0].texture: a texture of 3D, not a 2D one"},
-    {"slot/ewa", edit_nothing, SHD_FILTER_EWA, SHD_ERROR_UNSUPPORTED,
-     "material.slots[0].sampler.filter: EWA, but the texture is 3D"},
     {"slot/ripmap", edit_nothing, SHD_FILTER_RIPMAP, SHD_ERROR_UNSUPPORTED,
      "material.slots[0].sampler.filter: RIPMAP, but the texture is 3D"},
     {"slot/space", edit_space, SHD_FILTER_TRILINEAR, SHD_ERROR_INVALID_ARGUMENT,

@@ -76,10 +76,28 @@ inline double trilinear(const Solid& solid, const Place& p, double lod, int c) {
   return mix(linear(solid, high, p, c), linear(solid, low, p, c), d - floor(d));
 }
 
-/// The ellipse of derivatives x and y in texels: half axes a >= b, and the direction of the longer one.
+/// The tensor product of the cubic kernel on three axes of level 0.
+inline double tricubic(const Solid& solid, const Place& p, int c) {
+  const Place t = texels_of(solid, 0, p, -0.5);
+  const auto i = static_cast<int64_t>(floor(t.u)), j = static_cast<int64_t>(floor(t.v));
+  const auto k = static_cast<int64_t>(floor(t.w));
+  double sum = 0;
+  for (int n = 0; n < 64; ++n) {
+    const int64_t x = i + n % 4 - 1, y = j + n / 4 % 4 - 1, z = k + n / 16 - 1;
+    const shd_cubic cubic = solid.sampler->cubic;
+    const double weight = cubic_weight(cubic, t.u - static_cast<double>(x)) *
+                          cubic_weight(cubic, t.v - static_cast<double>(y)) *
+                          cubic_weight(cubic, t.w - static_cast<double>(z));
+    if (weight != 0) sum += weight * texel(solid, 0, x, y, z, c);
+  }
+  return sum;
+}
+
+/// The ellipse of derivatives x and y in texels: half axes a >= b, the direction of the longer one, and the unit normal
+/// of its plane, or 0.
 struct Spread {
   double a, b;
-  Place axis;
+  Place axis, normal;
 };
 
 inline Spread spread_of(const Place& x, const Place& y) {
@@ -91,8 +109,10 @@ inline Spread spread_of(const Place& x, const Place& y) {
   const double a = sqrt((xx + yy) / 2 + hypot((xx - yy) / 2, xy));
   const Place cross = {x.v * y.w - x.w * y.v, x.w * y.u - x.u * y.w, x.u * y.v - x.v * y.u};
   const double area = sqrt(cross.u * cross.u + cross.v * cross.v + cross.w * cross.w);
-  if (!(a > 0)) return {0, 0, {0, 0, 0}};
-  return {a, area / a, {axis.u / a, axis.v / a, axis.w / a}};
+  if (!(a > 0)) return {0, 0, {0, 0, 0}, {0, 0, 0}};
+  const double per_area = area > 0 ? 1 / area : 0;
+  return {
+      a, area / a, {axis.u / a, axis.v / a, axis.w / a}, {cross.u * per_area, cross.v * per_area, cross.w * per_area}};
 }
 
 /// The average of `count` trilinear lookups along the longer axis.

@@ -13,8 +13,18 @@ namespace {
 constexpr double kThinnest = 0x1p-20;
 
 struct Sides {
-  Vec2 a, b;
+  Vec3 a, b;
 };
+
+Vec3 vector_of(double x, double y, double z) {
+  return {{x, y}, z};
+}
+Vec3 scaled(const Vec3& v, double x, double y, double z) {
+  return vector_of(v.x * x, v.y * y, v.z * z);
+}
+Vec3 scaled(const Vec3& v, double by) {
+  return scaled(v, by, by, by);
+}
 
 double zero_if_nan(float value) {
   return std::isnan(value) ? 0.0 : static_cast<double>(value);
@@ -38,12 +48,15 @@ double power_of_two(double x) {
 
 /// Applies width and blur to the sides, as Widen() of footprint-inl.h does in floats.
 void widen(const Sampler& sampler, Sides* s) {
-  const auto scaled = [](double value, float width) {
-    const double product = value * static_cast<double>(width);
-    return std::isnan(product) ? 0.0 : product;
+  const auto widened = [](const Vec3& side, float width) {
+    const auto product = [width](double value) {
+      const double wide = value * static_cast<double>(width);
+      return std::isnan(wide) ? 0.0 : wide;
+    };
+    return vector_of(product(side.x), product(side.y), product(side.z));
   };
-  s->a = {scaled(s->a.x, sampler.width_x), scaled(s->a.y, sampler.width_x)};
-  s->b = {scaled(s->b.x, sampler.width_y), scaled(s->b.y, sampler.width_y)};
+  s->a = widened(s->a, sampler.width_x);
+  s->b = widened(s->b, sampler.width_y);
   const double blur_u = static_cast<double>(sampler.blur_u), blur_v = static_cast<double>(sampler.blur_v);
   if (blur_u == 0 && blur_v == 0) return;
   const double uu = s->a.x * s->a.x + s->b.x * s->b.x + blur_u * blur_u;
@@ -52,78 +65,104 @@ void widen(const Sampler& sampler, Sides* s) {
   const double scale = uu > 0 ? (s->a.x * s->a.y + s->b.x * s->b.y) / uu : 0.0;
   const double rest_a = s->a.y - scale * s->a.x, rest_b = s->b.y - scale * s->b.x, rest_blur = scale * blur_u;
   const double rest = rest_a * rest_a + rest_b * rest_b + rest_blur * rest_blur + blur_v * blur_v;
-  *s = {{length, scale * length}, {0, std::sqrt(rest)}};
+  *s = {vector_of(length, scale * length, 0), vector_of(0, std::sqrt(rest), 0)};
 }
 
 /// Returns the sides of a footprint in normalised coordinates, with width, blur and bias. A given level of detail has a
-/// square of 2^lod base texels.
-Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
+/// square of 2^lod base texels; in a 3D texture it is the face of a box whose edge in z is `depth`.
+Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i, double* depth) {
   const double bias = static_cast<double>(sampler.lod_bias);
   if (in.lod) {
     const double edge = power_of_two(zero_if_nan(in.lod[i]) + bias);
-    return {{edge / texture.width, 0}, {0, edge / texture.height}};
+    *depth = texture.depth != 0 ? edge / texture.depth : 0;
+    return {vector_of(edge / texture.width, 0, 0), vector_of(0, edge / texture.height, 0)};
   }
   const auto load = [i](const float* column) { return column ? zero_if_nan(column[i]) : 0.0; };
-  Sides s = {{load(in.dudx), load(in.dvdx)}, {load(in.dudy), load(in.dvdy)}};
+  const bool deep = texture.depth != 0;
+  Sides s = {vector_of(load(in.dudx), load(in.dvdx), deep ? load(in.dwdx) : 0.0),
+             vector_of(load(in.dudy), load(in.dvdy), deep ? load(in.dwdy) : 0.0)};
   widen(sampler, &s);
   const double scale = power_of_two(bias);
-  for (Vec2* side : {&s.a, &s.b}) *side = {side->x * scale, side->y * scale};
-  return s;
+  return {scaled(s.a, scale), scaled(s.b, scale)};
 }
 
-bool is_finite(const Lookups& in, size_t i) {
+bool is_finite(const Texture& texture, const Lookups& in, size_t i) {
+  const auto unless = [](bool absent, const float* column) { return absent ? nullptr : column; };
+  const bool flat = texture.depth == 0, lod = in.lod != nullptr;
   const float* columns[] = {in.u,
                             in.v,
                             in.lod,
-                            in.lod ? nullptr : in.dudx,
-                            in.lod ? nullptr : in.dvdx,
-                            in.lod ? nullptr : in.dudy,
-                            in.lod ? nullptr : in.dvdy};
+                            unless(flat, in.w),
+                            unless(lod, in.dudx),
+                            unless(lod, in.dvdx),
+                            unless(lod, in.dudy),
+                            unless(lod, in.dvdy),
+                            unless(lod || flat, in.dwdx),
+                            unless(lod || flat, in.dwdy)};
   for (const float* column : columns) {
     if (column && !std::isfinite(column[i])) return false;
   }
   return true;
 }
 
-Vec2 shortened(Vec2 side, double limit) {
-  const auto direction = [](double v) { return std::isinf(v) ? (v > 0 ? 1.0 : -1.0) : 0.0; };
-  if (std::isinf(side.x) || std::isinf(side.y)) return {limit * direction(side.x), limit * direction(side.y)};
-  const double longest = std::fabs(side.x) > std::fabs(side.y) ? std::fabs(side.x) : std::fabs(side.y);
-  if (longest <= limit) return side;
-  const double scale = limit / longest;
-  return {side.x * scale, side.y * scale};
+double longest_of(const Vec3& v) {
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z), longer = x > y ? x : y;
+  return longer > z ? longer : z;
 }
 
-/// Shortens both sides until their components are at most 1 / 32 of the limit, and then until the area is at most half
-/// of the limit. cell_bound() is then at most the limit plus 16.
-Sides shortened(const Sides& s, double limit) {
-  Sides out = {shortened(s.a, limit / 32), shortened(s.b, limit / 32)};
-  const double area = std::fabs(cross(out.a, out.b));
+Vec3 shortened(const Vec3& side, double limit) {
+  const auto direction = [](double v) { return std::isinf(v) ? (v > 0 ? 1.0 : -1.0) : 0.0; };
+  const double longest = longest_of(side);
+  if (std::isinf(longest)) return scaled(vector_of(direction(side.x), direction(side.y), direction(side.z)), limit);
+  if (longest <= limit) return side;
+  return scaled(side, limit / longest);
+}
+
+/// Shortens both sides until their components are at most 1 / 16 of the limit divided by the number of axes, and then
+/// until the area is at most half of the limit. cell_bound() is then at most the limit plus 16.
+Sides shortened(const Sides& s, double limit, double axes) {
+  const double longest = limit / (16 * axes);
+  const Sides out = {shortened(s.a, longest), shortened(s.b, longest)};
+  const double area = area_bound(out.a, out.b);
   if (area <= limit / 2) return out;
   const double scale = std::sqrt(limit / 2 / area);
-  for (Vec2* side : {&out.a, &out.b}) *side = {side->x * scale, side->y * scale};
-  return out;
+  return {scaled(out.a, scale), scaled(out.b, scale)};
 }
 
-double length_of(Vec2 v) {
-  return std::sqrt(v.x * v.x + v.y * v.y);
+double length_of(const Vec3& v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-/// Makes a parallelogram counter-clockwise and at least kThinnest wide across its longer side. Returns whether it was
-/// thinner.
+/// Makes a parallelogram of 2D counter-clockwise and at least kThinnest wide across its longer side. Returns whether it
+/// was thinner.
 bool give_width(Sides* s) {
   if (length_of(s->a) < length_of(s->b)) *s = {s->b, s->a};
   const double length = length_of(s->a);
   if (length < kThinnest) {
-    *s = {{kThinnest, 0}, {0, kThinnest}};
+    *s = {vector_of(kThinnest, 0, 0), vector_of(0, kThinnest, 0)};
     return true;
   }
-  if (cross(s->a, s->b) < 0) s->b = {-s->b.x, -s->b.y};
+  if (cross(s->a, s->b) < 0) s->b = vector_of(-s->b.x, -s->b.y, 0);
   const double width = cross(s->a, s->b) / length;
   if (width >= kThinnest) return false;
   const double missing = (kThinnest - width) / length;
-  s->b = {s->b.x - s->a.y * missing, s->b.y + s->a.x * missing};
+  s->b = vector_of(s->b.x - s->a.y * missing, s->b.y + s->a.x * missing, 0);
   return true;
+}
+
+/// Fits the sides of a level, and the depth of a box, to the limit of cells. Returns whether they did fit; if `shorten`
+/// is set they do fit afterwards.
+bool fit(Sides* s, double* depth, double axes, double limit, bool shorten) {
+  const auto boxes = [&] { return (s->a.x + 2) * (s->b.y + 2) * (*depth + 2); };
+  const bool box = *depth > 0;
+  if ((box ? boxes() : cell_bound(s->a, s->b)) <= limit) return true;
+  if (!shorten) return false;
+  if (!box) *s = shortened(*s, limit, axes);
+  while (box && boxes() > limit) {
+    *s = {scaled(s->a, 0.5), scaled(s->b, 0.5)};
+    *depth *= 0.5;
+  }
+  return false;
 }
 
 /// Returns the texel coordinate of a finite u. Wraps that repeat remove whole periods; the others clamp the coordinate
@@ -143,36 +182,44 @@ double exact_cell_limit(float tolerance) {
 }
 
 ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
-  const Sides given = load_sides(texture, sampler, in, i);
+  double box = 0;
+  const Sides given = load_sides(texture, sampler, in, i, &box);
   const LodRange range = lod_range(texture, sampler);
   const auto lowest = static_cast<uint32_t>(-std::floor(-static_cast<double>(range.low)));
   const auto floor = static_cast<uint32_t>(range.high), highest = floor > lowest ? floor : lowest;
   const double limit = exact_cell_limit(sampler.tolerance);
+  const bool deep = texture.depth != 0;
 
   ExactFootprint out = {};
-  double width, height;
+  double width, height, depth;
   Sides s;
   for (out.level = lowest;; ++out.level) {
     width = level_size(texture.width, out.level);
     height = level_size(texture.height, out.level);
-    s = {{given.a.x * width, given.a.y * height}, {given.b.x * width, given.b.y * height}};
-    if (cell_bound(s.a, s.b) <= limit) break;
-    if (out.level < highest) continue;
-    s = shortened(s, limit);
-    break;
+    depth = level_size(texture.depth, out.level);
+    s = {scaled(given.a, width, height, depth), scaled(given.b, width, height, depth)};
+    out.depth = box * depth;
+    if (fit(&s, &out.depth, deep ? 3 : 2, limit, out.level >= highest) || out.level >= highest) break;
   }
-  out.point = out.level == 0 && length_of(s.a) < kThinnest && length_of(s.b) < kThinnest;
-  out.thin = give_width(&s);
+  out.point = out.level == 0 && length_of(s.a) < kThinnest && length_of(s.b) < kThinnest && out.depth < kThinnest;
+  out.thin = !deep && give_width(&s);
   out.a = s.a;
   out.b = s.b;
-  const double x = place(sampler.wrap_u, zero_if_not_finite(in.u[i]), width, std::fabs(s.a.x) + std::fabs(s.b.x));
-  const double y = place(sampler.wrap_v, zero_if_not_finite(in.v[i]), height, std::fabs(s.a.y) + std::fabs(s.b.y));
-  out.x = static_cast<int64_t>(std::floor(x));
-  out.y = static_cast<int64_t>(std::floor(y));
-  out.center = {x - std::floor(x), y - std::floor(y)};
+  const auto along = [&](shd_wrap wrap, double at, double size, double extent, int64_t* texel) {
+    const double x = place(wrap, at, size, extent);
+    *texel = static_cast<int64_t>(std::floor(x));
+    return x - std::floor(x);
+  };
+  out.center.x = along(sampler.wrap_u, zero_if_not_finite(in.u[i]), width, std::fabs(s.a.x) + std::fabs(s.b.x), &out.x);
+  out.center.y =
+      along(sampler.wrap_v, zero_if_not_finite(in.v[i]), height, std::fabs(s.a.y) + std::fabs(s.b.y), &out.y);
+  if (deep) {
+    const double extent = std::fabs(s.a.z) + std::fabs(s.b.z) + out.depth;
+    out.center.z = along(sampler.wrap_w, zero_if_not_finite(in.w[i]), depth, extent, &out.z);
+  }
   const uint32_t last = texture.layers - 1;
   out.layer = in.layer ? (in.layer[i] < last ? in.layer[i] : last) : 0;
-  out.finite = is_finite(in, i);
+  out.finite = is_finite(texture, in, i);
   return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/domain/parallelogram.h"
+#include "texture/domain/plane_pieces.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -9,11 +9,12 @@ namespace shd::texture {
 /// Domain of the integral of one lookup of SHD_FILTER_EXACT.
 struct ExactFootprint {
   uint32_t level;
-  int64_t x, y;  // last texel whose centre is not beyond the point along either axis, before wrapping
-  Vec2 center;   // the point, relative to the centre of this texel [texels], in [0, 1)
-  Vec2 a, b;     // sides [texels], counter-clockwise; at least 2^-20 long and 2^-20 wide
-  bool thin;     // the footprint was widened to 2^-20
-  bool point;    // both sides on level 0 are shorter than 2^-20: the lookup is a point
+  int64_t x, y, z;  // last texel whose centre is not beyond the point along any axis, before wrapping; z = 0 in 2D
+  Vec3 center;      // the point, relative to the centre of this texel [texels], in [0, 1); z = 0 in 2D
+  Vec3 a, b;        // sides [texels]; in 2D counter-clockwise, at least 2^-20 long and 2^-20 wide, and with z = 0
+  double depth;     // edge in z of the box that a level of detail has in a 3D texture; else 0
+  bool thin;        // a footprint in 2D was widened to 2^-20
+  bool point;       // both sides on level 0 are shorter than 2^-20: the lookup is a point
   uint32_t layer;
   bool finite;  // all inputs are finite
 };

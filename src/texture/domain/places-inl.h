@@ -20,6 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Ellipsoids of lookups in 3D textures, in texels of their level. A slice at the distance z from the centre cuts the
+/// ellipse of EllipseBlock, moved by (slide_x, slide_y) z, with the bound 1 - z^2 / depth2 in place of 1.
+struct EllipsoidBlock : EllipseBlock {
+  alignas(64) float w[kBlock];
+  alignas(64) float slide_x[kBlock], slide_y[kBlock], depth2[kBlock];
+};
+
 /// One vector of lookups with three coordinates. NaN and infinite coordinates, NaN derivatives and NaN levels of detail
 /// are replaced by 0.
 template <class D>
@@ -119,10 +126,12 @@ SHD_KERNEL_PART V LambdaOfPlaces(D d, const Places<D>& p, bool rms) {
   return HalfLog2(d, mean + hn::Sqrt(skew * skew + s.xy * s.xy));
 }
 
-/// Axes of a footprint, and the third component of the unit vector of the longer axis.
+/// Axes of a footprint, the third component of the unit vector of the longer axis, and the cross product of the
+/// derivatives, scaled by a power of two. The product is 0 for parallel and for infinite derivatives.
 template <class D>
 struct PlaceAxes : FootprintAxes<D> {
   hn::Vec<D> w;
+  hn::Vec<D> cross_u, cross_v, cross_w;
 };
 
 /// Finds the axes of the footprint of derivatives in base texels, as AxesOf() does.
@@ -152,9 +161,10 @@ SHD_KERNEL_PART PlaceAxes<D> AxesOfPlaces(D d, Places<D> p) {
   f.length = hn::Sqrt(square) * PowerOfTwo(d, hn::Min(exponent, hn::Set(di, 98)));
   f.length = hn::IfThenElse(infinite, hn::Set(d, 0x1p100f), f.length);
   // The area of the parallelogram of the derivatives is the product of the half axes.
-  const V cu = p.dvdx * p.dwdy - p.dwdx * p.dvdy, cv = p.dwdx * p.dudy - p.dudx * p.dwdy;
-  const V cw = p.dudx * p.dvdy - p.dvdx * p.dudy;
-  const V area = hn::Sqrt((cu * cu + cv * cv) + cw * cw);
+  f.cross_u = p.dvdx * p.dwdy - p.dwdx * p.dvdy;
+  f.cross_v = p.dwdx * p.dudy - p.dudx * p.dwdy;
+  f.cross_w = p.dudx * p.dvdy - p.dvdx * p.dudy;
+  const V area = hn::Sqrt((f.cross_u * f.cross_u + f.cross_v * f.cross_v) + f.cross_w * f.cross_w);
   f.roundness = hn::IfThenElse(round, one, hn::Min(area / square, one));
 
   // The eigenvector of J^T J for the larger eigenvalue combines the derivatives to the longer axis.
@@ -178,7 +188,7 @@ template <class D>
 HWY_INLINE PlaceAxes<D> RoundPlaceAxes(D d, hn::Vec<D> lod) {
   PlaceAxes<D> f;
   static_cast<FootprintAxes<D>&>(f) = RoundAxes(d, lod);
-  f.w = hn::Zero(d);
+  f.w = f.cross_u = f.cross_v = f.cross_w = hn::Zero(d);
   return f;
 }
 
@@ -214,6 +224,9 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
     hn::Store(hn::Max(hn::Min(step, limit), hn::Neg(limit)), d, out->step_w + to);
   });
 }
+
+/// Finds ellipsoids; in ellipses.cpp.
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipsoidBlock* out);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

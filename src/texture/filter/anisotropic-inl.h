@@ -52,7 +52,6 @@ struct ProbeLine {
     return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - RoundDown(x) : x;
   }
 
- private:
   /// Converts a distance to the unit of reduced coordinates.
   static HWY_INLINE V Distance(D d, shd_wrap wrap, V step) {
     return wrap == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;

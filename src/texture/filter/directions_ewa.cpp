@@ -51,13 +51,7 @@ struct EwaDirections {
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     EllipseWalk<D, FreeAxis<D>> walk(d, texture, sampler, block, i);
     if (texture.projection == SHD_PROJECTION_LAT_LONG) walk.stride = hn::Load(d, block.stride + i);
-    if (!hn::AllTrue(d, walk.ellipse.is_quad)) {
-      if (walk.are_unlike(d)) {
-        walk.emit_apart(d, sink);
-      } else {
-        walk.emit_together(d, sink);
-      }
-    }
+    if (!hn::AllTrue(d, walk.ellipse.is_quad)) walk.emit(d, walk.are_unlike(d), sink);
     if (!hn::AllTrue(d, hn::Eq(walk.ellipse.bilinear, hn::Zero(d)))) walk.emit_quad(d, sink);
     sink.finish();
   }

@@ -24,9 +24,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::RoundDown;
 using simd::HWY_NAMESPACE::RoundUp;
 
+/// The slice of an EllipseWalk in 2D: the whole ellipse.
+struct WholeEllipse {
+  static constexpr bool kSolid = false, kDeep = false;
+};
+
 /// Visits the texels in one vector of ellipses, and sums their weights. An axis without kFolds wraps its positions. The
-/// sink folds the positions of others, and may skip columns: it reads every stride-th one.
-template <class D, class Axis = Walk<D>>
+/// sink folds the positions of others, and may skip columns: it reads every stride-th one. A slice with kSolid is one
+/// of an ellipsoid, whose texels in all slices form one average; with kDeep, shares have their rates in w.
+template <class D, class Axis = Walk<D>, class Slice = WholeEllipse>
 struct EllipseWalk {
   using V = hn::Vec<D>;
 
@@ -43,17 +49,23 @@ struct EllipseWalk {
   V total, total_u, total_v;  // sum of the weights, and its derivatives
   V stride;                   // columns from one texel to the next, with kFolds
   bool any = false;           // an element was emitted
+  Slice slice;
 
   HWY_INLINE EllipseWalk(D d, const Texture& texture, const Sampler& of_sampler, const EllipseBlock& block, size_t i)
       : sampler(of_sampler), ellipse(d, texture, of_sampler, block, i) {
-    const V one = hn::Set(d, 1.0f), half_height = hn::Sqrt(ellipse.height2);
+    const V one = hn::Set(d, 1.0f);
     per_height2 = one / ellipse.height2;
     per_width2 = one / ellipse.width2;
-    top = RoundUp(ellipse.y.x - half_height);
-    const V bottom = RoundDown(ellipse.y.x + half_height);
-    last = hn::IfThenElse(ellipse.is_quad, hn::Neg(one), bottom - top);
     total = total_u = total_v = hn::Zero(d);
     stride = one;
+    set_rows(d, hn::Sqrt(ellipse.height2), ellipse.is_quad);
+  }
+
+  /// Sets the rows. `empty` lanes have no rows.
+  HWY_INLINE void set_rows(D d, V half_height, MaskOf<D> empty) {
+    top = RoundUp(ellipse.y.x - half_height);
+    const V bottom = RoundDown(ellipse.y.x + half_height);
+    last = hn::IfThenElse(empty, hn::Set(d, -1.0f), bottom - top);
   }
 
   /// Returns whether the ellipses differ: the rectangle of the greatest height and the greatest row width of all lanes
@@ -69,6 +81,7 @@ struct EllipseWalk {
     Row row;
     row.dy = top + r - ellipse.y.x;
     row.height = row.dy * row.dy * per_height2;
+    if constexpr (Slice::kSolid) row.height = row.height + slice.height;
     const V middle = ellipse.x.x + ellipse.shear * row.dy;
     const V rest = hn::Max(hn::Set(d, 1.0f) - row.height, hn::Zero(d));
     const V half_width = hn::Sqrt(rest * ellipse.width2);
@@ -83,6 +96,16 @@ struct EllipseWalk {
     row.dx = row.left - middle;
     row.last = hn::IfThenElse(hn::Ge(last, r), columns, hn::Set(d, -1.0f));
     return row;
+  }
+
+  /// Emits the texels; `unlike`: are_unlike().
+  template <class Sink>
+  HWY_INLINE void emit(D d, bool unlike, Sink& sink) {
+    if (unlike && !sink.has_rates()) {
+      emit_apart(d, sink);
+    } else {
+      emit_together(d, sink);
+    }
   }
 
   /// Emits the texels row by row, with all lanes in step. This takes the fewest steps for similar ellipses.
@@ -165,7 +188,13 @@ struct EllipseWalk {
     } else {
       MaskOf<D> in_x, in_y;
       const auto row_y = down.index(d, &in_y), column_x = across.index(d, &in_x);
-      sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, hn::And(in_x, in_y), share);
+      auto in = hn::And(in_x, in_y);
+      if constexpr (Slice::kSolid) in = hn::And(in, slice.in);
+      if constexpr (Slice::kDeep) {
+        sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, in, DeepShare<D>{share.value, share.rate_u});
+      } else {
+        sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, in, share);
+      }
     }
     return true;
   }
@@ -196,13 +225,15 @@ struct EllipseWalk {
     return {hn::IfThenElseZero(active, weight / total), hn::Zero(d), hn::Zero(d)};
   }
 
-  /// Returns the share with its derivatives (w' - share total') / total, where w' = -2 (w + exp(-2)) (r^2)'.
+  /// Returns the share with its derivatives (w' - share total') / total, where w' = -2 (w + exp(-2)) (r^2)'. With kDeep
+  /// rate_u is the derivative in w.
   HWY_INLINE Share<D> rated_share(D d, const Row& row, V dx, V weight, MaskOf<D> active) {
     Share<D> share = plain_share(d, weight, active);
     const V slope = hn::IfThenElseZero(active, hn::Set(d, 4.0f)) * (weight + hn::Set(d, 0.135335283f));
     const V along_x = dx * per_width2;
     const V along_y = row.dy * per_height2 - ellipse.shear * along_x;
-    const V weight_u = slope * along_x * ellipse.x.rate, weight_v = slope * along_y * ellipse.y.rate;
+    V weight_u = slope * along_x * ellipse.x.rate, weight_v = slope * along_y * ellipse.y.rate;
+    if constexpr (Slice::kDeep) weight_u = slope * slice.along(along_x, along_y);
     total_u = total_u + weight_u;
     total_v = total_v + weight_v;
     share.rate_u = hn::IfThenElseZero(active, (weight_u - share.value * total_u) / total);
@@ -227,13 +258,7 @@ struct Ewa {
   HWY_INLINE void emit(D d, const EllipseBlock& block, size_t i, Sink& sink) const {
     EllipseWalk<D> walk(d, texture, sampler, block, i);
     if constexpr (std::is_same_v<Sink, PrefetchSink>) return walk.emit_rows(d, sink);
-    if (!hn::AllTrue(d, walk.ellipse.is_quad)) {
-      if (!sink.has_rates() && walk.are_unlike(d)) {
-        walk.emit_apart(d, sink);
-      } else {
-        walk.emit_together(d, sink);
-      }
-    }
+    if (!hn::AllTrue(d, walk.ellipse.is_quad)) walk.emit(d, walk.are_unlike(d), sink);
     if (!hn::AllTrue(d, hn::Eq(walk.ellipse.bilinear, hn::Zero(d)))) walk.emit_quad(d, sink);
     sink.finish();
   }

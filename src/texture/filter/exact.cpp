@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // SHD_FILTER_EXACT, scalar and in doubles: the reference for the error of other filters. The bilinear reconstruction is
 // a u + b v + c u v + d on each cell of the lattice of texel centres, so the moments of a piece of a cell give its
-// integral over the piece.
+// integral over the piece. In 3D textures the reconstruction has eight such terms, and the footprint is a parallelogram
+// in space, or the box of a given level of detail.
 #include "texture/filter/exact.h"
 
 #include <cmath>
@@ -27,6 +28,9 @@ namespace shd::texture::HWY_NAMESPACE {
 
 size_t RunExact(const FilterCall& call) {
   return run_exact(call, RunBilinear);
+}
+size_t RunExactInSlices(const FilterCall& call) {
+  return run_exact(call, RunLinearInSlices);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
@@ -55,7 +59,8 @@ struct Mean {
   double over(double weight) const { return poisoned ? canonical(nonfinite) : first + sum / weight; }
 };
 
-/// Integrates the reconstruction of one level. A visitor of visit_cells().
+/// Integrates the reconstruction of one level. A visitor of visit_cells(), and for 3D textures of
+/// visit_cells_in_space().
 template <class Codec>
 class Integral {
  public:
@@ -63,11 +68,14 @@ class Integral {
       : texture_(texture),
         sampler_(sampler),
         footprint_(footprint),
-        negligible_(footprint.thin ? 0x1p-20 : 0x1p-40),
+        negligible_(texture.depth != 0 ? 0x1p-30
+                    : footprint.thin   ? 0x1p-20
+                                       : 0x1p-40),
         first_(first_unit(texture, footprint.layer, footprint.level)),
         reader_(texture) {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
+    depth_ = level_size(texture.depth, footprint.level);
     for (size_t c = 0; c < Codec::kChannels; ++c) {
       border_[c] = static_cast<double>(sampler.border[c]) * one_of(texture.component, c);
     }
@@ -75,8 +83,8 @@ class Integral {
 
   void cell(int64_t i, int64_t j, const Moments& m) {
     const double least = m.one * negligible_;
-    const int64_t lower = row(j), upper = row(j + 1);
-    const auto add_if = [&](int64_t from, int64_t x, double weight) {
+    const Line lower = row(j), upper = row(j + 1);
+    const auto add_if = [&](const Line& from, int64_t x, double weight) {
       if (weight > least) add(from, x, weight);
     };
     add_if(lower, i, m.one - m.x - m.y + m.xy);
@@ -85,8 +93,20 @@ class Integral {
     add_if(upper, i + 1, m.xy);
   }
 
+  void cell(int64_t i, int64_t j, int64_t k, const SpaceMoments& m) {
+    if (!(footprint_.depth > 0)) return cell_in_space(i, j, k, m);
+    // A box: each cell of its middle face is a column of cells.
+    const double bottom = footprint_.center.z - footprint_.depth / 2, top = bottom + footprint_.depth;
+    for (double floor = std::floor(bottom); floor < top; floor += 1) {
+      const double low = floor > bottom ? 0 : bottom - floor, high = floor + 1 < top ? 1 : top - floor;
+      const double part = (high - low) / footprint_.depth, z = part * (low + high) / 2;
+      cell_in_space(i, j, static_cast<int64_t>(floor),
+                    {m.one * part, m.x * part, m.y * part, m.one * z, m.xy * part, m.x * z, m.y * z, m.xy * z});
+    }
+  }
+
   void run(int64_t j, int64_t begin, int64_t end) {
-    for (const int64_t from : {row(j), row(j + 1)}) {
+    for (const Line& from : {row(j), row(j + 1)}) {
       add(from, begin, 0.25);
       for (int64_t i = begin + 1; i < end; ++i) add(from, i, 0.5);
       add(from, end, 0.25);
@@ -96,16 +116,42 @@ class Integral {
   float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
-  /// Returns row j after wrapping, or -1 for the border colour.
-  int64_t row(int64_t j) const { return wrap_index(sampler_.wrap_v, footprint_.y + j, height_); }
+  /// A row of an image: the first unit of its level, and y after wrapping, or -1 for the border colour.
+  struct Line {
+    uint32_t first;
+    int64_t y;
+  };
+  /// Returns row j of slice k.
+  Line row(int64_t j, int64_t k = 0) const {
+    const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
+    if (texture_.depth == 0) return {first_, y};
+    const int64_t z = wrap_index(sampler_.wrap_w, footprint_.z + k, depth_);
+    if (z < 0) return {first_, -1};
+    return {first_unit(texture_, static_cast<uint32_t>(z), footprint_.level), y};
+  }
 
-  void add(int64_t y, int64_t i, double weight) {
+  void cell_in_space(int64_t i, int64_t j, int64_t k, const SpaceMoments& m) {
+    const double least = m.one * negligible_;
+    // Moments of the four rows: of the product of their weights in y and z, and of this product and x.
+    const double rows[4][2] = {{m.one - m.y - m.z + m.yz, m.x - m.xy - m.xz + m.xyz},
+                               {m.y - m.yz, m.xy - m.xyz},
+                               {m.z - m.yz, m.xz - m.xyz},
+                               {m.yz, m.xyz}};
+    for (int64_t n = 0; n < 4; ++n) {
+      const Line from = row(j + n % 2, k + n / 2);
+      const double left = rows[n][0] - rows[n][1], right = rows[n][1];
+      if (left > least) add(from, i, left);
+      if (right > least) add(from, i + 1, right);
+    }
+  }
+
+  void add(const Line& from, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
     double loaded[Codec::kChannels];
     const double* value = border_;
-    if (y >= 0 && x >= 0) {
-      Codec::load(reader_.at(first_, static_cast<uint32_t>(width_), static_cast<uint32_t>(x), static_cast<uint32_t>(y)),
-                  loaded);
+    if (from.y >= 0 && x >= 0) {
+      const auto width = static_cast<uint32_t>(width_);
+      Codec::load(reader_.at(from.first, width, static_cast<uint32_t>(x), static_cast<uint32_t>(from.y)), loaded);
       value = loaded;
     }
     weight_ += weight;
@@ -117,7 +163,7 @@ class Integral {
   const ExactFootprint& footprint_;
   const double
       negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
-  int64_t width_, height_;
+  int64_t width_, height_, depth_;
   double border_[Codec::kChannels];
   double weight_ = 0;
   uint32_t first_;
@@ -128,7 +174,11 @@ class Integral {
 void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
   visit_codec(texture.component, texture.channels, [&](auto codec) {
     Integral<decltype(codec)> integral(texture, sampler, footprint);
-    visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
+    if (texture.depth != 0) {
+      visit_cells_in_space(footprint.center, footprint.a, footprint.b, &integral);
+    } else {
+      visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
+    }
     for (size_t c = 0; c < decltype(codec)::kChannels; ++c) {
       if (out.channel[c]) *out.channel[c] = integral.channel(c);
     }
@@ -145,7 +195,7 @@ void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, co
 
 }  // namespace
 
-size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
+size_t run_exact(const FilterCall& call, RunFilter run_linear) {
   Sampler bilinear = call.sampler;
   bilinear.filter = SHD_FILTER_BILINEAR;
   size_t nonfinite = 0;
@@ -155,7 +205,7 @@ size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
     nonfinite += !footprint.finite;
     if (footprint.point) {
       const Lookups lookup = part_of(call.in, i, 1);
-      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
+      run_linear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
     } else {
       integrate_alone(call, footprint, out);
     }

@@ -61,11 +61,10 @@ HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisS
 
 /// Picks level floor(lod) or the next one, with the fraction of lod as the probability of the next.
 template <class D>
-HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
+HWY_INLINE hn::Vec<D> PickLevel(D d, const Texture& texture, hn::Vec<D> lod, hn::Vec<D> x) {
   const auto floor = RoundDown(lod);
   const auto next = hn::IfThenElseZero(hn::Lt(x, lod - floor), hn::Set(d, 1.0f));
-  const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
-  return LevelAt(d, texture, first_texel, hn::Min(floor + next, last));
+  return hn::Min(floor + next, hn::Set(d, static_cast<float>(texture.level_count - 1)));
 }
 
 /// Emits the chosen texel of a lookup.

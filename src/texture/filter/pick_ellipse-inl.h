@@ -30,8 +30,9 @@ class EllipseLines {
  public:
   using V = hn::Vec<D>;
 
-  /// Finds the lines of ellipses with the centre (x, y), in texels whose centres have integer coordinates.
-  HWY_INLINE EllipseLines(D d, V x, V y, V shear, V height2, V width2) {
+  /// Finds the lines of ellipses with the centre (x, y), in texels whose centres have integer coordinates. `least` is
+  /// the least r^2 of their texels: 0, or that of a slice of an ellipsoid.
+  HWY_INLINE EllipseLines(D d, V x, V y, V shear, V height2, V width2, V least) : least_(least) {
     const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
     const V across = width2 + shear * shear * height2;  // square of half the width of the ellipse
     by_column_ = hn::Gt(across, height2);
@@ -64,7 +65,7 @@ class EllipseLines {
     const V distance = first_ + k - along_;
     const V middle = across_ + shear_ * distance;
     Line line;
-    line.square = hn::IfThenElse(hn::Lt(k, lines_), distance * distance * per_long_, one);
+    line.square = hn::IfThenElse(hn::Lt(k, lines_), least_ + distance * distance * per_long_, one);
     line.start = RoundUp(middle - half_width_);
     line.offset = line.start - middle;
     return line;
@@ -85,7 +86,7 @@ class EllipseLines {
 
  private:
   MaskOf<D> by_column_;
-  V along_, across_, shear_, per_long_, per_short_, half_width_, first_, lines_, texels_;
+  V along_, across_, shear_, per_long_, per_short_, half_width_, first_, lines_, texels_, least_;
 };
 
 /// Number of groups of lines whose running sums are kept, so that the texel is found without a second walk over all
@@ -147,7 +148,8 @@ HWY_INLINE void PickEwa(D d, const Sampler& sampler, const Ellipse<D>& e, Rng<D>
   if (hn::AllTrue(d, bilinear)) return;
   const V one = hn::Set(d, 1.0f);
   const EllipseLines<D> lines(d, e.x.x, e.y.x, hn::IfThenZeroElse(bilinear, e.shear),
-                              hn::IfThenElse(bilinear, one, e.height2), hn::IfThenElse(bilinear, one, e.width2));
+                              hn::IfThenElse(bilinear, one, e.height2), hn::IfThenElse(bilinear, one, e.width2),
+                              hn::Zero(d));
   V column, row;
   PickInEllipse(d, lines, first, &column, &row);
   MaskOf<D> in_x, in_y;

@@ -29,6 +29,12 @@ HWY_INLINE Bits<D> BitsOfPoint(D, V u, V v) {
   return hn::BitCast(du, u) + MixBits(du, hn::BitCast(du, v) + hn::Set(du, kWeylStep));
 }
 
+template <class D, class V>
+HWY_INLINE Bits<D> BitsOfPlace(D d, V u, V v, V w) {
+  const hn::RebindToUnsigned<D> du;
+  return hn::BitCast(du, u) + MixBits(du, BitsOfPoint(d, v, w) + hn::Set(du, kWeylStep));
+}
+
 /// A sequence of random numbers for each lane.
 template <class D>
 class Rng {

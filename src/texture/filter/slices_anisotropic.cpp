@@ -47,8 +47,8 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
     const ProbeLine<D> line(d, sampler, block, i);
     const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
     const Slices<D> high = SlicesAt(d, texture, levels.high), low = SlicesAt(d, texture, levels.low);
-    const V middle = hn::Load(d, block.w + i), step = hn::Load(d, block.step_w + i);
-    const V step_w = sampler.wrap_w == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
+    const V middle = hn::Load(d, block.w + i);
+    const V step_w = ProbeLine<D>::Distance(d, sampler.wrap_w, hn::Load(d, block.step_w + i));
     const V reach = hn::Load(d, block.reach + i);
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
     V total = hn::Zero(d);

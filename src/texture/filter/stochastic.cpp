@@ -12,11 +12,13 @@
 #include "simd/round-inl.h"
 #include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bases-inl.h"
+#include "texture/filter/ellipsoid-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/pick-inl.h"
 #include "texture/filter/pick_ellipse-inl.h"
 #include "texture/filter/random-inl.h"
 #include "texture/filter/runner-inl.h"
+#include "texture/filter/slices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -37,7 +39,13 @@ size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups&
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
     const hn::RebindToUnsigned<decltype(d)> du;
     const auto u = FiniteOrZero(d, hn::LoadU(d, from.u + i)), v = FiniteOrZero(d, hn::LoadU(d, from.v + i));
-    hn::Store(from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, u, v), du, out->random + to);
+    if (from.random) {
+      hn::Store(hn::LoadU(du, from.random + i), du, out->random + to);
+    } else if (texture.depth != 0) {
+      hn::Store(BitsOfPlace(d, u, v, FiniteOrZero(d, hn::LoadU(d, from.w + i))), du, out->random + to);
+    } else {
+      hn::Store(BitsOfPoint(d, u, v), du, out->random + to);
+    }
   });
   return HWY_NAMESPACE::FindShapes(texture, sampler, in, static_cast<Shape*>(out));
 }
@@ -45,6 +53,17 @@ size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups&
 template <class D, class Shape>
 HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& block, size_t i) {
   return Rng<D>(d, hn::Load(hn::RebindToUnsigned<D>(), block.random + i), sampler.seed);
+}
+
+/// Picks a tap of a linear or cubic filter at the reduced coordinate at[0].
+template <bool kCubic, class D>
+HWY_INLINE Pick<D> PickTap(D d, shd_wrap wrap, const float* at, const AxisSize<D>& size, hn::Vec<D> random) {
+  const hn::Vec<D> reduced = hn::Load(d, at);
+  if constexpr (kCubic) {
+    return PickCubic(d, wrap, reduced, size, random);
+  } else {
+    return PickLinear(d, wrap, reduced, size, random);
+  }
 }
 
 /// Picks a texel of the base level by the weights of a bilinear or bicubic filter.
@@ -57,20 +76,9 @@ struct PickOnBase : OnBaseLevel {
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     const Level<D> base = level(d, block, i);
     Rng<D> rng = RngOf(d, sampler, block, i);
-    const Pick<D> x = pick(d, sampler.wrap_u, block.u + i, base.across, rng.next(d));
-    const Pick<D> y = pick(d, sampler.wrap_v, block.v + i, base.down, rng.next(d));
+    const Pick<D> x = PickTap<kCubic>(d, sampler.wrap_u, block.u + i, base.across, rng.next(d));
+    const Pick<D> y = PickTap<kCubic>(d, sampler.wrap_v, block.v + i, base.down, rng.next(d));
     emit_pick(d, base, x, y, sink);
-  }
-
- private:
-  template <class D>
-  static HWY_INLINE Pick<D> pick(D d, shd_wrap wrap, const float* at, const AxisSize<D>& size, hn::Vec<D> random) {
-    const hn::Vec<D> reduced = hn::Load(d, at);
-    if constexpr (kCubic) {
-      return PickCubic(d, wrap, reduced, size, random);
-    } else {
-      return PickLinear(d, wrap, reduced, size, random);
-    }
   }
 };
 
@@ -101,10 +109,37 @@ struct PickTrilinear : OnMipLevels {
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto first_texel = FirstTexel(d, texture, block, i);
-    const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
+    const auto number = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
+    const Level<D> level = LevelAt(d, texture, first_texel, number);
     EmitPoint<kQuad>(d, sampler, level, hn::Load(d, block.u + i), hn::Load(d, block.v + i), &rng, sink);
   }
 };
+
+/// Returns the position of the first probe whose running sum of weights is above x times the sum of all weights, or
+/// of the last probe if rounding leaves none.
+template <class D, class V>
+HWY_INLINE V PickGaussian(D d, const ProbeLine<D>& line, V x) {
+  const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
+  const auto weight = [&](float k) {
+    const V position = line.position(d, hn::Set(d, k));
+    return hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.probes), ProbeGaussian(d, position / line.probes));
+  };
+  V total = hn::Zero(d), sum = hn::Zero(d), probe = hn::Zero(d);
+  for (float k = 0.0f; k < max_probes; k += 1.0f) total = total + weight(k);
+  const V wanted = x * total;
+  for (float k = 0.0f; k < max_probes; k += 1.0f) {
+    sum = sum + weight(k);
+    probe = probe + hn::IfThenElseZero(hn::Ge(wanted, sum), hn::Set(d, 1.0f));
+  }
+  return line.position(d, probe);
+}
+
+/// Picks one probe and returns its position.
+template <class D>
+HWY_INLINE hn::Vec<D> PickProbe(D d, const Sampler& sampler, const ProbeLine<D>& line, hn::Vec<D> x) {
+  if (sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL) return line.position(d, RoundDown(x * line.probes));
+  return PickGaussian(d, line, x);
+}
 
 /// Picks one probe, and then one texel of its trilinear lookup, or one of its two quads.
 template <bool kQuad>
@@ -116,32 +151,11 @@ struct PickAnisotropic : OnMipLevels {
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     const ProbeLine<D> line(d, sampler, block, i);
     Rng<D> rng = RngOf(d, sampler, block, i);
-    const auto x = rng.next(d);
-    const auto position = sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL
-                              ? line.position(d, RoundDown(x * line.probes))
-                              : PickGaussian(d, line, x);
+    const auto position = PickProbe(d, sampler, line, rng.next(d));
     const auto first_texel = FirstTexel(d, texture, block, i);
-    const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
+    const auto number = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
+    const Level<D> level = LevelAt(d, texture, first_texel, number);
     EmitPoint<kQuad>(d, sampler, level, line.u_at(position), line.v_at(position), &rng, sink);
-  }
-
-  /// Returns the position of the first probe whose running sum of weights is above x times the sum of all weights, or
-  /// of the last probe if rounding leaves none.
-  template <class D, class V>
-  static HWY_INLINE V PickGaussian(D d, const ProbeLine<D>& line, V x) {
-    const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
-    const auto weight = [&](float k) {
-      const V position = line.position(d, hn::Set(d, k));
-      return hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.probes), ProbeGaussian(d, position / line.probes));
-    };
-    V total = hn::Zero(d), sum = hn::Zero(d), probe = hn::Zero(d);
-    for (float k = 0.0f; k < max_probes; k += 1.0f) total = total + weight(k);
-    const V wanted = x * total;
-    for (float k = 0.0f; k < max_probes; k += 1.0f) {
-      sum = sum + weight(k);
-      probe = probe + hn::IfThenElseZero(hn::Ge(wanted, sum), hn::Set(d, 1.0f));
-    }
-    return line.position(d, probe);
   }
 };
 
@@ -167,6 +181,159 @@ struct PickEllipse {
   }
 };
 
+/// Emits the chosen texel of a lookup in a 3D texture.
+template <class D, class Sink>
+HWY_INLINE void emit_pick(D d, const Slices<D>& slices, const Pick<D>& x, const Pick<D>& y, const Pick<D>& z,
+                          Sink& sink) {
+  emit_pick(d, SliceOf(d, slices, z.index), x, Pick<D>{y.index, hn::And(y.in, z.in)}, sink);
+}
+
+/// EmitPoint() of a 3D texture: the two quads of a level, or one of their texels.
+template <bool kQuad, class D, class Sink>
+HWY_INLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
+                          hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
+  if constexpr (kQuad) {
+    Cube<D>(d, sampler, slices, u, v, w).emit(d, 0, sink);
+    sink.finish();
+  } else {
+    const Pick<D> x = PickLinear(d, sampler.wrap_u, u, slices.level.across, rng->next(d));
+    const Pick<D> y = PickLinear(d, sampler.wrap_v, v, slices.level.down, rng->next(d));
+    const Pick<D> z = PickLinear(d, sampler.wrap_w, w, slices.deep, rng->next(d));
+    emit_pick(d, slices, x, y, z, sink);
+  }
+}
+
+template <bool kCubic>
+struct PickOnBaseInSlices : OnSlices<RandomBlock<PlaceBlock>> {
+  using OnSlices<RandomBlock<PlaceBlock>>::OnSlices;
+
+  static bool is_scattered(const Texture& texture, const PlaceBlock& block) {
+    return OnSlices<PlaceBlock>::is_scattered(texture, block);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const RandomBlock<PlaceBlock>& block, size_t i, Sink& sink) const {
+    const Slices<D> slices = SlicesAt(d, this->texture, hn::Zero(d));
+    const Sampler& with = this->sampler;
+    Rng<D> rng = RngOf(d, with, block, i);
+    const Pick<D> x = PickTap<kCubic>(d, with.wrap_u, block.u + i, slices.level.across, rng.next(d));
+    const Pick<D> y = PickTap<kCubic>(d, with.wrap_v, block.v + i, slices.level.down, rng.next(d));
+    const Pick<D> z = PickTap<kCubic>(d, with.wrap_w, block.w + i, slices.deep, rng.next(d));
+    emit_pick(d, slices, x, y, z, sink);
+  }
+};
+
+template <bool kQuad>
+struct PickTrilinearInSlices : OnSlices<RandomBlock<PlaceLodBlock>> {
+  using OnSlices<RandomBlock<PlaceLodBlock>>::OnSlices;
+
+  static bool is_scattered(const Texture&, const PlaceLodBlock&) { return false; }  // as PickTrilinear
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const RandomBlock<PlaceLodBlock>& block, size_t i, Sink& sink) const {
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
+    EmitPlace<kQuad>(d, sampler, SlicesAt(d, texture, level), hn::Load(d, block.u + i), hn::Load(d, block.v + i),
+                     hn::Load(d, block.w + i), &rng, sink);
+  }
+};
+
+template <bool kQuad>
+struct PickAnisotropicInSlices : OnSlices<RandomBlock<PlaceProbeBlock>> {
+  using OnSlices<RandomBlock<PlaceProbeBlock>>::OnSlices;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const RandomBlock<PlaceProbeBlock>& block, size_t i, Sink& sink) const {
+    const ProbeLine<D> line(d, sampler, block, i);
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const auto position = PickProbe(d, sampler, line, rng.next(d));
+    const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
+    const auto w = ProbeLine<D>::at(sampler.wrap_w, hn::Load(d, block.w + i), position,
+                                    ProbeLine<D>::Distance(d, sampler.wrap_w, hn::Load(d, block.step_w + i)));
+    EmitPlace<kQuad>(d, sampler, SlicesAt(d, texture, level), line.u_at(position), line.v_at(position), w, &rng, sink);
+  }
+};
+
+/// Picks the first texel of an ellipsoid whose running sum of weights is above random times the sum of all weights, as
+/// PickInEllipse() does. A second walk over all texels finds it.
+struct PickEllipsoid : OnSlices<RandomBlock<EllipsoidBlock>> {
+  using OnSlices::OnSlices;
+
+  static bool is_scattered(const Texture& texture, const EllipsoidBlock& block) {
+    return is_scattered_in_slices(texture, block, block.w, block.level);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const RandomBlock<EllipsoidBlock>& block, size_t i, Sink& sink) const {
+    const Ellipse<D> e(d, texture, sampler, block, i);
+    const Slices<D> slices = SlicesAt(d, texture, hn::Load(d, block.level + i));
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const auto linear = hn::Lt(rng.next(d), e.bilinear);
+    const auto first = rng.next(d);
+    Pick<D> x = PickLinear(d, sampler.wrap_u, e.u, slices.level.across, first);
+    Pick<D> y = PickLinear(d, sampler.wrap_v, e.v, slices.level.down, rng.next(d));
+    Pick<D> z = PickLinear(d, sampler.wrap_w, hn::Load(d, block.w + i), slices.deep, rng.next(d));
+    if (!hn::AllTrue(d, linear)) {
+      const EllipsoidDepth<D> depth(d, sampler, slices, e, block, i);
+      hn::Vec<D> column, row, slice;
+      pick_inside(d, e, depth, first, &column, &row, &slice);
+      replace(d, linear, sampler.wrap_u, column, slices.level.across, &x);
+      replace(d, linear, sampler.wrap_v, row, slices.level.down, &y);
+      replace(d, linear, sampler.wrap_w, slice, slices.deep, &z);
+    }
+    emit_pick(d, slices, x, y, z, sink);
+  }
+
+ private:
+  /// Calls body(lines, k, line, texel, weight) for the texels of all slices k.
+  template <class D, class Body>
+  static HWY_INLINE void visit(D d, const Ellipse<D>& e, const EllipsoidDepth<D>& depth, const Body& body) {
+    const float max_slice = depth.max_slice(d);
+    for (float k = 0.0f; k <= max_slice; k += 1.0f) {
+      const EllipsoidSection<D> section(d, depth, hn::Set(d, k));
+      const auto least = hn::IfThenElse(section.empty, hn::Set(d, 1.0f), section.height);
+      const EllipseLines<D> lines(d, section.x, section.y, e.shear, e.height2, e.width2, least);
+      const float line_count = static_cast<float>(lines.lines(d)), texels = lines.texels(d);
+      for (float n = 0.0f; n < line_count; n += 1.0f) {
+        const auto line = lines.line(d, hn::Set(d, n));
+        for (float t = 0.0f; t < texels; t += 1.0f) body(lines, k, n, t, lines.weight(d, line, t));
+      }
+    }
+  }
+
+  template <class D, class V>
+  static HWY_INLINE void pick_inside(D d, const Ellipse<D>& e, const EllipsoidDepth<D>& depth, V random, V* column,
+                                     V* row, V* slice) {
+    V total = hn::Zero(d), sum = hn::Zero(d);
+    visit(d, e, depth, [&](const auto&, float, float, float, V weight) SHD_INLINE_LAMBDA { total = total + weight; });
+    const V wanted = random * total;
+    *column = e.x.x;
+    *row = e.y.x;
+    *slice = depth.first;
+    visit(d, e, depth, [&](const auto& lines, float k, float n, float t, V weight) SHD_INLINE_LAMBDA {
+      const V before = sum;
+      sum = sum + weight;
+      const auto hit = hn::And(hn::Le(before, wanted), hn::Lt(wanted, sum));
+      if (HWY_LIKELY(hn::AllFalse(d, hit))) return;
+      V x, y;
+      lines.locate(d, hn::Set(d, n), hn::Set(d, t), &x, &y);
+      *column = hn::IfThenElse(hit, x, *column);
+      *row = hn::IfThenElse(hit, y, *row);
+      *slice = hn::IfThenElse(hit, depth.first + hn::Set(d, k), *slice);
+    });
+  }
+
+  /// Replaces a pick by the texel `at`, except in the lanes `keeps`.
+  template <class D>
+  static HWY_INLINE void replace(D d, MaskOf<D> keeps, shd_wrap wrap, hn::Vec<D> at, const AxisSize<D>& size,
+                                 Pick<D>* pick) {
+    MaskOf<D> in;
+    const auto index = Walk<D>(d, wrap, at, size).index(d, &in);
+    pick->index = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), keeps), pick->index, index);
+    pick->in = hn::Or(hn::And(keeps, pick->in), hn::AndNot(keeps, in));
+  }
+};
+
 }  // namespace
 
 size_t RunStochastic(const FilterCall& call) {
@@ -180,6 +347,20 @@ size_t RunStochastic(const FilterCall& call) {
     case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic<false>>(call);
     case SHD_FILTER_EWA: return Run<PickEllipse>(call);
     default: return Run<PickTrilinear<false>>(call);
+  }
+}
+
+size_t RunStochasticInSlices(const FilterCall& call) {
+  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
+    return call.sampler.stochastic_filter == SHD_FILTER_ANISOTROPIC ? Run<PickAnisotropicInSlices<true>>(call)
+                                                                    : Run<PickTrilinearInSlices<true>>(call);
+  }
+  switch (call.sampler.stochastic_filter) {
+    case SHD_FILTER_BILINEAR: return Run<PickOnBaseInSlices<false>>(call);
+    case SHD_FILTER_BICUBIC: return Run<PickOnBaseInSlices<true>>(call);
+    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropicInSlices<false>>(call);
+    case SHD_FILTER_EWA: return Run<PickEllipsoid>(call);
+    default: return Run<PickTrilinearInSlices<false>>(call);
   }
 }
 

@@ -9,11 +9,12 @@ struct Recording;
 
 /// Filters any number of lookups on the calling thread. The texture must have the tables that the filter reads. If
 /// `recording` is not null, lookups are recorded there instead of written to the columns; the filter must have
-/// explanations (support.h) and the sampler without magnification. Returns the number of lookups with a coordinate,
+/// explanations (support.h) and the sampler no magnification. Returns the number of lookups with a coordinate,
 /// derivative or level of detail that is not finite.
 ///
 /// Error bounds against exact arithmetic on the same floats, for texels and borders of magnitude up to m (1 for unorm)
-/// and a base level of w x h texels:
+/// and a base level of w x h texels. In 3D textures of d slices the bounds have w + h + d in place of w + h, and the
+/// bound of bicubic is m (6e-6 + 8e-6 (w + h + d)):
 ///   nearest    the texel lies within 4e-7 w and 4e-7 h texels of the point; relative error of its value 1.2e-7
 ///   bilinear   m (3e-7 + 8e-7 (w + h)); m 3e-7 where u w - 1/2 and v h - 1/2 are floats
 ///   trilinear  bound of bilinear, plus m 4e-6 for the level of detail
@@ -28,6 +29,7 @@ struct Recording;
 ///              use either level
 ///   stochastic one texel, whose probability is its weight within 2e-6 + 8e-7 (w + h), or within the bound of EWA for
 ///              m = 1 if the filter is EWA; a texel of weight 0 is never chosen
+///   ewa 3D     m (3e-5 + 4e-6 (w + h + d) + 4e-6 max_anisotropy), otherwise as ewa
 ///   exact      m 1e-6 if cell_bound() (parallelogram.h) of the footprint on level 0 is at most 16 / tolerance^2
 ///              (clamped to 2^10..2^24 cells); otherwise the integral of the finest level within this limit, or of a
 ///              footprint shortened to the limit on the coarsest level
@@ -45,6 +47,14 @@ struct Recording;
 /// over the texels t at a distance r < 1 in the norm of the ellipse, w = exp(-2 r^2) - exp(-2). It is blended with
 /// bilinear on l by 2 - clamp(a 2^(bias - lod_min), 1, 2). The area of the ellipse is below 10.4 max_anisotropy + 8;
 /// with one more row along its edge it holds at most 16 (max_anisotropy + 1) texels, and at least two.
+///
+/// 3D textures: the axes a and b are those of the ellipse that the two derivatives span in space (places-inl.h).
+/// BICUBIC is the product of the cubic on three axes. The ellipse of EWA becomes an ellipsoid with one more half axis
+/// normal to its plane: 1, and 1 + (1 - (64 b / a)^2) (bb - 1) in its square if 64 b < a, where bb is the square of the
+/// half axis across; a level of detail has a ball. An ellipsoid holds at most 64 (max_anisotropy + 1) texels: its
+/// volume, widened by half the diagonal of a texel, is below 63 max_anisotropy + 54 (Steiner's formula). It is blended
+/// with linear. STOCHASTIC picks a texel of these filters, or with SHD_STOCHASTIC_QUAD both quads of a level. EXACT is the
+/// average over the parallelogram in space, or over the box of 2^lod base texels.
 ///
 /// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed.h; measured 2^-12).
 ///

@@ -23,9 +23,7 @@ struct Refusal {
 
 constexpr Refusal kRefusals[] = {
     // Filters of a domain.
-    {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
-          SHD_FILTER_EXACT),
-     bits(Domain::kSlices), kAny, kAny, "the filter is 2D"},
+    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), bits(Domain::kSlices), kAny, kAny, "its tables are 2D"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
      bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
     // Uses.

@@ -1,110 +1,13 @@
 // SPDX-License-Identifier: MIT
 // 3D textures: every filter against the oracle on every target, with all wraps, odd sizes, tails and inputs that are
 // not finite; derivatives; levels; updates; the bits of 2D textures where there is one slice.
-#include "points.h"
-
-#include "ref/slices_ref.h"
+#include "solids.h"
 
 namespace {
 
 using namespace fixture;
 
-struct SolidSize {
-  const char* name;
-  uint32_t width, height, depth;
-};
-const SolidSize k_sizes[] = {{"1x1x1", 1, 1, 1}, {"5x3x7", 5, 3, 7},     {"16x8x4", 16, 8, 4},
-                             {"1x1x9", 1, 1, 9}, {"33x17x5", 33, 17, 5}, {"32x32x32", 32, 32, 32}};
-const shd_format k_solid_formats[] = {SHD_FORMAT_R8,   SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RG16,   SHD_FORMAT_RGBA16F,
-                                      SHD_FORMAT_R32F, SHD_FORMAT_RGBA8,      SHD_FORMAT_RGBA32F};
-
-/// Columns of lookups with three coordinates.
-struct SolidBatch : Batch {
-  float w[kMaxPoints], dwdx[kMaxPoints], dwdy[kMaxPoints];
-
-  Lookups places(bool derivatives, bool with_lod) const {
-    Lookups all = lookups(derivatives, with_lod);
-    all.w = w;
-    all.dwdx = derivatives ? dwdx : nullptr;
-    all.dwdy = derivatives ? dwdy : nullptr;
-    return all;
-  }
-};
 SolidBatch t_batch, t_other;
-
-void make_places(SolidBatch* batch) {
-  Random random{777};
-  make_points(batch);
-  for (size_t i = 0; i < kPoints; ++i) {
-    const size_t other = (i * 37 + 11) % kPoints;
-    const float scale = ldexpf(1, static_cast<int>(random.next() >> 29) - 7);
-    batch->w[i] = i % 3 == 0 ? batch->v[other] : random.real(-2, 3);
-    batch->dwdx[i] = i < 64 ? 0 : scale * random.real(-1, 1);
-    batch->dwdy[i] = i < 64 ? 0 : scale * random.real(-1, 1);
-  }
-}
-
-shd_texture_desc solid_desc(shd_format format, const SolidSize& size, const uint8_t* texels) {
-  shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = format;
-  desc.width = size.width;
-  desc.height = size.height;
-  desc.depth = size.depth;
-  desc.texels = texels;
-  desc.tables = SHD_TABLE_MIPMAP;
-  return desc;
-}
-Texture* build_solid(const shd_texture_desc& desc) {
-  auto* texture = shd::core::create<Texture>(context()->allocator);
-  shd::texture::build(*context(), desc, texture);
-  return texture;
-}
-uint8_t* solid_texels(shd_format format, const SolidSize& size, uint32_t seed) {
-  const size_t count = size_t{size.width} * size.height * size.depth;
-  auto* texels = static_cast<uint8_t*>(malloc(count * 16 + SHD_TEXTURE_PADDING));
-  random_texels(format, count, seed, texels);
-  return texels;
-}
-Texture* random_solid(shd_format format, const SolidSize& size) {
-  uint8_t* texels = solid_texels(format, size, size.width * 31 + size.depth);
-  Texture* texture = build_solid(solid_desc(format, size, texels));
-  free(texels);
-  return texture;
-}
-
-ref::Solid oracle_solid(const Texture& texture, const shd_sampler_desc& sampler, ref::SolidLevel* levels) {
-  using shd::texture::level_size;
-  for (uint32_t l = 0; l < texture.level_count; ++l) {
-    levels[l] = {shd::texture::row_of(texture, 0, l, 0), level_size(texture.width, l), level_size(texture.height, l),
-                 level_size(texture.depth, l)};
-  }
-  return {texture.format, levels, static_cast<int>(texture.level_count), &sampler};
-}
-
-/// A filter with one of 25 triples of wraps, in which every pair of wraps of two axes occurs.
-shd_sampler_desc solid_sampler(shd_filter filter, uint32_t triple) {
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = filter;
-  desc.profile = SHD_PROFILE_EXACT;
-  desc.wrap_u = static_cast<shd_wrap>(triple % 5);
-  desc.wrap_v = static_cast<shd_wrap>(triple / 5 % 5);
-  desc.wrap_w = static_cast<shd_wrap>((triple + triple / 5) % 5);
-  desc.max_anisotropy = triple % 2 ? 16.0f : 3.5f;
-  desc.probe_weights = triple % 3 ? SHD_PROBE_WEIGHTS_EQUAL : SHD_PROBE_WEIGHTS_GAUSSIAN;
-  memcpy(desc.border, border, sizeof border);
-  return desc;
-}
-
-ref::Place place_of(const SolidBatch& batch, size_t i) {
-  return {static_cast<double>(batch.u[i]), static_cast<double>(batch.v[i]), static_cast<double>(batch.w[i])};
-}
-ref::Spread spread_at(const SolidBatch& batch, const SolidSize& size, size_t i) {
-  const auto texels = [](float value, uint32_t n) { return static_cast<double>(value) * n; };
-  return ref::spread_of(
-      {texels(batch.dudx[i], size.width), texels(batch.dvdx[i], size.height), texels(batch.dwdx[i], size.depth)},
-      {texels(batch.dudy[i], size.width), texels(batch.dvdy[i], size.height), texels(batch.dwdy[i], size.depth)});
-}
 
 /// Whether a value is that of a texel within the error of the position, on one of two levels.
 bool is_near_texel(const ref::Solid& solid, const SolidSize& size, const int (&level)[2], const ref::Place& p, int c,
@@ -157,6 +60,9 @@ bool matches(const ref::Solid& solid, const SolidSize& size, const ref::Place& p
     case SHD_FILTER_BILINEAR_MIP:
       return shd_is_close(got, ref::linear(solid, level[0], p, c), linear, 0) ||
              shd_is_close(got, ref::linear(solid, level[1], p, c), linear, 0);
+    case SHD_FILTER_BICUBIC:
+      return shd_is_close(got, ref::tricubic(solid, p, c), m * (6e-6 + 8e-6 * (size.width + size.height + size.depth)),
+                          0);
     case SHD_FILTER_TRILINEAR: return shd_is_close(got, ref::trilinear(solid, p, lod, c), linear + 4e-6 * m, 0);
     default: {
       const double ratio = s.a == 0 ? 1 : s.a > limit * s.b ? limit : s.a / s.b;
@@ -193,12 +99,12 @@ void check_solid(const Texture& texture, const SolidSize& size, const shd_sample
 
 void test_oracle(void** state) {
   const auto& size = *static_cast<const SolidSize*>(*state);
-  const shd_filter filters[] = {SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
-                                SHD_FILTER_NEAREST_MIP_LINEAR};
+  const shd_filter filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,          SHD_FILTER_NEAREST_MIP,
+                                SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,         SHD_FILTER_ANISOTROPIC,
+                                SHD_FILTER_BICUBIC,      SHD_FILTER_NEAREST_MIP_LINEAR};
   make_places(&t_batch);
   uint32_t triple = 0;
-  for (const shd_format format : k_solid_formats) {
+  for (const shd_format format : kSolidFormats) {
     Texture* texture = random_solid(format, size);
     for (const shd_filter filter : filters) {
       for (int k = 0; k < 5; ++k) check_solid(*texture, size, solid_sampler(filter, triple++ * 7 % 25));
@@ -212,13 +118,13 @@ void test_one_slice(void**) {
   const SolidSize size = {"", 37, 20, 1};
   make_places(&t_batch);
   for (size_t i = 0; i < kPoints; ++i) t_batch.dwdx[i] = t_batch.dwdy[i] = 0;
-  for (const shd_format format : k_solid_formats) {
+  for (const shd_format format : kSolidFormats) {
     uint8_t* texels = solid_texels(format, size, 5);
     Texture *solid = build_solid(solid_desc(format, size, texels)), *flat = make_texture(format, 37, 20, texels, true);
     assert_int_equal(solid->level_count, flat->level_count);
     assert_memory_equal(solid->texels.data(), flat->texels.data(), flat->texels.size());
-    for (const shd_filter filter :
-         {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_NEAREST_MIP_LINEAR}) {
+    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
+                                    SHD_FILTER_NEAREST_MIP_LINEAR}) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = filter;
       desc.wrap_w = SHD_WRAP_MIRROR;
@@ -238,8 +144,8 @@ void test_one_slice(void**) {
 /// Every tail length gives the bits of the whole batch and writes nothing after it.
 void test_tails(void**) {
   const SolidSize size = {"", 9, 6, 5};
-  for (const shd_filter filter :
-       {SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_NEAREST_MIP_LINEAR}) {
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_BICUBIC,
+                                  SHD_FILTER_EWA, SHD_FILTER_NEAREST_MIP_LINEAR}) {
     Texture* texture = random_solid(SHD_FORMAT_RGBA8, size);
     const Sampler sampler = make_sampler(solid_sampler(filter, 3));
     make_places(&t_batch);
@@ -260,7 +166,7 @@ void test_tails(void**) {
 void test_equal_bits(void**) {
   const SolidSize size = {"", 16, 16, 16};
   make_places(&t_batch);
-  for (const shd_format format : k_solid_formats) {
+  for (const shd_format format : kSolidFormats) {
     Texture* texture = random_solid(format, size);
     const Sampler probes = make_sampler(solid_sampler(SHD_FILTER_ANISOTROPIC, 7));
     const Sampler trilinear = make_sampler(solid_sampler(SHD_FILTER_TRILINEAR, 7));
@@ -302,17 +208,19 @@ void test_gradient(void**) {
     t_batch.w[i] = (floorf(random.real(-6, 9)) + random.real(0.55f, 0.95f)) / 4;
     t_batch.lod[i] = i % 2 ? 0.0f : 0.75f;
   }
-  for (const shd_format format : k_solid_formats) {
+  for (const shd_format format : kSolidFormats) {
     Texture* texture = random_solid(format, size);
-    for (const shd_filter filter : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC}) {
+    for (const shd_filter filter :
+         {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_BICUBIC}) {
       const shd_sampler_desc desc = solid_sampler(filter, 5 * (filter % 4) + 1);
       ref::SolidLevel levels[shd::texture::kMaxLevels];
       const ref::Solid solid = oracle_solid(*texture, desc, levels);
       const auto value = [&](size_t i, int axis, double step, int c) {
         ref::Place p = place_of(t_batch, i);
         (axis == 0 ? p.u : axis == 1 ? p.v : p.w) += step / (axis == 0 ? 16 : axis == 1 ? 8 : 4);
-        return filter == SHD_FILTER_BILINEAR ? ref::linear(solid, 0, p, c)
-                                             : ref::trilinear(solid, p, static_cast<double>(t_batch.lod[i]), c);
+        return filter == SHD_FILTER_BILINEAR  ? ref::linear(solid, 0, p, c)
+               : filter == SHD_FILTER_BICUBIC ? ref::tricubic(solid, p, c)
+                                              : ref::trilinear(solid, p, static_cast<double>(t_batch.lod[i]), c);
       };
       for_each_target([&](int64_t target) {
         const auto simd = shd::core::simd_target_from_bit(target);
@@ -348,7 +256,7 @@ void test_gradient(void**) {
 void test_levels(void** state) {
   const auto& size = *static_cast<const SolidSize*>(*state);
   const shd_sampler_desc sampler = shd_sampler_desc_default();
-  for (const shd_format format : k_solid_formats) {
+  for (const shd_format format : kSolidFormats) {
     uint8_t* texels = solid_texels(format, size, 17);
     Texture* texture = build_solid(solid_desc(format, size, texels));
     ref::SolidLevel levels[shd::texture::kMaxLevels];
@@ -471,10 +379,10 @@ int main() {
   CMUnitTest tests[32];
   size_t n = 0;
   for (size_t i = 0; i < 6; ++i) {
-    snprintf(names[0][i], sizeof names[0][i], "oracle/%s", k_sizes[i].name);
-    snprintf(names[1][i], sizeof names[1][i], "levels/%s", k_sizes[i].name);
-    tests[n++] = {names[0][i], test_oracle, nullptr, nullptr, const_cast<SolidSize*>(&k_sizes[i])};
-    if (i < 5) tests[n++] = {names[1][i], test_levels, nullptr, nullptr, const_cast<SolidSize*>(&k_sizes[i])};
+    snprintf(names[0][i], sizeof names[0][i], "oracle/%s", kSolidSizes[i].name);
+    snprintf(names[1][i], sizeof names[1][i], "levels/%s", kSolidSizes[i].name);
+    tests[n++] = {names[0][i], test_oracle, nullptr, nullptr, const_cast<SolidSize*>(&kSolidSizes[i])};
+    if (i < 5) tests[n++] = {names[1][i], test_levels, nullptr, nullptr, const_cast<SolidSize*>(&kSolidSizes[i])};
   }
   tests[n++] = {"one_slice", test_one_slice, nullptr, nullptr, nullptr};
   tests[n++] = {"tails", test_tails, nullptr, nullptr, nullptr};
