@@ -116,7 +116,7 @@ void test_tight(void **)
         {Kind::kFolded, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
         {Kind::kFolded, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
         {Kind::kFolded, SHD_FILTER_TRILINEAR, {1.15, 1.45, 1.15, 1.2}},
-        {Kind::kFolded, SHD_FILTER_ANISOTROPIC, {1.8, 2.15, 1.95, 2.15}},
+        {Kind::kFolded, SHD_FILTER_ANISOTROPIC, {2.0, 2.3, 2.1, 2.3}},
     };
     const Scenes scenes(g_context, 24, 9);
     for (const Tight &row : kTight) {

@@ -214,7 +214,7 @@ void test_strange(void **)
     Random random{3};
     Scenes scenes(g_context, 0, 21);
     for (Scene &scene : scenes.list) {
-        scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 100 : 400, &random);
+        scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 50 : 200, &random);
         scene.image.sampler.profile = scene.kind.depth ? SHD_PROFILE_EXACT : SHD_PROFILE_VULKAN;
         check_strange(scene, preset(SHD_RULES_VULKAN));
         shd_bounds_desc own = preset(SHD_RULES_D3D11);
@@ -235,7 +235,7 @@ void test_wide(void **)
     shd_bounds_desc desc = preset(SHD_RULES_VULKAN);
     for (const float width : {0.0f, 0.4f, 8.5f, 64.0f}) {
         for (Scene &scene : scenes.list) {
-            scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 50 : 200, &random);
+            scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 25 : 100, &random);
             scene.image.sampler.width_x = width;
             scene.image.sampler.width_y = 8.0f;
             for (shd_profile profile : {SHD_PROFILE_VULKAN, SHD_PROFILE_LEAST_ERROR, SHD_PROFILE_D3D11}) {
