@@ -415,6 +415,8 @@ export type Plane =
  * - `bc5_snorm`: two channels in -1..1
  * - `bc6h_ufloat`: three channels from 0 to 65504
  * - `bc6h_sfloat`: three channels from -65504 to 65504
+ * - `rgb9e5`: one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+ * is its number times 2^(e - 24): 0 to 65408
  */
 export type Format =
   | "none"
@@ -454,6 +456,7 @@ export type Format =
   | "bc6h_sfloat"
   | "bc7"
   | "bc7_srgb"
+  | "rgb9e5"
   ;
 
 /**
@@ -1428,7 +1431,7 @@ export type Channel =
  * Options of a texture; combine with |.
  * - `borrow`: Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them.
  * Requires one
- * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+ * layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
  * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
  * because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
  * the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
@@ -3104,9 +3107,9 @@ export interface TessellationDesc {
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 export interface TextureDesc {
   /**
-   * any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-   * decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-   * and the caller gives its levels
+   * any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
+   * decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+   * kept decoded
    */
   format: Format | number;
   /** texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
@@ -3167,22 +3170,23 @@ export interface TextureDesc {
   projection?: Projection | number;
   /**
    * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-   * the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
-   * `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers
-   * at
-   * most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels`
+   * and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and
+   * layers
+   * at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture
    * is
-   * NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of
-   * a
-   * texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
-   * give SHD_ERROR_UNSUPPORTED.
+   * made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+   * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters
+   * have
+   * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
+   * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+   * SHD_MISSING_TILES_COARSER.
    */
   tiles?: TileSource;
 }
 
 /** Size, format and memory of a texture. */
 export interface TextureInfo {
-  /** format of every level; RGBA for a format of three channels of pixels */
+  /** format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
   format: Format | number;
   /** texels of level 0 */
   width: number;
@@ -3266,7 +3270,7 @@ export interface TileCacheStats {
 
 /** A rectangle of a level. Required: width, height. */
 export interface TileRegion {
-  /** 0..layers - 1; default 0 */
+  /** layer, face, or slice of the level of a 3D texture; default 0 */
   layer?: number;
   /** 0..level_count - 1; default 0 */
   level?: number;

@@ -2176,9 +2176,9 @@ namespace Shd
         public static TextureDesc Default { get { return new TextureDesc(); } }
 
         /// <summary>
-        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-        /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
-        /// and the caller gives its levels
+        /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
+        /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+        /// kept decoded
         /// </summary>
         public Format Format { get { return Fields.Format; } set { Fields.Format = value; } }
         /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>

@@ -2210,9 +2210,9 @@ namespace Shd.Native
         /// <summary>set by shd_texture_desc_default()</summary>
         public uint StructSize;
         /// <summary>
-        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-        /// decode them (docs/compressed.md): `depth` is 0, TableFlags.Mipmap is the only table,
-        /// and the caller gives its levels
+        /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
+        /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+        /// kept decoded
         /// </summary>
         public Format Format;
         /// <summary>texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones</summary>
@@ -2270,12 +2270,13 @@ namespace Shd.Native
         public Projection Projection;
         /// <summary>
         /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-        /// the format has one, two or four channels and no blocks, TableFlags.Mipmap is the only table, `depth` is 0, and
-        /// `projection` is Projection.None. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
-        /// most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
-        /// NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
-        /// texel. Precision.Fast has no effect, and shd_texture_explain(), shd_texture_bounds() and Filter.Exact
-        /// give Result.ErrorUnsupported.
+        /// and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and layers
+        /// at most 2^30. TableFlags.Ripmap and TableFlags.SummedArea are built in memory, of all levels, when the texture is
+        /// made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+        /// number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
+        /// fewer than 8 bits for the fraction of a texel. Precision.Fast has no effect. Filter.Exact,
+        /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+        /// MissingTiles.Coarser.
         /// </summary>
         public TileSource Tiles;
 
@@ -2295,7 +2296,7 @@ namespace Shd.Native
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Tile
     {
-        /// <summary>layer of the texture</summary>
+        /// <summary>layer, face, or slice of the level of a 3D texture</summary>
         public uint Layer;
         /// <summary>0 = the base level</summary>
         public uint Level;
@@ -2307,9 +2308,9 @@ namespace Shd.Native
         public uint Width;
         /// <summary>rows to write; fewer at the lower edge</summary>
         public uint Height;
-        /// <summary>[height] rows, `row_stride` apart; aligned to 64 bytes; content undefined</summary>
+        /// <summary>rows of texels or of blocks, `row_stride` apart; aligned to 64 bytes; content undefined</summary>
         public void* Texels;
-        /// <summary>bytes between rows</summary>
+        /// <summary>bytes between rows of texels or of blocks</summary>
         public long RowStride { get { return (long)rowStrideWord; } set { rowStrideWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr rowStrideWord;
     }

@@ -759,7 +759,7 @@ namespace Shd
     {
         /// <summary>set by shd_texture_info_default()</summary>
         public uint StructSize;
-        /// <summary>format of every level; RGBA for a format of three channels of pixels</summary>
+        /// <summary>format of every level; RGBA for RGB8 to RGB32F, with _SRGB</summary>
         public Format Format;
         /// <summary>texels of level 0</summary>
         public uint Width;
@@ -976,7 +976,7 @@ namespace Shd
     {
         /// <summary>set by shd_tile_region_default()</summary>
         public uint StructSize;
-        /// <summary>0..layers - 1; default 0</summary>
+        /// <summary>layer, face, or slice of the level of a 3D texture; default 0</summary>
         public uint Layer;
         /// <summary>0..level_count - 1; default 0</summary>
         public uint Level;

@@ -677,6 +677,9 @@ impl shd_format {
     pub const BC6H_SFLOAT: Self = Self(34);
     pub const BC7: Self = Self(35);
     pub const BC7_SRGB: Self = Self(36);
+    /// one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+    /// is its number times 2^(e - 24): 0 to 65408
+    pub const RGB9E5: Self = Self(37);
 }
 pub const SHD_FORMAT_NONE: shd_format = shd_format::NONE;
 pub const SHD_FORMAT_R8: shd_format = shd_format::R8;
@@ -715,7 +718,8 @@ pub const SHD_FORMAT_BC6H_UFLOAT: shd_format = shd_format::BC6H_UFLOAT;
 pub const SHD_FORMAT_BC6H_SFLOAT: shd_format = shd_format::BC6H_SFLOAT;
 pub const SHD_FORMAT_BC7: shd_format = shd_format::BC7;
 pub const SHD_FORMAT_BC7_SRGB: shd_format = shd_format::BC7_SRGB;
-names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F, BC1_RGB, BC1_RGB_SRGB, BC1_RGBA, BC1_RGBA_SRGB, BC2, BC2_SRGB, BC3, BC3_SRGB, BC4, BC4_SNORM, BC5, BC5_SNORM, BC6H_UFLOAT, BC6H_SFLOAT, BC7, BC7_SRGB);
+pub const SHD_FORMAT_RGB9E5: shd_format = shd_format::RGB9E5;
+names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F, BC1_RGB, BC1_RGB_SRGB, BC1_RGBA, BC1_RGBA_SRGB, BC2, BC2_SRGB, BC3, BC3_SRGB, BC4, BC4_SNORM, BC5, BC5_SNORM, BC6H_UFLOAT, BC6H_SFLOAT, BC7, BC7_SRGB, RGB9E5);
 
 /// File formats that a load may accept; combine with |.
 #[repr(transparent)]
@@ -2132,7 +2136,7 @@ pub struct shd_texture_flag(pub u32);
 impl shd_texture_flag {
     pub const NONE: Self = Self(0);
     /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
-    /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+    /// layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
     /// aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
     /// because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
     /// the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
@@ -2560,9 +2564,10 @@ pub type shd_scene_desc_find_fn = Option<unsafe extern "C" fn(user_data: *mut c_
 /// for scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
-/// Writes the texels of tiles of one level of a layer, in the format of the texture. It is called without a lock, from
-/// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
-/// another. It may call shd: see the rules above.
+/// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a
+/// compressed texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The
+/// cache keeps them decoded. It is called without a lock, from any thread that looks texels up, and by several threads
+/// at once, sometimes for the same tile, whose memory is then another. It may call shd: see the rules above.
 /// @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
 /// or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
 pub type shd_load_tiles_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, tiles: *const shd_tile, count: usize) -> shd_result>;
@@ -4993,9 +4998,9 @@ init!(shd_tessellation_desc, SHD_DESC_KIND_TESSELLATION_DESC);
 pub struct shd_texture_desc {
     /// set by shd_texture_desc_default()
     pub struct_size: u32,
-    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-    /// and the caller gives its levels
+    /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
+    /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+    /// kept decoded
     pub format: shd_format,
     /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
@@ -5037,12 +5042,13 @@ pub struct shd_texture_desc {
     /// `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
     pub projection: shd_projection,
     /// Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-    /// the format has one, two or four channels and no blocks, SHD_TABLE_MIPMAP is the only table, `depth` is 0, and
-    /// `projection` is SHD_PROJECTION_NONE. `width` and `height` are 1..2^20, and the tiles of all levels and layers at
-    /// most 2^30. The callback writes the mip levels too. `level_count` is their number, 0 = down to 1 x 1; `levels` is
-    /// NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have fewer than 8 bits for the fraction of a
-    /// texel. SHD_PRECISION_FAST has no effect, and shd_texture_explain(), shd_texture_bounds() and SHD_FILTER_EXACT
-    /// give SHD_ERROR_UNSUPPORTED.
+    /// and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and layers
+    /// at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture is
+    /// made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+    /// number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
+    /// fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
+    /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+    /// SHD_MISSING_TILES_COARSER.
     pub tiles: shd_tile_source,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5057,7 +5063,7 @@ init!(shd_texture_desc, SHD_DESC_KIND_TEXTURE_DESC);
 pub struct shd_texture_info {
     /// set by shd_texture_info_default()
     pub struct_size: u32,
-    /// format of every level; RGBA for a format of three channels of pixels
+    /// format of every level; RGBA for RGB8 to RGB32F, with _SRGB
     pub format: shd_format,
     /// texels of level 0
     pub width: u32,
@@ -5164,7 +5170,7 @@ init!(shd_tile_cache_desc, SHD_DESC_KIND_TILE_CACHE_DESC);
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct shd_tile {
-    /// layer of the texture
+    /// layer, face, or slice of the level of a 3D texture
     pub layer: u32,
     /// 0 = the base level
     pub level: u32,
@@ -5176,9 +5182,9 @@ pub struct shd_tile {
     pub width: u32,
     /// rows to write; fewer at the lower edge
     pub height: u32,
-    /// \[height\] rows, `row_stride` apart; aligned to 64 bytes; content undefined
+    /// rows of texels or of blocks, `row_stride` apart; aligned to 64 bytes; content undefined
     pub texels: *mut c_void,
-    /// bytes between rows
+    /// bytes between rows of texels or of blocks
     pub row_stride: usize,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5297,7 +5303,7 @@ init!(shd_tile_file_info, SHD_DESC_KIND_TILE_FILE_INFO);
 pub struct shd_tile_region {
     /// set by shd_tile_region_default()
     pub struct_size: u32,
-    /// 0..layers - 1; default 0
+    /// layer, face, or slice of the level of a 3D texture; default 0
     pub layer: u32,
     /// 0..level_count - 1; default 0
     pub level: u32,

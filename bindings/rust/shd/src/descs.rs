@@ -200,9 +200,9 @@ impl Default for ContextDesc {
 /// Texels and tables of a texture. Required: format, width, height, texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureDesc {
-    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
-    /// decode them (docs/compressed.md): `depth` is 0, SHD_TABLE_MIPMAP is the only table,
-    /// and the caller gives its levels
+    /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
+    /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
+    /// kept decoded
     pub format: Format,
     /// texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones
     pub width: u32,
@@ -274,7 +274,7 @@ impl Default for TextureDesc {
 /// Size, format and memory of a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureInfo {
-    /// format of every level; RGBA for a format of three channels of pixels
+    /// format of every level; RGBA for RGB8 to RGB32F, with _SRGB
     pub format: Format,
     /// texels of level 0
     pub width: u32,
@@ -2299,7 +2299,7 @@ impl Default for TileCacheStats {
 /// A rectangle of a level. Required: width, height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TileRegion {
-    /// 0..layers - 1; default 0
+    /// layer, face, or slice of the level of a 3D texture; default 0
     pub layer: u32,
     /// 0..level_count - 1; default 0
     pub level: u32,

@@ -101,8 +101,7 @@ float round_down(double x) {
 
 /// The error of results. Rounding to `result_step` moves values of unorm formats only.
 Range with_result_error(const BoundsCall& call, const Range& range) {
-  const bool floats =
-      call.texture.component == image::Component::kFloat16 || call.texture.component == image::Component::kFloat32;
+  const bool floats = !image::is_unorm(call.texture.component);
   const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
   if (!std::isfinite(largest)) return range;
   const double error = call.model.relative_error * largest + (floats ? 0.0 : call.model.result_step);
