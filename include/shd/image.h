@@ -69,6 +69,8 @@ typedef enum shd_format {
     SHD_FORMAT_BC6H_SFLOAT = 34, /**< three channels from -65504 to 65504 */
     SHD_FORMAT_BC7 = 35,
     SHD_FORMAT_BC7_SRGB = 36,
+    SHD_FORMAT_RGB9E5 = 37, /**< one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+                                 is its number times 2^(e - 24): 0 to 65408 */
     SHD_FORMAT_MAX_ENUM = 0x7fffffff
 } shd_format;
 

@@ -66,7 +66,7 @@ typedef enum shd_texture_flag {
     SHD_TEXTURE_NONE = 0,
     /**
      * Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
-     * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+     * layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
      * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
      * because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
      * the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
@@ -94,7 +94,7 @@ typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 typedef struct shd_texture_desc {
     uint32_t struct_size; /**< set by shd_texture_desc_default() */
-    shd_format format;    /**< any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+    shd_format format;    /**< any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
                                   decode them (docs/compressed.md): the caller gives its mip levels; other tables are
                                   kept decoded */
     uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
@@ -177,7 +177,7 @@ SHD_API void shd_texture_release(shd_texture *texture);
 /** Size, format and memory of a texture. */
 typedef struct shd_texture_info {
     uint32_t struct_size;    /**< set by shd_texture_info_default() */
-    shd_format format;       /**< format of every level; RGBA for a format of three channels of pixels */
+    shd_format format;       /**< format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
     uint32_t width;          /**< texels of level 0 */
     uint32_t height;         /**< texels of level 0 */
     uint32_t layers;         /**< images of the array */

@@ -114,7 +114,7 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW_LEVELS without SHD_TEXTURE_BORROW");
   }
-  if (format.channels == 3) {
+  if (image::has_three_numbers(format)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but format %u has three channels",
                       desc.format);
   }
@@ -208,7 +208,7 @@ shd_result check_tiles(const shd_texture_desc& desc) {
   if (desc.flags & ~uint32_t{SHD_TEXTURE_PREMULTIPLIED}) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: %#x, but texture.tiles has a cache", desc.flags);
   }
-  if (!image::is_block_format(enum_bits(desc.format)) && image::format_info(desc.format).channels == 3) {
+  if (image::has_three_numbers(image::format_info(desc.format))) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texture.format: %d has three channels, but texture.tiles has a cache",
                       static_cast<int>(desc.format));
   }

@@ -63,7 +63,7 @@ CellTree build_cells(const core::Context& context, const Source& source) {
       }
     }
   }
-  finish_cells(&tree);
+  finish_cells(context.simd, &tree);
   return tree;
 }
 

@@ -35,6 +35,6 @@ CellTree make_cells(const core::Allocator& allocator, uint32_t side, float floor
 void add_light(CellTree* tree, float u, float v, const float direction[3], const float radiance[3], float solid_angle);
 
 /// Completes the finest level, and computes the other levels from it.
-void finish_cells(CellTree* tree);
+void finish_cells(const core::SimdTarget& simd, CellTree* tree);
 
 }  // namespace shd::environment

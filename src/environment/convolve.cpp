@@ -23,11 +23,12 @@ constexpr uint32_t kTexels = kTile * kTile;
 
 using CellList = core::Buffer<CellLight>;  // cells whose light reaches a tile
 
-/// Directions of a tile's texels, and their sums.
+/// The texels of a tile, and their sums.
 struct Tile {
-  alignas(64) float x[kTexels], y[kTexels], z[kTexels];
+  MapPoints texels;
   alignas(64) float sum[3][kTexels];
 };
+static_assert(kTexels <= MapPoints::kMost);
 
 }  // namespace
 }  // namespace shd::environment
@@ -71,7 +72,7 @@ HWY_NOINLINE void Accumulate(const Lobe& lobe, const CellLight* cells, size_t co
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   for (size_t i = 0; i < kTexels; i += hn::Lanes(d)) {
-    const auto n = simd::HWY_NAMESPACE::Load3(d, tile->x, tile->y, tile->z, i);
+    const auto n = simd::HWY_NAMESPACE::Load3(d, tile->texels.x, tile->texels.y, tile->texels.z, i);
     V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, total = hn::Zero(d);
     for (size_t k = 0; k < count; ++k) {
       const CellLight& cell = cells[k];
@@ -104,7 +105,7 @@ HWY_EXPORT(AccumulateLobe);
 /// Finds the cells of a lobe for the texels of one tile.
 class CellFinder {
  public:
-  CellFinder(LobeKind kind, uint32_t exponent, const CellTree& cells, const Tile& tile, uint32_t count, CellList* out)
+  CellFinder(LobeKind kind, uint32_t exponent, const CellTree& cells, const MapPoints& texels, CellList* out)
       : cells_(cells), out_(out) {
     const float precision = static_cast<float>(1u << exponent);
     // The squared width of both lobes at half of their height, about.
@@ -112,10 +113,12 @@ class CellFinder {
     // Phong lobes are below e^-20 beyond this squared distance, and all lobes are 0 beyond a right angle.
     limit2_ = kind == LobeKind::kPhong && exponent > 0 ? std::min(2.0f, 40.0f / precision) : 2.0f;
     float sum[3] = {};
-    for (uint32_t i = 0; i < count; ++i) sum[0] += tile.x[i], sum[1] += tile.y[i], sum[2] += tile.z[i];
+    for (size_t i = 0; i < texels.count; ++i) sum[0] += texels.x[i], sum[1] += texels.y[i], sum[2] += texels.z[i];
     const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     for (int c = 0; c < 3; ++c) axis_[c] = length > 0.0f ? sum[c] / length : 0.0f;
-    for (uint32_t i = 0; i < count; ++i) radius_ = std::max(radius_, distance(tile.x[i], tile.y[i], tile.z[i]));
+    for (size_t i = 0; i < texels.count; ++i) {
+      radius_ = std::max(radius_, distance(texels.x[i], texels.y[i], texels.z[i]));
+    }
   }
 
   void find() {
@@ -164,13 +167,12 @@ void Convolver::fill(LobeKind kind, uint32_t exponent, const Level& to, float* t
     const uint32_t left = index % tiles * kTile, top = index / tiles * kTile;
     Tile tile;
     for (uint32_t i = 0; i < kTexels; ++i) {
-      const MapDirection n = map_direction(to.size, static_cast<float>(left + i % kTile) + 0.5f,
-                                           static_cast<float>(top + i / kTile) + 0.5f);
-      tile.x[i] = n.x, tile.y[i] = n.y, tile.z[i] = n.z;
+      tile.texels.add(to.size, static_cast<float>(left + i % kTile) + 0.5f, static_cast<float>(top + i / kTile) + 0.5f);
     }
+    tile.texels.find(context_.simd);
     CellList& list = lists_[worker];
     list.clear();
-    CellFinder(kind, exponent, cells_, tile, kTexels, &list).find();
+    CellFinder(kind, exponent, cells_, tile.texels, &list).find();
     SHD_DISPATCH(AccumulateLobe, context_.simd)(kind, exponent, list.data(), list.size(), &tile);
     for (uint32_t i = 0; i < kTexels; ++i) {
       float* texel =

@@ -10,6 +10,7 @@
 ///
 /// | file           | contents                                                                      |
 /// |----------------|-------------------------------------------------------------------------------|
+/// | harmonics-inl.h | the spherical harmonics of the orders 0 to 2                                 |
 /// | source.h       | kernel: texels as floats, and their integrals with spherical harmonics        |
 /// | map, radiance.h | square maps of directions, and chains of maps for all lobes; maps of an image |
 /// | cells.h        | quadtree of the light of an image                                             |
@@ -26,13 +27,15 @@
 
 namespace shd::environment {
 
+constexpr int kHarmonics = 9;  // real spherical harmonics of the orders 0 to 2 (harmonics-inl.h)
+
 struct Environment {
   shd_projection projection;        // projection of the image
   core::Array<PackedTexel> texels;  // all maps, one after another
   Chain radiance;                   // levels of the image alone: Chain::lobes is 0
   Chain ggx, phong;                 // count 0 = absent
   Level irradiance;                 // size 0 = harmonics
-  float harmonics[3][9];            // [channel] factors of 1, x, y, z, xy, yz, xz, 3 z^2 - 1 and x^2 - y^2
+  float harmonics[3][kHarmonics];   // [channel] factors of the harmonics
   float mean[3];                    // mean radiance
   uint64_t replaced;                // channels of the image that were replaced
 };

@@ -11,7 +11,9 @@
 #include <hwy/highway.h>
 
 #include "environment/environment.h"
+#include "environment/harmonics-inl.h"
 #include "environment/lobe_table.h"
+#include "projection/octahedral-inl.h"
 #include "simd/finite-inl.h"
 #include "simd/gather-inl.h"
 #include "simd/vec3-inl.h"
@@ -30,23 +32,21 @@ HWY_INLINE V PrecisionLog2(D d, V x) {
   return hn::ConvertTo(d, hn::BitCast(di, x) - hn::Set(di, 0x3f800000)) * hn::Set(d, 0x1p-23f);
 }
 
-/// A point of the octahedral square, -1..1. A direction that is 0 or not finite counts as +Z.
-template <class D>
-struct SquarePoint {
-  using V = hn::Vec<D>;
+/// A point of the octahedral square, -1..1.
+template <class V>
+struct SquareV {
   V p, q;
-
-  HWY_INLINE SquarePoint(D d, const Vec3V<V>& n) {
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), sign = hn::Set(d, -0.0f);
-    const V sum = hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z);
-    const auto usable = hn::And(hn::Gt(sum, zero), hn::Lt(sum, hn::Set(d, __builtin_inff())));
-    const V inverse = one / hn::IfThenElse(usable, sum, one);
-    const V x = hn::IfThenElseZero(usable, n.x * inverse), y = hn::IfThenElseZero(usable, n.y * inverse);
-    const auto behind = hn::And(usable, hn::Lt(n.z, zero));
-    p = hn::IfThenElse(behind, hn::Or(one - hn::Abs(y), hn::And(x, sign)), x);
-    q = hn::IfThenElse(behind, hn::Or(one - hn::Abs(x), hn::And(y, sign)), y);
-  }
 };
+
+/// The point of a direction. A direction that is not finite, or shorter than 2^-126, counts as +Z.
+template <class D, class V>
+HWY_INLINE SquareV<V> SquarePoint(D d, const Vec3V<V>& n) {
+  const V one = hn::Set(d, 1.0f), sum = hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z);
+  const auto usable = hn::And(hn::Gt(sum, hn::Set(d, 0x1p-126f)), hn::Lt(sum, hn::Set(d, __builtin_inff())));
+  const Vec3V<V> safe = Select(usable, n, Vec3V<V>{hn::Zero(d), hn::Zero(d), hn::Zero(d)});
+  const projection::HWY_NAMESPACE::Octahedral<D> at(d, safe, one / hn::IfThenElse(usable, sum, one));
+  return {at.a, at.b};
+}
 
 template <class V>
 struct ColorV {
@@ -55,7 +55,7 @@ struct ColorV {
 
 /// Bilinear lookup of a map. Its size and its first texel may differ between lanes.
 template <class D, class V, class VI>
-HWY_INLINE ColorV<V> LookUpMap(D d, const PackedTexel* texels, VI size, VI first, const SquarePoint<D>& at) {
+HWY_INLINE ColorV<V> LookUpMap(D d, const PackedTexel* texels, VI size, VI first, const SquareV<V>& at) {
   const hn::RebindToSigned<D> di;
   const V half = hn::ConvertTo(d, size) * hn::Set(d, 0.5f), centre = half + hn::Set(d, 0.5f);
   const V u = centre + at.p * half, v = centre - at.q * half;
@@ -82,7 +82,7 @@ HWY_INLINE ColorV<V> LookUpMap(D d, const PackedTexel* texels, VI size, VI first
 
 /// Mean radiance around a direction over a lobe whose precision has the logarithm t (PrecisionLog2).
 template <class D, class V>
-HWY_NOINLINE ColorV<V> LookUpChain(D d, const PackedTexel* texels, const Chain& chain, const SquarePoint<D>& at, V t) {
+HWY_NOINLINE ColorV<V> LookUpChain(D d, const PackedTexel* texels, const Chain& chain, const SquareV<V>& at, V t) {
   const hn::RebindToSigned<D> di;
   using VI = hn::Vec<decltype(di)>;
   const V zero = hn::Zero(d), knee = hn::Set(d, chain.knee), last = hn::Set(d, static_cast<float>(chain.count - 1));
@@ -117,15 +117,13 @@ HWY_NOINLINE ColorV<V> Irradiance(D d, const Environment& environment, const Vec
   if (environment.irradiance.size) {
     const Level& level = environment.irradiance;
     return LookUpMap<D, V>(d, environment.texels.data(), hn::Set(di, static_cast<int32_t>(level.size)),
-                           hn::Set(di, static_cast<int32_t>(level.first)), SquarePoint<D>(d, n));
+                           hn::Set(di, static_cast<int32_t>(level.first)), SquarePoint(d, n));
   }
-  const V one = hn::Set(d, 1.0f);
-  const V basis[9] = {
-      one, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, hn::Set(d, 3.0f) * (n.z * n.z) - one, n.x * n.x - n.y * n.y};
+  const HarmonicBasis<V> basis(d, n);
   ColorV<V> color;
   for (int c = 0; c < 3; ++c) {
     V sum = hn::Set(d, environment.harmonics[c][0]);
-    for (int k = 1; k < 9; ++k) sum = sum + hn::Set(d, environment.harmonics[c][k]) * basis[k];
+    for (int k = 1; k < kHarmonics; ++k) sum = sum + hn::Set(d, environment.harmonics[c][k]) * basis.value[k];
     color.channel[c] = hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), sum);
   }
   return color;

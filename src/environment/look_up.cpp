@@ -63,7 +63,7 @@ void IrradianceBatch(const Environment& environment, const LookUps& in, float* c
 void RadianceBatch(const Environment& environment, const LookUps& in, float* const* out) {
   const Tag d;
   ForEach(in, out, [&](const Vec3V<Vec>& n, Vec) HWY_ATTR {
-    return LookUpChain(d, environment.texels.data(), environment.radiance, SquarePoint<Tag>(d, n), hn::Set(d, kSharp));
+    return LookUpChain(d, environment.texels.data(), environment.radiance, SquarePoint(d, n), hn::Set(d, kSharp));
   });
 }
 
@@ -74,7 +74,7 @@ void GgxBatch(const Environment& environment, const LookUps& in, float* const* o
     const Vec r = hn::IfThenElse(hn::Lt(roughness, one), hn::Max(roughness, hn::Set(d, 1e-4f)), one);
     const Vec alpha = r * r;
     const Vec t = PrecisionLog2(d, one / (alpha * alpha));
-    return LookUpChain(d, environment.texels.data(), environment.ggx, SquarePoint<Tag>(d, n), t);
+    return LookUpChain(d, environment.texels.data(), environment.ggx, SquarePoint(d, n), t);
   });
 }
 
@@ -83,8 +83,7 @@ void PhongBatch(const Environment& environment, const LookUps& in, float* const*
   const Vec zero = hn::Zero(d), one = hn::Set(d, 1.0f), largest = hn::Set(d, 1e6f);
   ForEach(in, out, [&](const Vec3V<Vec>& n, Vec exponent) HWY_ATTR {
     const Vec p = hn::IfThenElseZero(hn::Gt(exponent, zero), hn::Min(exponent, largest));
-    return LookUpChain(d, environment.texels.data(), environment.phong, SquarePoint<Tag>(d, n),
-                       PrecisionLog2(d, p + one));
+    return LookUpChain(d, environment.texels.data(), environment.phong, SquarePoint(d, n), PrecisionLog2(d, p + one));
   });
 }
 
@@ -94,7 +93,7 @@ void ViewBatch(const Environment& environment, const LookUps& in, float roughnes
   const float alpha = roughness * roughness, widest = 1.0f / std::max(alpha * alpha, 1e-12f);
   ForEach(in, out, [&](const Vec3V<Vec>& n, Vec precision) HWY_ATTR {
     const Vec t = PrecisionLog2(d, hn::Min(precision, hn::Set(d, widest)));
-    ColorV<Vec> color = LookUpChain(d, environment.texels.data(), chain, SquarePoint<Tag>(d, n), t);
+    ColorV<Vec> color = LookUpChain(d, environment.texels.data(), chain, SquarePoint(d, n), t);
     for (Vec& channel : color.channel) channel = channel * hn::Set(d, intensity);
     return color;
   });

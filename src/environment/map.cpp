@@ -4,18 +4,17 @@
 #include <algorithm>
 
 #include "core/executor.h"
+#include "projection/projection.h"
+#include "texture/format/rgb9e5-inl.h"
 
 namespace shd::environment {
 
 PackedTexel pack(const float rgb[3]) {
-  const float largest = std::max(rgb[0], std::max(rgb[1], rgb[2]));
-  int exponent = 0;
-  std::frexp(largest, &exponent);  // largest < 2^exponent
-  if (!(largest >= 1e-30f)) return {{0, 0}};
-  if (std::ldexp(largest, 16 - exponent) >= 65535.5f) ++exponent;
-  uint32_t channel[3];
-  for (int c = 0; c < 3; ++c) channel[c] = static_cast<uint32_t>(std::ldexp(rgb[c], 16 - exponent) + 0.5f);
-  return {{channel[0] | channel[1] << 16, channel[2] | static_cast<uint32_t>(exponent - 16 + 127) << 16}};
+  if (!(std::max(rgb[0], std::max(rgb[1], rgb[2])) >= 1e-30f)) return {{0, 0}};
+  const double color[3] = {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
+  const texture::SharedExponent shared = texture::share_exponent<16>(color, -100);
+  return {{shared.number[0] | shared.number[1] << 16,
+           shared.number[2] | static_cast<uint32_t>(shared.exponent - 16 + 127) << 16}};
 }
 
 void fill_border(const Level& level, float* texels) {
@@ -35,20 +34,42 @@ void fill_border(const Level& level, float* texels) {
   }
 }
 
+void MapPoints::find(const core::SimdTarget& simd) {
+  projection::unproject(SHD_PROJECTION_OCTAHEDRAL, simd, {count, u, v, nullptr}, {{x, y, z}, weight});
+}
+
+namespace {
+
+/// Writes `count` texels of a row from (x, y) on, at most MapPoints::kMost / 4.
+void halve_part(const core::SimdTarget& simd, const Level& from, const Level& to, uint32_t x, uint32_t y,
+                uint32_t count, float* texels) {
+  MapPoints points;
+  for (uint32_t k = 0; k < 4 * count; ++k) {
+    points.add(from.size, static_cast<float>(2 * (x + k / 4) + k % 2) + 0.5f,
+               static_cast<float>(2 * y + k % 4 / 2) + 0.5f);
+  }
+  points.find(simd);
+  float* out = texels + 4 * texel_index(to, static_cast<int32_t>(x), static_cast<int32_t>(y));
+  for (uint32_t i = 0; i < count; ++i, out += 4) {
+    float sum[4] = {}, total = 0.0f;
+    for (uint32_t k = 0; k < 4; ++k) {
+      const float weight = points.weight[4 * i + k];
+      const float* texel = texels + 4 * texel_index(from, static_cast<int32_t>(2 * (x + i) + k % 2),
+                                                    static_cast<int32_t>(2 * y + k / 2));
+      for (int c = 0; c < 4; ++c) sum[c] += weight * texel[c];
+      total += weight;
+    }
+    for (int c = 0; c < 4; ++c) out[c] = sum[c] / total;
+  }
+}
+
+}  // namespace
+
 void halve(const core::Context& context, const Level& from, const Level& to, float* texels) {
+  constexpr auto kPart = static_cast<uint32_t>(MapPoints::kMost / 4);
   core::parallel_for(context, to.size, [&](uint32_t y, uint32_t) {
-    for (uint32_t x = 0; x < to.size; ++x) {
-      float sum[4] = {}, total = 0.0f;
-      for (uint32_t k = 0; k < 4; ++k) {
-        const uint32_t i = 2 * x + k % 2, j = 2 * y + k / 2;
-        const float norm = map_direction(from.size, static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f).norm;
-        const float weight = norm * norm * norm;
-        const float* texel = texels + 4 * texel_index(from, static_cast<int32_t>(i), static_cast<int32_t>(j));
-        for (int c = 0; c < 4; ++c) sum[c] += weight * texel[c];
-        total += weight;
-      }
-      float* out = texels + 4 * texel_index(to, static_cast<int32_t>(x), static_cast<int32_t>(y));
-      for (int c = 0; c < 4; ++c) out[c] = sum[c] / total;
+    for (uint32_t x = 0; x < to.size; x += kPart) {
+      halve_part(context.simd, from, to, x, y, std::min(kPart, to.size - x), texels);
     }
   });
   fill_border(to, texels);

@@ -238,10 +238,12 @@ class BaseMap {
     for (uint32_t x = 0; x < level_.size; ++x) {
       float* sum = texel(x, row);
       if (!(sum[3] > 0.0f)) {
-        const MapDirection n = map_direction(level_.size, static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
+        MapPoints centre;
+        centre.add(level_.size, static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
+        centre.find(context_.simd);
         Batch batch;
         batch.count = 1;
-        batch.direction[0][0] = n.x, batch.direction[1][0] = n.y, batch.direction[2][0] = n.z;
+        batch.direction[0][0] = centre.x[0], batch.direction[1][0] = centre.y[0], batch.direction[2][0] = centre.z[0];
         look_up(&batch);
         for (int c = 0; c < 3; ++c) sum[c] = batch.value[c][0];
         sum[3] = 1.0f;

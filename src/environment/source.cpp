@@ -15,6 +15,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "environment/harmonics-inl.h"
+
 #ifndef SHD_ENVIRONMENT_SOURCE_CPP_
 #define SHD_ENVIRONMENT_SOURCE_CPP_
 namespace shd::environment {
@@ -41,17 +43,17 @@ void AddRow(size_t count, const float* const* direction, const float* solid_angl
             RowSums* sums) {
   const hn::CappedTag<float, kStrands> d;
   using V = hn::Vec<decltype(d)>;
-  const V one = hn::Set(d, 1.0f), three = hn::Set(d, 3.0f);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const size_t strand = i % kStrands;
-    const V x = hn::Load(d, direction[0] + i), y = hn::Load(d, direction[1] + i), z = hn::Load(d, direction[2] + i);
     const V weight = hn::Load(d, solid_angle + i);
-    const V basis[kHarmonics] = {one, x, y, z, x * y, y * z, x * z, three * z * z - one, x * x - y * y};
+    const auto n = simd::HWY_NAMESPACE::Load3(d, direction[0], direction[1], direction[2], i);
+    HarmonicBasis<V> basis(d, n);
+    basis.value[7] = (hn::Set(d, 3.0f) * n.z) * n.z - hn::Set(d, 1.0f);  // rounded in the order of the stored sums
     for (int c = 0; c < 3; ++c) {
       const V light = weight * hn::Load(d, color[c] + i);
       for (int k = 0; k < kHarmonics; ++k) {
         float* sum = sums->strand[c * kHarmonics + k] + strand;
-        hn::Store(hn::Load(d, sum) + light * basis[k], d, sum);
+        hn::Store(hn::Load(d, sum) + light * basis.value[k], d, sum);
       }
     }
     float* sum = sums->strand[kSums - 1] + strand;

@@ -8,15 +8,13 @@
 #include <shd/projection.h>
 
 #include "core/context.h"
+#include "environment/environment.h"
 #include "texture/convert/floats.h"
 
 namespace shd::environment {
 
 /// Largest radiance; larger values and infinity are replaced by it.
 constexpr float kMaxRadiance = 1e12f;
-
-/// Number of real spherical harmonics of the orders 0 to 2.
-constexpr int kHarmonics = 9;
 
 /// An image of all directions with its texels as floats.
 ///
@@ -28,8 +26,7 @@ struct Source {
   uint32_t across, down;           // parts of a texel
   uint64_t replaced;               // channels that were negative, NaN or too large
   double scale;                    // factor of solid angles, which makes their sum 4 pi; about 1
-  double moments[3][kHarmonics];   // [channel] integrals of the radiance times 1, x, y, z, xy, yz, xz, 3 z^2 - 1, x^2 -
-                                   // y^2 over all directions
+  double moments[3][kHarmonics];   // [channel] integrals of the radiance times the harmonics over all directions
 
   uint32_t faces() const;
   uint64_t texels() const { return uint64_t{image.width} * image.height * faces(); }

@@ -9,17 +9,18 @@
 namespace shd::image {
 
 /// Storage of one channel.
-enum class Component { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32 };
+enum class Component { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32, kRgb9e5 };
 
 /// Layout of a format; all zero for an unknown format.
 struct FormatInfo {
   size_t pixel_size;    // bytes
-  size_t channel_size;  // bytes
+  size_t channel_size;  // bytes; of the whole pixel for kRgb9e5
   size_t channels;      // 1..4
   Component component;  // component of r, g and b; the alpha of kSrgb8 is kUnorm8
 };
 
 constexpr FormatInfo format_info(size_t channels, Component component) {
+  if (component == Component::kRgb9e5) return {4, 4, channels, component};
   const size_t channel_size = component == Component::kFloat32                                       ? 4
                               : component == Component::kFloat16 || component == Component::kUnorm16 ? 2
                                                                                                      : 1;
@@ -48,8 +49,19 @@ constexpr FormatInfo format_info(shd_format format) {
     case SHD_FORMAT_RG32F: return format_info(2, Component::kFloat32);
     case SHD_FORMAT_RGB32F: return format_info(3, Component::kFloat32);
     case SHD_FORMAT_RGBA32F: return format_info(4, Component::kFloat32);
+    case SHD_FORMAT_RGB9E5: return format_info(3, Component::kRgb9e5);
     default: return {0, 0, 0, Component::kUnorm8};
   }
+}
+
+/// Whether a pixel is three numbers, which textures store as four.
+constexpr bool has_three_numbers(const FormatInfo& format) {
+  return format.channels == 3 && format.pixel_size == 3 * format.channel_size;
+}
+
+/// Whether the values of a component are codes of 0..1.
+constexpr bool is_unorm(Component component) {
+  return component == Component::kUnorm8 || component == Component::kSrgb8 || component == Component::kUnorm16;
 }
 
 /// Whether the bits of a caller's enum are a format of pixels.

@@ -38,7 +38,7 @@ uint32_t vulkan_of(shd_format format) {
 struct Sample {
   uint32_t offset, bits, channel, low, high;
 };
-constexpr uint32_t kChannelAlpha = 15, kLinearFlag = 0x10, kSignedFlag = 0x40, kFloatFlag = 0x80;
+constexpr uint32_t kChannelAlpha = 15, kLinearFlag = 0x10, kExponentFlag = 0x20, kSignedFlag = 0x40, kFloatFlag = 0x80;
 constexpr uint32_t kMostUnsigned = 0xffffffff, kMostSigned = 0x7fffffff, kLeastSigned = 0x80000000;
 constexpr uint32_t kOne = 0x3f800000, kMinusOne = 0xbf800000;  // bits of 1.0 and -1.0
 
@@ -61,7 +61,18 @@ std::vector<Sample> samples_of_blocks(shd_format format) {
   }
 }
 
+/// Each channel has a sample of its number, whose value 1 is 8448, and one of the exponent, whose bias is 15.
+std::vector<Sample> samples_of_rgb9e5() {
+  std::vector<Sample> samples;
+  for (uint32_t c = 0; c < 3; ++c) {
+    samples.push_back({9 * c, 9, c, 0, 8448});
+    samples.push_back({27, 5, c | kExponentFlag, 15, 31});
+  }
+  return samples;
+}
+
 std::vector<Sample> samples_of(shd_format format) {
+  if (format == SHD_FORMAT_RGB9E5) return samples_of_rgb9e5();
   if (image::block_info(format).block_size != 0) return samples_of_blocks(format);
   const image::FormatInfo info = image::format_info(format);
   const bool floats = info.component == image::Component::kFloat16 || info.component == image::Component::kFloat32;

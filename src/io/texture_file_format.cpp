@@ -39,6 +39,7 @@ constexpr FormatRow kVulkan[] = {
     {103, SHD_FORMAT_RG32F},
     {106, SHD_FORMAT_RGB32F},
     {109, SHD_FORMAT_RGBA32F},
+    {123, SHD_FORMAT_RGB9E5},
     {131, SHD_FORMAT_BC1_RGB},
     {132, SHD_FORMAT_BC1_RGB_SRGB},
     {133, SHD_FORMAT_BC1_RGBA},
@@ -74,6 +75,7 @@ constexpr FormatRow kDxgi[] = {
     {56, SHD_FORMAT_R16},
     {61, SHD_FORMAT_R8},
     {65, SHD_FORMAT_R8},  // A8: the parser sets the swizzle
+    {67, SHD_FORMAT_RGB9E5},
     {71, SHD_FORMAT_BC1_RGBA},
     {72, SHD_FORMAT_BC1_RGBA_SRGB},
     {74, SHD_FORMAT_BC2},

@@ -78,7 +78,7 @@ struct Surroundings {
                            V (&lobe)[3]) const {
     namespace env = environment::HWY_NAMESPACE;
     const auto color =
-        env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis), env::PrecisionLog2(d, precision));
+        env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint(d, axis), env::PrecisionLog2(d, precision));
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
   }
 };

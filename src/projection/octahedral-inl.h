@@ -21,6 +21,7 @@ template <class D>
 struct Octahedral {
   using V = hn::Vec<D>;
   using VI = hn::Vec<hn::RebindToSigned<D>>;
+  V a, b;  // on the square, -1..1: a points right and b up
   V u, v;
   VI face;
   V sign_x, sign_y, sign_z;  // sign bits; those of zeros are 0
@@ -28,14 +29,15 @@ struct Octahedral {
   V inverse;                 // 1 / (|x| + |y| + |z|)
   hn::Mask<D> behind;
 
-  HWY_INLINE Octahedral(D d, const Vec3V<V>& n) {
+  HWY_INLINE Octahedral(D d, const Vec3V<V>& n)
+      : Octahedral(d, n, hn::Set(d, 1.0f) / (hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z))) {}
+  HWY_INLINE Octahedral(D d, const Vec3V<V>& n, V inverse_sum) : inverse(inverse_sum) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     behind = hn::Lt(n.z, zero);
     sign_x = sign_of(d, n.x), sign_y = sign_of(d, n.y), sign_z = sign_of(d, n.z);
-    inverse = one / (hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z));
     p = n.x * inverse, q = n.y * inverse;
-    const V a = hn::IfThenElse(behind, hn::Xor(one - hn::Abs(q), sign_x), p);
-    const V b = hn::IfThenElse(behind, hn::Xor(one - hn::Abs(p), sign_y), q);
+    a = hn::IfThenElse(behind, hn::Xor(one - hn::Abs(q), sign_x), p);
+    b = hn::IfThenElse(behind, hn::Xor(one - hn::Abs(p), sign_y), q);
     u = half + half * a;
     v = half - half * b;
     face = hn::Zero(hn::RebindToSigned<D>());

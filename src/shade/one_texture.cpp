@@ -6,14 +6,6 @@
 #include "texture/store/storage.h"
 
 namespace shd::shade {
-namespace {
-
-bool has_normalised_integers(const texture::Texture& texture) {
-  return texture.component != image::Component::kFloat16 && texture.component != image::Component::kFloat32;
-}
-
-}  // namespace
-
 bool is_one_texture(const material::Material& material) {
   if (material.model != SHD_MODEL_UNLIT || material.slots != 1u << SHD_SLOT_DIFFUSE) return false;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
@@ -22,7 +14,7 @@ bool is_one_texture(const material::Material& material) {
   for (float emitted : material.emission) {
     if (emitted > 0.0f) return false;
   }
-  return has_normalised_integers(*slot.texture) && !slot.texture->premultiplied;
+  return image::is_unorm(slot.texture->component) && !slot.texture->premultiplied;
 }
 
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,

@@ -50,6 +50,7 @@ static void test_sizes(void **state)
     assert_int_equal(shd_format_size(SHD_FORMAT_BC7), 0);
     assert_int_equal(shd_format_size(SHD_FORMAT_RGBA8), 4);
     assert_int_equal(shd_format_block_size(SHD_FORMAT_RGBA8), 0);
+    assert_int_equal(shd_format_size(SHD_FORMAT_RGB9E5), 4);
     assert_int_equal(shd_format_block_size((shd_format)0x7ffffff0), 0);
     assert_int_equal(shd_format_block_size(SHD_FORMAT_BC1_RGB), 8);
     assert_int_equal(shd_format_block_size(SHD_FORMAT_BC4_SNORM), 8);
@@ -80,7 +81,7 @@ static void edit_borrow_gaps(shd_texture_desc *d)
     edit_borrow(d);
     edit_gaps(d);
 }
-static void edit_unknown(shd_texture_desc *d) { d->format = (shd_format)37; }
+static void edit_unknown(shd_texture_desc *d) { d->format = (shd_format)38; }
 static void edit_narrow(shd_texture_desc *d) { d->row_stride = ACROSS * 16 - 1; }
 static void edit_low_layers(shd_texture_desc *d)
 {
@@ -120,7 +121,7 @@ static const struct create_case {
     {"create/borrow", edit_borrow, SHD_OK, ""},
     {"create/borrow_gaps", edit_borrow_gaps, SHD_ERROR_INVALID_ARGUMENT,
      "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride 83, not 80"},
-    {"create/unknown", edit_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 37 is not a format"},
+    {"create/unknown", edit_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 38 is not a format"},
     {"create/narrow", edit_narrow, SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: 79 is below 80"},
     {"create/low_layers", edit_low_layers, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 239 is below 240"},
     {"create/no_slices", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 1 is below 240"},

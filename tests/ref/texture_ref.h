@@ -32,10 +32,31 @@ inline double half_value(uint16_t half) {
   return sign * (exponent == 0 ? ldexp(mantissa, -24) : ldexp(1024 + mantissa, exponent - 25));
 }
 
-/// Number of channels of a stored format, and size of a channel in bytes.
+/// OpenGL extension EXT_texture_shared_exponent: the unit of the numbers of a texel, and a channel.
+inline double rgb9e5_unit(uint32_t word) {
+  return ldexp(1, static_cast<int>(word >> 27) - 15 - 9);
+}
+inline double rgb9e5_value(uint32_t word, int c) {
+  return (word >> 9 * c & 511) * rgb9e5_unit(word);
+}
+
+/// "Shared Exponent Texture Color Conversion" of the same extension, with N = 9, B = 15 and Emax = 31.
+inline uint32_t rgb9e5_word(const double (&rgb)[3]) {
+  const double most = 511.0 / 512 * 65536;
+  double c[3];
+  for (int i = 0; i < 3; ++i) c[i] = rgb[i] > 0 ? fmin(rgb[i], most) : 0;
+  const double largest = fmax(c[0], fmax(c[1], c[2]));
+  double shared = (largest > 0 ? fmax(-16, floor(log2(largest))) : -16) + 1 + 15;
+  if (floor(largest / exp2(shared - 15 - 9) + 0.5) == 512) ++shared;
+  uint32_t word = static_cast<uint32_t>(shared) << 27;
+  for (int i = 0; i < 3; ++i) word |= static_cast<uint32_t>(floor(c[i] / exp2(shared - 15 - 9) + 0.5)) << 9 * i;
+  return word;
+}
+
+/// Number of channels of a stored format, and size of a channel in bytes; of the texel for kRgb9e5.
 struct Layout {
   int channels, size;
-  enum { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32 } component;
+  enum { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32, kRgb9e5 } component;
 };
 inline Layout layout(shd_format format) {
   switch (format) {
@@ -53,6 +74,7 @@ inline Layout layout(shd_format format) {
     case SHD_FORMAT_RGBA16F: return {4, 2, Layout::kFloat16};
     case SHD_FORMAT_R32F: return {1, 4, Layout::kFloat32};
     case SHD_FORMAT_RG32F: return {2, 4, Layout::kFloat32};
+    case SHD_FORMAT_RGB9E5: return {3, 4, Layout::kRgb9e5};
     default: return {4, 4, Layout::kFloat32};
   }
 }
@@ -68,11 +90,13 @@ inline double decode(shd_format format, const uint8_t* texel, int c) {
   if (c >= l.channels) return missing(c);
   float value;
   uint16_t code;
+  uint32_t word;
   switch (l.component) {
     case Layout::kUnorm8: return texel[c] / 255.0;
     case Layout::kSrgb8: return c == 3 ? texel[c] / 255.0 : srgb_to_linear(texel[c] / 255.0);
     case Layout::kUnorm16: memcpy(&code, texel + 2 * c, 2); return code / 65535.0;
     case Layout::kFloat16: memcpy(&code, texel + 2 * c, 2); return half_value(code);
+    case Layout::kRgb9e5: memcpy(&word, texel, 4); return rgb9e5_value(word, c);
     default: memcpy(&value, texel + 4 * c, 4); return static_cast<double>(value);
   }
 }

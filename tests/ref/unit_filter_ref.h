@@ -223,7 +223,7 @@ inline Value unit_direction(const UnitImage& image, const Unit& unit, const Unit
 inline double unit_result(const UnitImage& image, const Unit& unit, double value, int c) {
   const Layout l = layout(image.format);
   if (unit.bug == Bug::kFilterFirst && l.component == Layout::kSrgb8 && c < 3) value = srgb_to_linear(value);
-  const bool unorm = l.component != Layout::kFloat16 && l.component != Layout::kFloat32;
+  const bool unorm = l.component == Layout::kUnorm8 || l.component == Layout::kSrgb8 || l.component == Layout::kUnorm16;
   if (unit.bug == Bug::kResultBit && c == unit.option >> 3) {
     const int code = static_cast<int>(floor(value * 255 + 0.5));
     return (code ^ (1 << (unit.option & 7))) / 255.0;

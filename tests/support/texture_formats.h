@@ -120,6 +120,7 @@ static const struct format_case k_formats[] = {
     {"rg32f", SHD_FORMAT_RG32F, 8, 1, 103, 4, 1, 16, 0, SAME},
     {"rgb32f", SHD_FORMAT_RGB32F, 12, 1, 106, 4, 1, 6, 0, SAME},
     {"rgba32f", SHD_FORMAT_RGBA32F, 16, 1, 109, 4, 1, 2, 0, SAME},
+    {"rgb9e5", SHD_FORMAT_RGB9E5, 4, 1, 123, 4, 1, 67, 0, SAME},
     {"bc1_rgb", SHD_FORMAT_BC1_RGB, 8, 4, 131, 1, 128, 0, 0, SAME},
     {"bc1_rgb_srgb", SHD_FORMAT_BC1_RGB_SRGB, 8, 4, 132, 1, 128, 0, 1, SAME},
     {"bc1_rgba", SHD_FORMAT_BC1_RGBA, 8, 4, 133, 1, 128, 71, 0, SAME},

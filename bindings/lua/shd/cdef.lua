@@ -263,6 +263,7 @@ typedef enum shd_format {
   SHD_FORMAT_BC6H_SFLOAT = 34,
   SHD_FORMAT_BC7 = 35,
   SHD_FORMAT_BC7_SRGB = 36,
+  SHD_FORMAT_RGB9E5 = 37,
   SHD_FORMAT_MAX_ENUM = 2147483647
 } shd_format;
 typedef enum shd_file_format {

@@ -262,6 +262,7 @@ class Format(enum.IntEnum):
     BC6H_SFLOAT = 34
     BC7 = 35
     BC7_SRGB = 36
+    RGB9E5 = 37
 
 class FileFormat(enum.IntFlag):
     NONE = 0

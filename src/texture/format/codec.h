@@ -6,7 +6,7 @@
 ///   load     decodes the channels of one texel
 ///   add      adds `count` texels to a sum
 ///   store    rounds an average once: unorm and binary16 to nearest even, binary32 to nearest, sRGB (through a float)
-///            to the nearest code
+///            to the nearest code, shared exponents to nearest, half up
 ///   scale    factor from the stored number of a channel to its value
 ///   one      stored number of a channel whose value is 1
 ///   largest  largest finite stored number of a channel; the smallest is 0, or -largest if kFloat

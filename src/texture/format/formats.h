@@ -7,6 +7,7 @@
 // These includes are outside of the guard, because kernels are included once for each target.
 #include "texture/format/float16-inl.h"
 #include "texture/format/float32-inl.h"
+#include "texture/format/rgb9e5-inl.h"
 #include "texture/format/srgb8-inl.h"
 #include "texture/format/unorm16-inl.h"
 #include "texture/format/unorm8-inl.h"
@@ -21,7 +22,8 @@
   ROW(kSrgb8, Srgb8)             \
   ROW(kUnorm16, Unorm16)         \
   ROW(kFloat16, Float16)         \
-  ROW(kFloat32, Float32)
+  ROW(kFloat32, Float32)         \
+  ROW(kRgb9e5, Rgb9e5)
 
 namespace shd::texture {
 
@@ -61,6 +63,13 @@ inline double one_of(image::Component component, size_t channel) {
   return one;
 }
 
+/// Returns the largest finite value of a channel.
+inline double largest_of(image::Component component, size_t channel) {
+  double largest = 1;
+  visit_codec(component, 4, [&](auto codec) { largest = codec.largest(channel) / codec.one(channel); });
+  return largest;
+}
+
 /// Returns whether stored numbers may be infinite or NaN.
 inline bool is_float(image::Component component) {
   bool floats = false;
@@ -70,7 +79,7 @@ inline bool is_float(image::Component component) {
 
 /// Returns the reference of a comparison lookup as texels of a component type are compared with it. NaN stays NaN.
 inline float clamped_reference(image::Component component, float reference) {
-  if (is_float(component)) return reference;
+  if (!image::is_unorm(component)) return reference;
   return reference < 0.0f ? 0.0f : reference > 1.0f ? 1.0f : reference;
 }
 

@@ -36,8 +36,7 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
   texture->component = blocks.block_size ? blocks.component : given.component;
   texture->given_format = desc.format;
   texture->premultiplied = (desc.flags & SHD_TEXTURE_PREMULTIPLIED) != 0;
-  texture->channels =
-      static_cast<uint32_t>(blocks.block_size ? blocks.stored : image::format_info(texture->format).channels);
+  texture->channels = static_cast<uint32_t>(blocks.block_size ? blocks.stored : channels == 3 ? 4 : channels);
   for (uint32_t c = 0; c < 4; ++c) {
     uint32_t source = c;
     if (desc.swizzle[c] != SHD_CHANNEL_DEFAULT) source = static_cast<uint32_t>(desc.swizzle[c]) - SHD_CHANNEL_R;
@@ -161,7 +160,7 @@ void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const R
   for (uint32_t y = rows.first; y < rows.end; ++y) {
     const uint8_t* from = given.texels + size_t{y - region.y.first} * given.stride;
     uint8_t* to = row_of(*texture, layer, level, y) + first;
-    if (given.format.channels == 3) {
+    if (image::has_three_numbers(given.format)) {
       expand_row(from, given.format.channel_size, region.x.size(), to);
     } else {
       std::memcpy(to, from, region.x.size() * given.format.pixel_size);

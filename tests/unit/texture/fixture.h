@@ -28,9 +28,9 @@ using shd::texture::Texels;
 using shd::texture::Texture;
 
 /// Every component type, and every number of channels.
-constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGBA8,  SHD_FORMAT_RGBA8_SRGB,
-                                   SHD_FORMAT_R16,     SHD_FORMAT_RG16,     SHD_FORMAT_RGBA16, SHD_FORMAT_R16F,
-                                   SHD_FORMAT_RGBA16F, SHD_FORMAT_RG32F,    SHD_FORMAT_RGBA32F};
+constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGBA8,   SHD_FORMAT_RGBA8_SRGB,
+                                   SHD_FORMAT_R16,     SHD_FORMAT_RG16,     SHD_FORMAT_RGBA16,  SHD_FORMAT_R16F,
+                                   SHD_FORMAT_RGBA16F, SHD_FORMAT_RG32F,    SHD_FORMAT_RGBA32F, SHD_FORMAT_RGB9E5};
 constexpr size_t kMaxPoints = 512;
 constexpr uint32_t kCanary = 0x7fc0beefu;
 
@@ -49,16 +49,20 @@ inline shd::core::Context* context() {
 
 /// Largest magnitude of the random texels of a format.
 inline double magnitude(shd_format format) {
-  const auto component = shd::image::format_info(format).component;
-  return component == shd::image::Component::kFloat16 || component == shd::image::Component::kFloat32 ? 8 : 1;
+  return shd::image::is_unorm(shd::image::format_info(format).component) ? 1 : 8;
 }
 
-/// Random texels; floats in [-8, 8).
+/// Random texels; floats in [-8, 8), shared exponents in [0, 8).
 inline void random_texels(shd_format format, size_t count, uint32_t seed, uint8_t* texels) {
   Random random{seed};
   const size_t channels = shd::image::format_info(format).channels;
   const Component component = shd::image::format_info(format).component;
-  for (size_t i = 0; i < count * channels; ++i) {
+  for (size_t i = 0; component == Component::kRgb9e5 && i < count; ++i) {
+    const uint32_t numbers = random.next() >> 5, exponent = 13 + (random.next() >> 16) % 6;
+    const uint32_t word = exponent << 27 | numbers;
+    memcpy(texels + 4 * i, &word, 4);
+  }
+  for (size_t i = 0; component != Component::kRgb9e5 && i < count * channels; ++i) {
     const float value = random.real(-8, 8);
     const auto half = static_cast<uint16_t>((random.next() >> 16 & 0x8fff) | 0x3000);  // 2^-3..2^0, both signs
     const uint16_t code = static_cast<uint16_t>(random.next() >> 16);

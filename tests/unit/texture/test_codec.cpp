@@ -11,8 +11,8 @@ namespace {
 using namespace fixture;
 using shd::image::Component;
 
-constexpr Component kComponents[] = {Component::kUnorm8, Component::kSrgb8, Component::kUnorm16, Component::kFloat16,
-                                     Component::kFloat32};
+constexpr Component kComponents[] = {Component::kUnorm8,  Component::kSrgb8,   Component::kUnorm16,
+                                     Component::kFloat16, Component::kFloat32, Component::kRgb9e5};
 
 /// Calls body(codec) with the codec of every component for 1 to 4 channels.
 template <class Body>
@@ -78,6 +78,41 @@ void test_rounding(void**) {
   }
 }
 
+/// Texels of shared exponents are those of the specification; the decoded ones are encoded as themselves.
+void test_shared_exponents(void**) {
+  const shd::texture::Rgb9e5Codec<3> codec;
+  const auto expect = [&](const double(&rgb)[3]) {
+    uint32_t word;
+    uint8_t texel[4];
+    codec.store(rgb, texel);
+    memcpy(&word, texel, sizeof word);
+    if (word != ref::rgb9e5_word(rgb)) fail_msg("%g %g %g: %08x", rgb[0], rgb[1], rgb[2], word);
+    double value[4], again[3];
+    shd::texture::Rgb9e5Codec<4>::load(texel, value);
+    assert_true(value[3] == 1.0);
+    for (int c = 0; c < 3; ++c) assert_true(value[c] == ref::rgb9e5_value(word, c));
+    uint8_t twice[4];
+    codec.store(value, twice);
+    codec.load(twice, again);
+    for (int c = 0; c < 3; ++c) assert_true(again[c] == value[c]);
+  };
+  const double edges[] = {0,     -1,    0x1p-24,  0x1p-25,   0x1.fp-26, 0x1p-60, 0x1.ff0p-1, 0x1.ff7p-1, 0x1.ff8p-1, 1,
+                          65408, 65440, HUGE_VAL, -HUGE_VAL, 1e300,     5e-324,  NAN,        0x1.01p-16, 0x1.ffp-16};
+  for (const double r : edges) {
+    for (const double g : edges) {
+      for (const double b : edges) expect({r, g, b});
+    }
+  }
+  Random random{9};
+  for (int i = 0; i < 100000; ++i) {
+    double rgb[3];
+    for (double& c : rgb) {
+      c = ldexp(static_cast<double>(random.real(-0.1f, 1)), static_cast<int>(random.next() >> 16) % 44 - 26);
+    }
+    expect(rgb);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -85,6 +120,7 @@ int main() {
       cmocka_unit_test(test_scale),
       cmocka_unit_test(test_round_trip),
       cmocka_unit_test(test_rounding),
+      cmocka_unit_test(test_shared_exponents),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

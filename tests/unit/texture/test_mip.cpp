@@ -34,6 +34,13 @@ bool is_rounded(shd_format format, const uint8_t* texel, int c, double average) 
       const double ulp = fmax(ldexp(1, -24), ldexp(fabs(average), -10));
       return fabs(ref::half_value(wide) - average) <= ulp / 2 + 1e-12;
     }
+    case ref::Layout::kRgb9e5: {
+      uint32_t word;
+      memcpy(&word, texel, 4);
+      const uint32_t largest = std::max(word & 511, std::max(word >> 9 & 511, word >> 18 & 511));
+      return fabs(ref::rgb9e5_value(word, c) - average) <= ref::rgb9e5_unit(word) / 2 + 1e-12 &&
+             (largest > 255 || word >> 27 == 0);
+    }
     case ref::Layout::kSrgb8:
       if (c < 3) return fabs(code - 255 * ref::linear_to_srgb(average)) <= 0.50001;
       break;

@@ -50,11 +50,13 @@ void read_levels(const Texture& texture, uint32_t layer) {
 }
 
 /// Half the distance between stored values around `value`, plus the error of the oracle.
-double rounding(shd_format format, int c, double value) {
+double rounding(shd_format format, const uint8_t* texel, int c, double value) {
+  uint32_t word;
   switch (ref::layout(format).component) {
     case ref::Layout::kFloat32: return fabs(value) * 6.0e-8 + 1e-13;
     case ref::Layout::kFloat16: return fmax(ldexp(1, -25), ldexp(fabs(value), -11)) + 1e-12;
     case ref::Layout::kUnorm16: return 0.5 / 65535 + 1e-12;
+    case ref::Layout::kRgb9e5: memcpy(&word, texel, 4); return ref::rgb9e5_unit(word) / 2 + 1e-12;
     case ref::Layout::kSrgb8:
       if (c < 3) {
         const double code = 255 * ref::linear_to_srgb(value);
@@ -73,7 +75,7 @@ void check_level(shd_format format, const ref::Level& level) {
       for (int c = 0; c < ref::layout(format).channels; ++c) {
         const double want = ref::box(format, t_ripmap.levels[0][0], level.width, level.height, x, y, c);
         shd_assert_close("level", static_cast<size_t>(x), ref::decode(format, texel, c), want,
-                         rounding(format, c, want), 0);
+                         rounding(format, texel, c, want), 0);
       }
     }
   }

@@ -468,6 +468,11 @@ namespace Shd
         Bc6hSfloat = 34,
         Bc7 = 35,
         Bc7Srgb = 36,
+        /// <summary>
+        /// one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+        /// is its number times 2^(e - 24): 0 to 65408
+        /// </summary>
+        Rgb9e5 = 37,
     }
 
     /// <summary>File formats that a load may accept; combine with |.</summary>
@@ -1607,7 +1612,7 @@ namespace Shd
         None = 0,
         /// <summary>
         /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
-        /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+        /// layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
         /// aligned to min(size of a texel, 4) bytes. Constants.TexturePadding bytes behind the last texel must be readable,
         /// because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
         /// the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied

@@ -777,7 +777,7 @@ namespace Shd
     {
         /// <summary>set by shd_texture_info_default()</summary>
         public uint StructSize;
-        /// <summary>format of every level; RGBA for a format of three channels of pixels</summary>
+        /// <summary>format of every level; RGBA for RGB8 to RGB32F, with _SRGB</summary>
         public Format Format;
         /// <summary>texels of level 0</summary>
         public uint Width;

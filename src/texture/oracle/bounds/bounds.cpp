@@ -112,7 +112,7 @@ float round_down(double x) {
 
 /// The error of results. Rounding to `result_step` moves values of unorm formats only.
 Range with_result_error(const BoundsCall& call, const Range& range) {
-  const bool floats = !call.sampler.compares && is_float(call.texture.component);
+  const bool floats = !call.sampler.compares && !image::is_unorm(call.texture.component);
   const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
   if (!std::isfinite(largest)) return range;
   const double error = call.model.relative_error * largest + (floats ? 0.0 : call.model.result_step);

@@ -20,7 +20,7 @@ Range reference_range(const Texture& texture, const Lookups& in, size_t i) {
       const Range rounded = widened({reference, reference}, std::fmax(0x1p-11 * size, 0x1p-25));
       return {reference <= -65520.0 ? -HUGE_VAL : rounded.low, reference >= 65520.0 ? HUGE_VAL : rounded.high};
     }
-    case image::Component::kFloat32: break;
+    default: break;
   }
   return {reference, reference};
 }

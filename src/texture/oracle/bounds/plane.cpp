@@ -80,7 +80,7 @@ Color texel_range(const Plane& plane, int64_t i, int64_t j, int64_t k) {
 Color format_range(const Texture& texture, const Sampler& sampler) {
   Color color;
   for (uint32_t c = 0; c < texture.channels; ++c) {
-    color.channel[c] = is_float(texture.component) ? unbounded() : Range{0.0, 1.0};
+    color.channel[c] = is_float(texture.component) ? unbounded() : Range{0.0, largest_of(texture.component, c)};
     if (has_border(texture, sampler)) color.channel[c].add(static_cast<double>(sampler.border[c]));
     if (sampler.compares) color.channel[c] = compared_range(sampler, unbounded(), unbounded());
   }
