@@ -5,21 +5,19 @@
 
 #include "image/format.h"
 #include "projection/projection.h"
-#include "texture/format/formats.h"
+#include "texture/format/texel_codec.h"
 
 namespace shd::texture {
 
 void decode_pixels(shd_format format, const uint8_t* pixel, ptrdiff_t step, uint32_t count, float* rgba) {
   const image::FormatInfo info = image::format_info(format);
-  visit_codec(info.component, info.channels, [&](auto codec) {
-    using Codec = decltype(codec);
-    for (uint32_t x = 0; x < count; ++x, rgba += 4) {
-      double value[Codec::kChannels];
-      Codec::load(pixel + static_cast<ptrdiff_t>(x) * step, value);
-      rgba[0] = rgba[1] = rgba[2] = 0.0f, rgba[3] = 1.0f;
-      for (size_t c = 0; c < Codec::kChannels; ++c) rgba[c] = static_cast<float>(value[c] / Codec::one(c));
-    }
-  });
+  const TexelCodec& codec = codec_of(info.component, info.channels);
+  for (uint32_t x = 0; x < count; ++x, rgba += 4) {
+    double value[4];
+    codec.load(pixel + static_cast<ptrdiff_t>(x) * step, 1, value);
+    rgba[0] = rgba[1] = rgba[2] = 0.0f, rgba[3] = 1.0f;
+    for (size_t c = 0; c < codec.channels; ++c) rgba[c] = static_cast<float>(value[c] / codec.one[c]);
+  }
 }
 
 void allocate(const core::Allocator& allocator, DirectionFloats* out) {

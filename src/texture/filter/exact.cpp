@@ -10,7 +10,8 @@
 #include "texture/domain/block.h"
 #include "texture/domain/exact_footprint.h"
 #include "texture/domain/wrap.h"
-#include "texture/format/formats.h"
+#include "texture/format/codec.h"
+#include "texture/format/texel_codec.h"
 #include "texture/store/reader.h"
 #include "texture/store/storage.h"
 #include "texture/store/tiles/lease.h"
@@ -56,11 +57,11 @@ struct Mean {
 };
 
 /// Integrates the reconstruction of one level. A visitor of visit_cells().
-template <class Codec>
 class Integral {
  public:
   Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
-      : texture_(texture),
+      : codec_(codec_of(texture.component, texture.channels)),
+        texture_(texture),
         sampler_(sampler),
         footprint_(footprint),
         negligible_(footprint.thin ? 0x1p-20 : 0x1p-40),
@@ -68,9 +69,7 @@ class Integral {
         reader_(texture) {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
-    for (size_t c = 0; c < Codec::kChannels; ++c) {
-      border_[c] = static_cast<double>(sampler.border[c]) * one_of(texture.component, c);
-    }
+    for (size_t c = 0; c < 4; ++c) border_[c] = static_cast<double>(sampler.border[c]) * codec_.one[c];
   }
 
   void cell(int64_t i, int64_t j, const Moments& m) {
@@ -93,7 +92,7 @@ class Integral {
     }
   }
 
-  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
+  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / codec_.one[c]); }
 
  private:
   /// Returns row j after wrapping, or -1 for the border colour.
@@ -101,38 +100,37 @@ class Integral {
 
   void add(int64_t y, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
-    double loaded[Codec::kChannels];
+    double loaded[4];
     const double* value = border_;
     if (y >= 0 && x >= 0) {
-      Codec::load(reader_.at(first_, static_cast<uint32_t>(width_), static_cast<uint32_t>(x), static_cast<uint32_t>(y)),
-                  loaded);
+      codec_.load(reader_.at(first_, static_cast<uint32_t>(width_), static_cast<uint32_t>(x), static_cast<uint32_t>(y)),
+                  1, loaded);
       value = loaded;
     }
     weight_ += weight;
-    for (size_t c = 0; c < Codec::kChannels; ++c) mean_[c].add(value[c], weight);
+    for (size_t c = 0; c < codec_.channels; ++c) mean_[c].add(value[c], weight);
   }
 
+  const TexelCodec& codec_;
   const Texture& texture_;
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
   const double
       negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
   int64_t width_, height_;
-  double border_[Codec::kChannels];
+  double border_[4];
   double weight_ = 0;
   uint32_t first_;
   TexelReader reader_;
-  Mean mean_[Codec::kChannels];
+  Mean mean_[4];
 };
 
 void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
-  visit_codec(texture.component, texture.channels, [&](auto codec) {
-    Integral<decltype(codec)> integral(texture, sampler, footprint);
-    visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
-    for (size_t c = 0; c < decltype(codec)::kChannels; ++c) {
-      if (out.channel[c]) *out.channel[c] = integral.channel(c);
-    }
-  });
+  Integral integral(texture, sampler, footprint);
+  visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
+  for (size_t c = 0; c < texture.channels; ++c) {
+    if (out.channel[c]) *out.channel[c] = integral.channel(c);
+  }
 }
 
 /// integrate() without the lease of a call of a texture in tiles: it may load tiles.
