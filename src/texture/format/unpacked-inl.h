@@ -23,28 +23,40 @@ struct UnpackedTexels {
   alignas(64) float channel[4][kMaxLanes];
 };
 
-/// Reads the wanted channels of `count` texels per lane; texel k of the lanes is at index[k].
-using Unpack = void (*)(const TexelSource& source, WantedChannels wanted, const int32_t* const* index, size_t count,
-                        UnpackedTexels* out);
+/// Reads the wanted channels of the texels of an element. Border lanes have the value of some texel.
+struct Unpack {
+  void (*one)(const TexelSource& source, WantedChannels wanted, const int32_t* index, UnpackedTexels* out);
+  void (*four)(const TexelSource& source, WantedChannels wanted, const Stream& stream, uint32_t op, size_t at,
+               UnpackedTexels* out);
+};
+
+template <class F>
+HWY_INLINE void StoreChannels(BatchTag d, const typename F::template Texel<BatchTag>& texel, WantedChannels wanted,
+                              UnpackedTexels* out) {
+  wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
+    hn::Store(F::template finish<c>(d, F::template decode<c>(d, texel)), d, out->channel[c]);
+  });
+}
 
 /// The Unpack of the format F.
 template <class F>
-HWY_NOINLINE void UnpackTexels(const TexelSource& source, WantedChannels wanted, const int32_t* const* index,
-                               size_t count, UnpackedTexels* out) {
+void UnpackOne(const TexelSource& source, WantedChannels wanted, const int32_t* index, UnpackedTexels* out) {
   const BatchTag d;
-  for (size_t k = 0; k < count; ++k) {
-    const auto texel = F::fetch(d, source, index[k]);
-    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
-      hn::Store(F::template finish<c>(d, F::template decode<c>(d, texel)), d, out[k].channel[c]);
-    });
-  }
+  StoreChannels<F>(d, FetchTap<F, true>(d, source, index).texel, wanted, out);
+}
+template <class F>
+void UnpackFour(const TexelSource& source, WantedChannels wanted, const Stream& stream, uint32_t op, size_t at,
+                UnpackedTexels* out) {
+  const BatchTag d;
+  const FourTaps<F, BatchTag> four = FetchFour<F, true>(d, source, stream, op, at);
+  for (size_t k = 0; k < 4; ++k) StoreChannels<F>(d, four.tap[k].texel, wanted, out + k);
 }
 
-/// The Format of unpacked texels.
+/// The Format of unpacked texels. FetchTap() and FetchFour() of its source take the place of its fetches.
 struct Unpacked {
   static constexpr bool kFloat = true;
 
-  /// Texels of a format, and the function that reads them.
+  /// Texels of a format, and the functions that read them.
   struct Source {
     const TexelSource& texels;
     WantedChannels wanted;
@@ -56,28 +68,6 @@ struct Unpacked {
     hn::Vec<D> channel[4];
   };
 
-  template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const Source& source, const int32_t* index) {
-    UnpackedTexels texels;
-    source.unpack(source.texels, source.wanted, &index, 1, &texels);
-    return load(d, texels);
-  }
-  template <class D>
-  static HWY_INLINE void fetch_quad(D d, const Source& source, const int32_t* upper, const int32_t* lower,
-                                    Texel<D> (&quad)[4]) {
-    alignas(64) int32_t right[2][kMaxLanes];
-    store_next(d, upper, 1, right[0]);
-    store_next(d, lower, 1, right[1]);
-    const int32_t* const index[4] = {upper, right[0], lower, right[1]};
-    fetch_four(d, source, index, quad);
-  }
-  template <class D>
-  static HWY_INLINE void fetch_row(D d, const Source& source, const int32_t* at, Texel<D> (&row)[4]) {
-    alignas(64) int32_t next[3][kMaxLanes];
-    for (int k = 0; k < 3; ++k) store_next(d, at, k + 1, next[k]);
-    const int32_t* const index[4] = {at, next[0], next[1], next[2]};
-    fetch_four(d, source, index, row);
-  }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D, const Texel<D>& texel) {
     return texel.channel[C];
@@ -86,25 +76,33 @@ struct Unpacked {
   static HWY_INLINE hn::Vec<D> finish(D, hn::Vec<D> value) {
     return value;
   }
-
- private:
-  template <class D>
-  static HWY_INLINE void store_next(D, const int32_t* index, int distance, int32_t* to) {
-    const hn::RebindToSigned<D> di;
-    hn::Store(hn::Load(di, index) + hn::Set(di, distance), di, to);
-  }
-  template <class D>
-  static HWY_INLINE Texel<D> load(D d, const UnpackedTexels& texels) {
-    return {{hn::Load(d, texels.channel[0]), hn::Load(d, texels.channel[1]), hn::Load(d, texels.channel[2]),
-             hn::Load(d, texels.channel[3])}};
-  }
-  template <class D>
-  static HWY_INLINE void fetch_four(D d, const Source& source, const int32_t* const (&index)[4], Texel<D> (&texel)[4]) {
-    UnpackedTexels texels[4];
-    source.unpack(source.texels, source.wanted, index, 4, texels);
-    for (size_t k = 0; k < 4; ++k) texel[k] = load(d, texels[k]);
-  }
 };
+
+/// Returns a tap of unpacked texels, whose lanes of negative indices are the border.
+template <class D>
+HWY_INLINE Tap<Unpacked, D> TapOf(D d, const UnpackedTexels& texels, const int32_t* index) {
+  const hn::RebindToSigned<D> di;
+  const Unpacked::Texel<D> texel = {{hn::Load(d, texels.channel[0]), hn::Load(d, texels.channel[1]),
+                                     hn::Load(d, texels.channel[2]), hn::Load(d, texels.channel[3])}};
+  return {texel, hn::RebindMask(d, hn::Gt(hn::Load(di, index), hn::Set(di, -1)))};
+}
+
+template <class F, bool kBorder, class D>
+HWY_INLINE Tap<F, D> FetchTap(D d, const Unpacked::Source& source, const int32_t* index) {
+  UnpackedTexels texels;
+  source.unpack.one(source.texels, source.wanted, index, &texels);
+  return TapOf(d, texels, index);
+}
+
+template <class F, bool kBorder, class D>
+HWY_INLINE FourTaps<F, D> FetchFour(D d, const Unpacked::Source& source, const Stream& stream, uint32_t op, size_t at) {
+  UnpackedTexels texels[4];
+  source.unpack.four(source.texels, source.wanted, stream, op, at, texels);
+  FourTaps<F, D> four;
+  // Column 2 is set for all quads and rows, and neighbours are not the border.
+  for (size_t k = 0; k < 4; ++k) four.tap[k] = TapOf(d, texels[k], stream.index[op & kNeighbours ? 2 : k] + at);
+  return four;
+}
 
 /// Consumes elements with the Blend B of Unpacked.
 template <class B>
@@ -116,7 +114,7 @@ HWY_NOINLINE void ConsumeUnpacked(Unpack unpack, const Stream& stream, size_t en
 /// Consumes elements of texels of format F with the Blend B of Unpacked; a Consume.
 template <class B, class F>
 void ConsumeThrough(const Stream& stream, size_t end, Consumption* consumption) {
-  ConsumeUnpacked<B>(UnpackTexels<F>, stream, end, consumption);
+  ConsumeUnpacked<B>({UnpackOne<F>, UnpackFour<F>}, stream, end, consumption);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
