@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/executor.h"
 
+#include <atomic>
+#include <cstdio>
+
+#include "core/call.h"
+#include "core/guard.h"
+
 #ifdef SHD_WITH_TBB
 #include <algorithm>
-#include <atomic>
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -15,6 +20,75 @@
 
 namespace shd::core {
 namespace {
+
+/// First failure of a parallel_for, passed from the worker to the calling thread.
+struct TaskFailure {
+  std::atomic<bool> failed{false};
+  shd_result code = SHD_OK;
+  char text[kErrorTextSize];
+
+  shd_result record(shd_result result, const char* message) noexcept {
+    if (failed.exchange(true, std::memory_order_acq_rel)) return result;
+    code = result;
+    std::snprintf(text, sizeof text, "%s", message);
+    return result;
+  }
+};
+
+/// The tasks that have begun. A host's executor may run a task twice by mistake, and tasks may rely on running once.
+class Claims {
+ public:
+  /// Throws std::bad_alloc for more than kInline tasks.
+  Claims(const Allocator& allocator, uint32_t count) : many_(allocator, count > kInline ? (count + 31) / 32 : 0) {}
+
+  /// Returns false if `index` was already claimed.
+  bool claim(uint32_t index) noexcept {
+    std::atomic<uint32_t>* words = many_.size() ? many_.data() : few_;
+    const uint32_t bit = 1u << (index % 32);
+    return !(words[index / 32].fetch_or(bit, std::memory_order_relaxed) & bit);
+  }
+
+ private:
+  static constexpr uint32_t kInline = 1024;
+  std::atomic<uint32_t> few_[kInline / 32] = {};
+  core::Objects<std::atomic<uint32_t>> many_;
+};
+
+struct Job {
+  const Task& task;
+  uint32_t count;
+  uint32_t worker_count;
+  Claims claims;
+  std::atomic<uint32_t> done{0};
+  TaskFailure failure;
+  SharedCall call;
+
+  Job(const Context& context, uint32_t task_count, const Task& job_task)
+      : task(job_task),
+        count(task_count),
+        worker_count(context.executor.worker_count),
+        claims(context.allocator, task_count) {}
+
+  static void run(void* data, uint32_t index, uint32_t worker) {
+    Job& job = *static_cast<Job*>(data);
+    if (index >= job.count || worker >= job.worker_count) {
+      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
+      return;
+    }
+    if (!job.claims.claim(index)) {
+      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for ran a task twice");
+      return;
+    }
+    job.done.fetch_add(1, std::memory_order_relaxed);
+    if (job.failure.failed.load(std::memory_order_relaxed)) return;
+    const TaskScope scope(&job.call);
+    guard([&](shd_result code, const char* text) { return job.failure.record(code, text); },
+          [&] {
+            job.task.run(job.task.body, index, worker);
+            return SHD_OK;
+          });
+  }
+};
 
 shd_result serial_parallel_for(void*, uint32_t count, shd_task_fn task, void* task_data) {
   for (uint32_t i = 0; i < count; ++i) task(task_data, i, 0);
@@ -122,6 +196,18 @@ void destroy_executor(const Allocator& allocator, void* body) noexcept {
   (void)allocator;
   (void)body;
 #endif
+}
+
+void run_tasks(const Context& context, uint32_t count, const Task& task) {
+  if (count == 0) return;
+  if (count == 1) return task.run(task.body, 0, 0);
+  Job job(context, count, task);
+  const shd_result result = context.executor.parallel_for(context.executor.user_data, count, &job.run, &job);
+  if (job.failure.failed.load(std::memory_order_acquire)) throw Failure(job.failure.code, job.failure.text);
+  if (result != SHD_OK) refuse(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result));
+  if (job.done.load(std::memory_order_acquire) != count) {
+    refuse(SHD_ERROR_CALLBACK, "executor.parallel_for ran %u of %u tasks", job.done.load(), count);
+  }
 }
 
 }  // namespace shd::core

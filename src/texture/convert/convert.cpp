@@ -12,7 +12,7 @@
 #include "image/pixels.h"
 #include "projection/projection.h"
 #include "texture/convert/floats.h"
-#include "texture/format/formats.h"
+#include "texture/format/texel_codec.h"
 #include "texture/lookup/sample.h"
 #include "texture/store/rows.h"
 #include "texture/store/storage.h"
@@ -44,12 +44,10 @@ DirectionFloats decode(const core::Context& context, const DirectionFaces& from)
 
 void encode(const DirectionFaces& to, uint32_t face, uint32_t x, uint32_t y, const double* value) {
   const image::FormatInfo format = image::format_info(to.format);
-  visit_codec(format.component, format.channels, [&](auto codec) {
-    using Codec = decltype(codec);
-    double stored[Codec::kChannels];
-    for (size_t c = 0; c < Codec::kChannels; ++c) stored[c] = clamp_stored<Codec>(c, value[c] * Codec::one(c));
-    Codec::store(stored, pixel_of(to, face, x, y));
-  });
+  const TexelCodec& codec = codec_of(format.component, format.channels);
+  double stored[4];
+  for (size_t c = 0; c < codec.channels; ++c) stored[c] = codec.clamp(c, value[c] * codec.one[c]);
+  codec.store(stored, 1, pixel_of(to, face, x, y));
 }
 
 /// Faces of the same size: a change of layout or format.

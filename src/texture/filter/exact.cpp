@@ -11,7 +11,8 @@
 #include "texture/domain/block.h"
 #include "texture/domain/exact_footprint.h"
 #include "texture/domain/wrap.h"
-#include "texture/format/formats.h"
+#include "texture/format/codec.h"
+#include "texture/format/texel_codec.h"
 #include "texture/store/reader.h"
 #include "texture/store/storage.h"
 #include "texture/store/tiles/lease.h"
@@ -61,11 +62,11 @@ struct Mean {
 
 /// Integrates the reconstruction of one level. A visitor of visit_cells(), and for 3D textures of
 /// visit_cells_in_space().
-template <class Codec>
 class Integral {
  public:
   Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
-      : texture_(texture),
+      : codec_(codec_of(texture.component, texture.channels)),
+        texture_(texture),
         sampler_(sampler),
         footprint_(footprint),
         negligible_(texture.depth != 0 ? 0x1p-30
@@ -76,9 +77,7 @@ class Integral {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
     depth_ = level_size(texture.depth, footprint.level);
-    for (size_t c = 0; c < Codec::kChannels; ++c) {
-      border_[c] = static_cast<double>(sampler.border[c]) * one_of(texture.component, c);
-    }
+    for (size_t c = 0; c < 4; ++c) border_[c] = static_cast<double>(sampler.border[c]) * codec_.one[c];
   }
 
   void cell(int64_t i, int64_t j, const Moments& m) {
@@ -113,7 +112,7 @@ class Integral {
     }
   }
 
-  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
+  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / codec_.one[c]); }
 
  private:
   /// A row of an image: the first unit of its level, and y after wrapping, or -1 for the border colour.
@@ -147,42 +146,41 @@ class Integral {
 
   void add(const Line& from, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
-    double loaded[Codec::kChannels];
+    double loaded[4];
     const double* value = border_;
     if (from.y >= 0 && x >= 0) {
       const auto width = static_cast<uint32_t>(width_);
-      Codec::load(reader_.at(from.first, width, static_cast<uint32_t>(x), static_cast<uint32_t>(from.y)), loaded);
+      codec_.load(reader_.at(from.first, width, static_cast<uint32_t>(x), static_cast<uint32_t>(from.y)), 1, loaded);
       value = loaded;
     }
     weight_ += weight;
-    for (size_t c = 0; c < Codec::kChannels; ++c) mean_[c].add(value[c], weight);
+    for (size_t c = 0; c < codec_.channels; ++c) mean_[c].add(value[c], weight);
   }
 
+  const TexelCodec& codec_;
   const Texture& texture_;
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
   const double
       negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
   int64_t width_, height_, depth_;
-  double border_[Codec::kChannels];
+  double border_[4];
   double weight_ = 0;
   uint32_t first_;
   TexelReader reader_;
-  Mean mean_[Codec::kChannels];
+  Mean mean_[4];
 };
 
 void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
-  visit_codec(texture.component, texture.channels, [&](auto codec) {
-    Integral<decltype(codec)> integral(texture, sampler, footprint);
-    if (texture.depth != 0) {
-      visit_cells_in_space(footprint.center, footprint.a, footprint.b, &integral);
-    } else {
-      visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
-    }
-    for (size_t c = 0; c < decltype(codec)::kChannels; ++c) {
-      if (out.channel[c]) *out.channel[c] = integral.channel(c);
-    }
-  });
+  Integral integral(texture, sampler, footprint);
+  if (texture.depth != 0) {
+    visit_cells_in_space(footprint.center, footprint.a, footprint.b, &integral);
+  } else {
+    visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
+  }
+  for (size_t c = 0; c < texture.channels; ++c) {
+    if (out.channel[c]) *out.channel[c] = integral.channel(c);
+  }
 }
 
 /// integrate() without the lease of a call of a texture in tiles: it may load tiles.

@@ -12,6 +12,8 @@
 //   finish<C>(d, value)       result of a value in the lerp domain
 //   kFloat                    texels may be infinite or NaN, and their blends may overflow
 //
+// The source is the TexelSource of the stream, or that of unpacked texels (unpacked-inl.h).
+//
 // A Blend computes with the texels of a format. Every filter is a tree of blends, so equal texels give exactly their
 // value. It has these members:
 //
@@ -152,6 +154,12 @@ struct WantedChannels {
   }
 };
 
+/// Returns the channels that the Blend B writes.
+template <class B>
+HWY_INLINE WantedChannels WantedBy(const Texels& out) {
+  return {{B::wanted(out, 0), B::wanted(out, 1), B::wanted(out, 2), B::wanted(out, 3)}};
+}
+
 /// One texel per lane, and the mask of lanes whose texel lies in the image; the others read the border colour.
 template <class F, class D>
 struct Tap {
@@ -159,8 +167,8 @@ struct Tap {
   MaskOf<D> in;
 };
 
-template <class F, bool kBorder, class D>
-HWY_INLINE Tap<F, D> FetchTap(D d, const TexelSource& source, const int32_t* index) {
+template <class F, bool kBorder, class D, class Source>
+HWY_INLINE Tap<F, D> FetchTap(D d, const Source& source, const int32_t* index) {
   if constexpr (!kBorder) return {F::fetch(d, source, index), hn::Eq(hn::Zero(d), hn::Zero(d))};
   const hn::RebindToSigned<D> di;
   const auto given = hn::Load(di, index), sign = hn::BroadcastSignBit(given);
@@ -175,9 +183,8 @@ struct FourTaps {
   Tap<F, D> tap[4];
 };
 
-template <class F, bool kBorder, class D, class Elements>
-SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const Elements& stream, uint32_t op,
-                                         size_t at) {
+template <class F, bool kBorder, class D, class Source, class Elements>
+SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const Source& source, const Elements& stream, uint32_t op, size_t at) {
   FourTaps<F, D> four;
   if (HWY_LIKELY(op & kNeighbours)) {
     Tap<F, D>* tap = four.tap;
@@ -241,22 +248,20 @@ struct Averages {
 };
 
 /// Constants of a consumer over all elements, copied out of Consumption so that stores of vectors cannot alias them.
-template <class B>
+template <class B, class Source = TexelSource>
 struct Consumer {
   B blend;
-  TexelSource source;
+  Source source;
   WantedChannels wanted;
 
-  explicit Consumer(const Consumption& c)
-      : blend(c),
-        source(c.texels),
-        wanted{{B::wanted(c.out, 0), B::wanted(c.out, 1), B::wanted(c.out, 2), B::wanted(c.out, 3)}} {}
+  explicit Consumer(const Consumption& c) : Consumer(c, c.texels) {}
+  Consumer(const Consumption& c, const Source& texels) : blend(c), source(texels), wanted(WantedBy<B>(c.out)) {}
 };
 
 /// Blends the element at `at` into the averages. For the last element of a vector of lookups it writes the result
 /// instead.
-template <class B, class F, bool kBorder, class D, class Elements>
-HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements& stream, uint32_t op, size_t at,
+template <class B, class F, bool kBorder, class D, class Source, class Elements>
+HWY_INLINE void ConsumeElement(D d, const Consumer<B, Source>& consumer, const Elements& stream, uint32_t op, size_t at,
                                Averages<B, D>* averages, Consumption* to) {
   using Value = typename B::template Value<D>;
   const B& b = consumer.blend;
@@ -292,12 +297,12 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
   }
 }
 
-/// Consumes elements with the Blend B and the Format F; a Consume.
-template <class B, class F, bool kBorder>
-void ConsumeStream(const Stream& stream, size_t end, Consumption* consumption) {
+/// Consumes elements with the Blend B and the Format F, which fetches from `source`.
+template <class B, class F, bool kBorder, class Source>
+HWY_INLINE void ConsumeFrom(const Source& source, const Stream& stream, size_t end, Consumption* consumption) {
   using D = BatchTag;
   const D d;
-  const Consumer<B> consumer(*consumption);
+  const Consumer<B, Source> consumer(*consumption, source);
   Averages<B, D> averages;
   static_assert(sizeof averages <= sizeof consumption->state);
   if (consumption->open) std::memcpy(&averages, consumption->state, sizeof averages);
@@ -306,6 +311,12 @@ void ConsumeStream(const Stream& stream, size_t end, Consumption* consumption) {
   }
   consumption->open = !(stream.op[end - 1] & kLast);
   if (consumption->open) std::memcpy(consumption->state, &averages, sizeof averages);
+}
+
+/// Consumes elements with the Blend B and the Format F; a Consume.
+template <class B, class F, bool kBorder>
+void ConsumeStream(const Stream& stream, size_t end, Consumption* consumption) {
+  ConsumeFrom<B, F, kBorder>(consumption->texels, stream, end, consumption);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -37,17 +37,16 @@ Region level_region(const Texture& texture, const Region& region, uint32_t level
 }
 
 /// Averages blocks of 2 x 2 of a whole plane in place.
-template <size_t kChannels>
-void halve(double* plane, uint32_t width, uint32_t height) {
-  const size_t pitch = width * kChannels, to_pitch = (width + 1) / 2 * kChannels;
+void halve(size_t channels, double* plane, uint32_t width, uint32_t height) {
+  const size_t pitch = width * channels, to_pitch = (width + 1) / 2 * channels;
   for (uint32_t y = 0; y < (height + 1) / 2; ++y) {
-    halve_rows<kChannels>(plane + 2 * y * pitch, height > 1 ? pitch : 0, width, plane + y * to_pitch);
+    halve_rows(channels, plane + 2 * y * pitch, height > 1 ? pitch : 0, width, plane + y * to_pitch);
   }
 }
 
 /// One round over levels that halve evenly, from level `from` to level from + steps.
-template <class Codec>
 struct Round {
+  const TexelCodec& codec;
   Texture& texture;
   const double* source;  // unrounded level `from`; null for the stored base
   double* last;          // unrounded level from + steps, or null
@@ -63,45 +62,41 @@ struct Round {
   }
 
   void run_tile(uint32_t column, uint32_t row, uint32_t columns) const {
-    double scratch[Codec::kChannels * kTile * kTile / 4];
+    double scratch[4 * kTile * kTile / 4];
     const uint32_t level_width = level_size(texture.width, from), level_height = level_size(texture.height, from);
     uint32_t width = level_width < 1u << steps ? level_width : 1u << steps;
     uint32_t height = level_height < 1u << steps ? level_height : 1u << steps;
     halve_source(column * width, row * height, width, height, scratch);
     for (uint32_t step = 1; step <= steps; ++step) {
-      if (step > 1) halve<Codec::kChannels>(scratch, width, height);
+      if (step > 1) halve(codec.channels, scratch, width, height);
       width = width > 1 ? width / 2 : 1;
       height = height > 1 ? height / 2 : 1;
       store(from + step, column * width, row * height, width, height, scratch);
     }
     if (last) {
-      std::memcpy(last + (size_t{row} * columns + column) * Codec::kChannels, scratch,
-                  Codec::kChannels * sizeof(double));
+      std::memcpy(last + (size_t{row} * columns + column) * codec.channels, scratch, codec.channels * sizeof(double));
     }
   }
 
   /// Computes the first step of a tile whose first texel is (x, y).
   void halve_source(uint32_t x, uint32_t y, uint32_t width, uint32_t height, double* to) const {
     const uint32_t down = height > 1 ? 1 : 0;
-    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Codec::kChannels;
+    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * codec.channels;
     for (uint32_t j = 0; j < (height + 1) / 2; ++j, to += to_row) {
       const uint32_t top = y + 2 * j;
       if (source) {
-        const size_t pitch = size_t{level_size(texture.width, from)} * Codec::kChannels;
-        halve_rows<Codec::kChannels>(source + top * pitch + x * Codec::kChannels, down * pitch, width, to);
+        const size_t pitch = size_t{level_size(texture.width, from)} * codec.channels;
+        halve_rows(codec.channels, source + top * pitch + x * codec.channels, down * pitch, width, to);
       } else {
-        halve_texels<Codec>(row_of(texture, layer, 0, top) + x * Codec::kSize,
-                            row_of(texture, layer, 0, top + down) + x * Codec::kSize, width, to);
+        halve_texels(codec, row_of(texture, layer, 0, top) + x * codec.size,
+                     row_of(texture, layer, 0, top + down) + x * codec.size, width, to);
       }
     }
   }
 
   void store(uint32_t level, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const double* average) const {
-    for (uint32_t j = 0; j < height; ++j) {
-      uint8_t* texel = row_of(texture, layer, level, y + j) + x * Codec::kSize;
-      for (uint32_t i = 0; i < width; ++i, texel += Codec::kSize, average += Codec::kChannels) {
-        Codec::store(average, texel);
-      }
+    for (uint32_t j = 0; j < height; ++j, average += width * codec.channels) {
+      codec.store(average, width, row_of(texture, layer, level, y + j) + x * codec.size);
     }
   }
 };
@@ -164,22 +159,21 @@ struct FirstRound {
 };
 
 /// Sums one level from the base.
-template <class Codec>
-void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
+void sum_level(const core::Context& context, const TexelCodec& codec, Texture& texture, uint32_t layer, uint32_t level,
+               const Region& region) {
   const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
   const double area = static_cast<double>(texture.width) * texture.height;
   const Region texels = level_region(texture, region, level);
   for_rows(context, texels.y, [&](uint32_t y, uint32_t) {
     const AxisSpan down(y, texture.height, height);
-    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * Codec::kSize;
-    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Codec::kSize) {
+    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * codec.size;
+    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += codec.size) {
       const AxisSpan across(x, texture.width, width);
-      double sum[Codec::kChannels] = {};
+      double sum[4] = {};
       for (uint32_t row = down.first; row <= down.last; ++row) {
-        add_row<Codec>(row_of(texture, layer, 0, row), across, down.weight(row), sum);
+        add_row(codec, row_of(texture, layer, 0, row), across, down.weight(row), sum);
       }
-      for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] /= area;
-      Codec::store(sum, texel);
+      store_averages(codec, sum, area, 1, texel);
     }
   });
 }
@@ -214,28 +208,12 @@ size_t plane_size(const Texture& texture, uint32_t level) {
   return size_t{level_size(texture.width, level)} * level_size(texture.height, level) * texture.channels;
 }
 
-template <class Codec>
-void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region, double* sums) {
-  const uint32_t even = even_steps(texture);
-  const double* source = nullptr;
-  for (uint32_t from = 0, steps; from < even; from += steps) {
-    steps = round_steps(texture, from, even);
-    double* last = from + steps < even ? sums : nullptr;
-    if constexpr (Sums<Codec>::kExact) {
-      if (from == 0 && square_steps(texture) > 0) {
-        FirstRound<Codec>{texture, last, steps, layer}.run(context, region);
-      } else {
-        Round<Codec>{texture, source, last, from, steps, layer}.run(context, region);
-      }
-    } else {
-      Round<Codec>{texture, source, last, from, steps, layer}.run(context, region);
-    }
-    source = last;
-    if (last) sums += plane_size(texture, from + steps);
-  }
-  for (uint32_t level = even + 1; level < texture.level_count; ++level) {
-    sum_level<Codec>(context, texture, layer, level, region);
-  }
+void build_first_round(const core::Context& context, Texture& texture, uint32_t layer, uint32_t steps,
+                       const Region& region, double* last) {
+  visit_stored(texture.component, texture.channels, [&](auto codec) {
+    using Codec = decltype(codec);
+    if constexpr (Sums<Codec>::kExact) FirstRound<Codec>{texture, last, steps, layer}.run(context, region);
+  });
 }
 
 }  // namespace
@@ -253,8 +231,23 @@ size_t mip_sums_size(const Texture& texture) {
 
 void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                       double* sums) {
-  visit_stored(texture->component, texture->channels,
-               [&](auto codec) { build_layer<decltype(codec)>(context, *texture, layer, region, sums); });
+  const TexelCodec& codec = codec_of(texture->component, texture->channels);
+  const uint32_t even = even_steps(*texture);
+  const double* source = nullptr;
+  for (uint32_t from = 0, steps; from < even; from += steps) {
+    steps = round_steps(*texture, from, even);
+    double* last = from + steps < even ? sums : nullptr;
+    if (from == 0 && has_exact_sums(*texture) && square_steps(*texture) > 0) {
+      build_first_round(context, *texture, layer, steps, region, last);
+    } else {
+      Round{codec, *texture, source, last, from, steps, layer}.run(context, region);
+    }
+    source = last;
+    if (last) sums += plane_size(*texture, from + steps);
+  }
+  for (uint32_t level = even + 1; level < texture->level_count; ++level) {
+    sum_level(context, codec, *texture, layer, level, region);
+  }
 }
 
 }  // namespace shd::texture

@@ -8,6 +8,7 @@
 #include "core/executor.h"
 #include "image/format.h"
 #include "texture/format/formats.h"
+#include "texture/format/texel_codec.h"
 #include "texture/table/mip_build.h"
 
 namespace shd::texture {
@@ -45,10 +46,9 @@ struct Cut {
   }
 };
 
-/// Calls body(codec) with the codec of one channel of alpha, which is linear in all formats.
-template <class Body>
-void visit_alpha(image::Component component, Body&& body) {
-  visit_codec(component == image::Component::kSrgb8 ? image::Component::kUnorm8 : component, 1, body);
+/// Returns the codec of one channel of alpha, which is linear in all formats.
+const TexelCodec& alpha_codec(image::Component component) {
+  return codec_of(component == image::Component::kSrgb8 ? image::Component::kUnorm8 : component, 1);
 }
 
 uint64_t count_from(const float* alpha, size_t size, float threshold) {
@@ -78,19 +78,17 @@ float find_threshold(const float* alpha, size_t size, uint64_t wanted) {
 uint64_t count_covered(const core::Context& context, const shd_image& image, double cutoff) {
   const image::FormatInfo format = image::format_info(image.format);
   const Cut cut(format.component, cutoff);
+  const TexelCodec& codec = alpha_codec(format.component);
   std::atomic<uint64_t> total{0};
-  visit_alpha(format.component, [&](auto codec) {
-    using Codec = decltype(codec);
-    core::parallel_for(context, image.height, [&](uint32_t y, uint32_t) {
-      const auto* texel = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride + 3 * format.channel_size;
-      uint64_t count = 0;
-      for (uint32_t x = 0; x < image.width; ++x, texel += format.pixel_size) {
-        double value;
-        Codec::load(texel, &value);
-        count += value >= cut.pass;
-      }
-      total.fetch_add(count, std::memory_order_relaxed);
-    });
+  core::parallel_for(context, image.height, [&](uint32_t y, uint32_t) {
+    const auto* texel = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride + 3 * format.channel_size;
+    uint64_t count = 0;
+    for (uint32_t x = 0; x < image.width; ++x, texel += format.pixel_size) {
+      double value;
+      codec.load(texel, 1, &value);
+      count += value >= cut.pass;
+    }
+    total.fetch_add(count, std::memory_order_relaxed);
   });
   return total.load(std::memory_order_relaxed);
 }
@@ -100,24 +98,22 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
   const image::FormatInfo format = image::format_info(level.format);
   const Cut cut(format.component, cutoff);
   const auto threshold = static_cast<double>(find_threshold(alpha, size_t{level.width} * level.height, wanted));
-  visit_alpha(format.component, [&](auto codec) {
-    using Codec = decltype(codec);
-    const double lowest = Codec::kFloat ? -Codec::largest(0) : 0;  // negative alphas over a small threshold exceed it
-    core::parallel_for(context, level.height, [&](uint32_t y, uint32_t) {
-      auto* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride + 3 * format.channel_size;
-      for (uint32_t x = 0; x < level.width; ++x, texel += format.pixel_size) {
-        const auto value = static_cast<double>(alpha[size_t{y} * level.width + x]);
-        double scaled = value / threshold * cut.pass;
-        if (value >= threshold) {
-          scaled = scaled > cut.scale ? cut.scale : scaled < cut.pass ? cut.pass : scaled;
-        } else if (scaled > cut.fail) {
-          scaled = cut.fail;
-        } else if (scaled < lowest && std::isfinite(value)) {
-          scaled = lowest;
-        }
-        Codec::store(&scaled, texel);
+  const TexelCodec& codec = alpha_codec(format.component);
+  const double lowest = codec.is_float ? -codec.largest[0] : 0;  // negative alphas over a small threshold exceed it
+  core::parallel_for(context, level.height, [&](uint32_t y, uint32_t) {
+    auto* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride + 3 * format.channel_size;
+    for (uint32_t x = 0; x < level.width; ++x, texel += format.pixel_size) {
+      const auto value = static_cast<double>(alpha[size_t{y} * level.width + x]);
+      double scaled = value / threshold * cut.pass;
+      if (value >= threshold) {
+        scaled = scaled > cut.scale ? cut.scale : scaled < cut.pass ? cut.pass : scaled;
+      } else if (scaled > cut.fail) {
+        scaled = cut.fail;
+      } else if (scaled < lowest && std::isfinite(value)) {
+        scaled = lowest;
       }
-    });
+      codec.store(&scaled, 1, texel);
+    }
   });
 }
 

@@ -9,7 +9,6 @@
 // texture of one slice has the levels of a 2D texture.
 #include <cstring>
 
-#include "texture/format/formats.h"
 #include "texture/store/rows.h"
 #include "texture/table/halve.h"
 #include "texture/table/tables.h"
@@ -54,10 +53,8 @@ inline void average_into(double* to, const double* other, size_t count) {
 }
 
 /// One round over levels that halve evenly, from level `from` to level from + steps.
-template <class Codec>
 struct CubeRound {
-  static constexpr size_t kChannels = Codec::kChannels;
-
+  const TexelCodec& codec;
   Texture& texture;
   const double* source;  // unrounded level `from`; null for the stored base
   double* last;          // unrounded level from + steps, or null
@@ -72,7 +69,7 @@ struct CubeRound {
 
   /// Computes the texels of every level under texel (x, y, z) of the last level.
   void run_cube(uint32_t x, uint32_t y, uint32_t z) const {
-    double scratch[kChannels * kCube * kCube * kCube / 8];
+    double scratch[4 * kCube * kCube * kCube / 8];
     const auto part = [&](uint32_t size) { return size < 1u << steps ? size : 1u << steps; };
     const Size whole = size_of(texture, from);
     Size size = {part(whole.width), part(whole.height), part(whole.depth)};
@@ -84,22 +81,22 @@ struct CubeRound {
     }
     if (last) {
       const Size end = size_of(texture, from + steps);
-      std::memcpy(last + ((size_t{z} * end.height + y) * end.width + x) * kChannels, scratch,
-                  kChannels * sizeof(double));
+      std::memcpy(last + ((size_t{z} * end.height + y) * end.width + x) * codec.channels, scratch,
+                  codec.channels * sizeof(double));
     }
   }
 
   /// Computes the first step of a cube whose first texel is (x, y, z).
   void halve_source(uint32_t x, uint32_t y, uint32_t z, Size size, double* to) const {
-    double behind[kChannels * kCube / 2];
+    double behind[4 * kCube / 2];
     const Size half = half_of(size);
     const uint32_t down = size.height > 1 ? 1 : 0, deep = size.depth > 1 ? 1 : 0;
     for (uint32_t k = 0; k < half.depth; ++k) {
-      for (uint32_t j = 0; j < half.height; ++j, to += size_t{half.width} * kChannels) {
+      for (uint32_t j = 0; j < half.height; ++j, to += size_t{half.width} * codec.channels) {
         halve_pair(x, y + 2 * j, down, z + 2 * k, size.width, to);
         if (deep == 0) continue;
         halve_pair(x, y + 2 * j, down, z + 2 * k + 1, size.width, behind);
-        average_into(to, behind, size_t{half.width} * kChannels);
+        average_into(to, behind, size_t{half.width} * codec.channels);
       }
     }
   }
@@ -108,26 +105,27 @@ struct CubeRound {
   void halve_pair(uint32_t x, uint32_t y, uint32_t down, uint32_t z, uint32_t width, double* to) const {
     if (source) {
       const Size whole = size_of(texture, from);
-      const size_t pitch = size_t{whole.width} * kChannels;
-      halve_rows<kChannels>(source + (size_t{z} * whole.height + y) * pitch + x * kChannels, down * pitch, width, to);
+      const size_t pitch = size_t{whole.width} * codec.channels;
+      halve_rows(codec.channels, source + (size_t{z} * whole.height + y) * pitch + x * codec.channels, down * pitch,
+                 width, to);
     } else {
-      halve_texels<Codec>(row_of(texture, z, 0, y) + size_t{x} * Codec::kSize,
-                          row_of(texture, z, 0, y + down) + size_t{x} * Codec::kSize, width, to);
+      halve_texels(codec, row_of(texture, z, 0, y) + size_t{x} * codec.size,
+                   row_of(texture, z, 0, y + down) + size_t{x} * codec.size, width, to);
     }
   }
 
   /// Averages blocks of 2 x 2 x 2 of a packed cube in place.
-  static void halve_cube(Size size, double* cube) {
-    double behind[kChannels * kCube / 4];
+  void halve_cube(Size size, double* cube) const {
+    double behind[4 * kCube / 4];
     const Size half = half_of(size);
-    const size_t pitch = size_t{size.width} * kChannels, down = size.height > 1 ? pitch : 0;
+    const size_t pitch = size_t{size.width} * codec.channels, down = size.height > 1 ? pitch : 0;
     double* to = cube;
     for (uint32_t k = 0; k < half.depth; ++k) {
-      for (uint32_t j = 0; j < half.height; ++j, to += size_t{half.width} * kChannels) {
+      for (uint32_t j = 0; j < half.height; ++j, to += size_t{half.width} * codec.channels) {
         const double* front = cube + (size_t{2} * k * size.height + 2 * j) * pitch;
-        if (size.depth > 1) halve_rows<kChannels>(front + size.height * pitch, down, size.width, behind);
-        halve_rows<kChannels>(front, down, size.width, to);
-        if (size.depth > 1) average_into(to, behind, size_t{half.width} * kChannels);
+        if (size.depth > 1) halve_rows(codec.channels, front + size.height * pitch, down, size.width, behind);
+        halve_rows(codec.channels, front, down, size.width, to);
+        if (size.depth > 1) average_into(to, behind, size_t{half.width} * codec.channels);
       }
     }
   }
@@ -135,34 +133,31 @@ struct CubeRound {
   void store(uint32_t level, uint32_t x, uint32_t y, uint32_t z, Size size, const double* average) const {
     for (uint32_t k = 0; k < size.depth; ++k) {
       for (uint32_t j = 0; j < size.height; ++j) {
-        uint8_t* texel = row_of(texture, z + k, level, y + j) + size_t{x} * Codec::kSize;
-        for (uint32_t i = 0; i < size.width; ++i, texel += Codec::kSize, average += kChannels) {
-          Codec::store(average, texel);
-        }
+        codec.store(average, size.width, row_of(texture, z + k, level, y + j) + size_t{x} * codec.size);
+        average += size_t{size.width} * codec.channels;
       }
     }
   }
 };
 
 /// Sums one level from the base.
-template <class Codec>
-void sum_level(const core::Context& context, Texture& texture, uint32_t level, const Box& box) {
+void sum_level(const core::Context& context, const TexelCodec& codec, Texture& texture, uint32_t level,
+               const Box& box) {
   const Size size = size_of(texture, level);
   const double volume = static_cast<double>(texture.width) * texture.height * texture.depth;
   const Box texels = level_box(texture, box, level);
   for_box_rows(context, texels, [&](uint32_t y, uint32_t z) {
     const AxisSpan down(y, texture.height, size.height), deep(z, texture.depth, size.depth);
-    uint8_t* texel = row_of(texture, z, level, y) + size_t{texels.x.first} * Codec::kSize;
-    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Codec::kSize) {
+    uint8_t* texel = row_of(texture, z, level, y) + size_t{texels.x.first} * codec.size;
+    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += codec.size) {
       const AxisSpan across(x, texture.width, size.width);
-      double sum[Codec::kChannels] = {};
+      double sum[4] = {};
       for (uint32_t slice = deep.first; slice <= deep.last; ++slice) {
         for (uint32_t row = down.first; row <= down.last; ++row) {
-          add_row<Codec>(row_of(texture, slice, 0, row), across, down.weight(row) * deep.weight(slice), sum);
+          add_row(codec, row_of(texture, slice, 0, row), across, down.weight(row) * deep.weight(slice), sum);
         }
       }
-      for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] /= volume;
-      Codec::store(sum, texel);
+      store_averages(codec, sum, volume, 1, texel);
     }
   });
 }
@@ -185,22 +180,6 @@ size_t averages_of(const Texture& texture, uint32_t level) {
   return size_t{size.width} * size.height * size.depth * texture.channels;
 }
 
-template <class Codec>
-void build_all(const core::Context& context, Texture& texture, const Box& box, double* sums) {
-  const uint32_t even = even_slice_steps(texture);
-  const double* source = nullptr;
-  for (uint32_t from = 0, steps; from < even; from += steps) {
-    steps = even - from < kCubeSteps ? even - from : kCubeSteps;
-    double* last = from + steps < even ? sums : nullptr;
-    CubeRound<Codec>{texture, source, last, from, steps}.run(context, box);
-    source = last;
-    if (last) sums += averages_of(texture, from + steps);
-  }
-  for (uint32_t level = even + 1; level < texture.level_count; ++level) {
-    sum_level<Codec>(context, texture, level, box);
-  }
-}
-
 }  // namespace
 
 size_t slice_sums_size(const Texture& texture) {
@@ -211,8 +190,19 @@ size_t slice_sums_size(const Texture& texture) {
 }
 
 void build_slice_levels(const core::Context& context, Texture* texture, const Box& box, double* sums) {
-  visit_stored(texture->component, texture->channels,
-               [&](auto codec) { build_all<decltype(codec)>(context, *texture, box, sums); });
+  const TexelCodec& codec = codec_of(texture->component, texture->channels);
+  const uint32_t even = even_slice_steps(*texture);
+  const double* source = nullptr;
+  for (uint32_t from = 0, steps; from < even; from += steps) {
+    steps = even - from < kCubeSteps ? even - from : kCubeSteps;
+    double* last = from + steps < even ? sums : nullptr;
+    CubeRound{codec, *texture, source, last, from, steps}.run(context, box);
+    source = last;
+    if (last) sums += averages_of(*texture, from + steps);
+  }
+  for (uint32_t level = even + 1; level < texture->level_count; ++level) {
+    sum_level(context, codec, *texture, level, box);
+  }
 }
 
 }  // namespace shd::texture

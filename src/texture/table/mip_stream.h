@@ -15,7 +15,6 @@
 
 #include <vector>
 
-#include "texture/format/formats.h"
 #include "texture/table/halve.h"
 #include "texture/table/mip_axis.h"
 #include "texture/table/mip_normal.h"
@@ -40,25 +39,25 @@ inline uint32_t completed_rows(uint32_t height, uint32_t level, uint32_t rows) {
 }
 
 /// Sizes of all levels, and where completed rows go.
-template <class Codec>
 struct StreamLevels {
+  const TexelCodec& codec;
   uint32_t width, height, count;  // size of the base; number of levels with the base
 
   uint32_t width_of(uint32_t level) const { return level_size(width, level); }
   uint32_t height_of(uint32_t level) const { return level_size(height, level); }
-  size_t pitch(uint32_t level) const { return size_t{width_of(level)} * Codec::kChannels; }
+  size_t pitch(uint32_t level) const { return width_of(level) * codec.channels; }
   /// Place of texel (x, y) of a level in the memory for the rows that a push from row `first` on completes.
   uint8_t* texel(uint8_t* const* out, uint32_t first, uint32_t level, uint32_t x, uint32_t y) const {
     const size_t row = y - completed_rows(height, level, first);
-    return out[level - 1] + (row * width_of(level) + x) * Codec::kSize;
+    return out[level - 1] + (row * width_of(level) + x) * codec.size;
   }
 };
 
-template <class Codec>
 class MipStream {
  public:
-  MipStream(uint32_t width, uint32_t height)
-      : levels_{width, height, full_level_count(width, height)}, even_(even_halvings(width, height, levels_.count)) {
+  MipStream(const TexelCodec& codec, uint32_t width, uint32_t height)
+      : levels_{codec, width, height, full_level_count(width, height)},
+        even_(even_halvings(width, height, levels_.count)) {
     size_t size = 0;
     for (uint32_t level = 1; level < levels_.count; ++level) {
       at_.push_back(size);
@@ -87,7 +86,6 @@ class MipStream {
   static constexpr uint32_t kSteps = 6;       // levels of a task
   static constexpr uint32_t kColumns = 1024;  // base columns of a task, a multiple of 2^kSteps
   static constexpr uint32_t kTexels = 256;    // texels of an uneven level that one task computes
-  static constexpr size_t kChannels = Codec::kChannels;
 
   double* state_of(uint32_t level) { return state_.data() + at_[level - 1]; }
 
@@ -99,9 +97,9 @@ class MipStream {
       const auto x = static_cast<uint32_t>(task) * kColumns;
       const uint32_t width = levels_.width - x < kColumns ? levels_.width - x : kColumns;
       for (uint32_t y = rows.first; y<rows.end(); y += levels_.height> 1 ? 2 : 1) {
-        double* to = state_of(1) + (y / 2 & 1) * levels_.pitch(1) + size_t{x / 2} * kChannels;
-        const size_t offset = size_t{x} * Codec::kSize;
-        halve_texels<Codec>(rows.row(y) + offset, rows.row(levels_.height > 1 ? y + 1 : y) + offset, width, to);
+        double* to = state_of(1) + (y / 2 & 1) * levels_.pitch(1) + x / 2 * levels_.codec.channels;
+        const size_t offset = x * levels_.codec.size;
+        halve_texels(levels_.codec, rows.row(y) + offset, rows.row(levels_.height > 1 ? y + 1 : y) + offset, width, to);
         walk.row(1, y / 2, x / 2, width > 1 ? width / 2 : 1);
       }
     });
@@ -120,9 +118,9 @@ class MipStream {
     /// Stores columns of an unrounded row that is in the state, and continues with the level after it.
     void row(uint32_t level, uint32_t y, uint32_t x, uint32_t width) const {
       const size_t pitch = stream.levels_.pitch(level);
-      const double* average = stream.state_of(level) + (y & 1) * pitch + size_t{x} * kChannels;
-      uint8_t* texel = stream.levels_.texel(out, first, level, x, y);
-      for (uint32_t i = 0; i < width; ++i, texel += Codec::kSize, average += kChannels) Codec::store(average, texel);
+      const TexelCodec& codec = stream.levels_.codec;
+      const double* average = stream.state_of(level) + (y & 1) * pitch + x * codec.channels;
+      codec.store(average, width, stream.levels_.texel(out, first, level, x, y));
       if (level < last) next(level, y, x, width);
     }
 
@@ -130,11 +128,10 @@ class MipStream {
     void next(uint32_t level, uint32_t y, uint32_t x, uint32_t width) const {
       const bool pairs = stream.levels_.height_of(level) > 1;
       if (pairs && y % 2 == 0) return;
-      const size_t pitch = stream.levels_.pitch(level);
-      const double* from = stream.state_of(level) + size_t{x} * kChannels;
-      double* to =
-          stream.state_of(level + 1) + (y / 2 & 1) * stream.levels_.pitch(level + 1) + size_t{x / 2} * kChannels;
-      halve_rows<kChannels>(from, pairs ? pitch : 0, width, to);
+      const size_t pitch = stream.levels_.pitch(level), channels = stream.levels_.codec.channels;
+      const double* from = stream.state_of(level) + x * channels;
+      double* to = stream.state_of(level + 1) + (y / 2 & 1) * stream.levels_.pitch(level + 1) + x / 2 * channels;
+      halve_rows(channels, from, pairs ? pitch : 0, width, to);
       row(level + 1, y / 2, x / 2, width > 1 ? width / 2 : 1);
     }
   };
@@ -165,20 +162,18 @@ class MipStream {
       const uint32_t end = down.last < rows.end() ? down.last + 1 : rows.end();
       for (uint32_t x = task.begin; x < task.end; ++x) {
         const AxisSpan across(x, levels_.width, width);
-        double* sum = state_of(task.level) + size_t{x} * kChannels;
-        for (uint32_t row = begin; row < end; ++row) add_row<Codec>(rows.row(row), across, down.weight(row), sum);
-        if (down.last >= rows.end()) continue;
-        double average[kChannels];
-        for (size_t c = 0; c < kChannels; ++c) {
-          average[c] = sum[c] / area;
-          sum[c] = 0;
+        double* sum = state_of(task.level) + x * levels_.codec.channels;
+        for (uint32_t row = begin; row < end; ++row) {
+          add_row(levels_.codec, rows.row(row), across, down.weight(row), sum);
         }
-        Codec::store(average, levels_.texel(out, rows.first, task.level, x, y));
+        if (down.last >= rows.end()) continue;
+        store_averages(levels_.codec, sum, area, 1, levels_.texel(out, rows.first, task.level, x, y));
+        for (size_t c = 0; c < levels_.codec.channels; ++c) sum[c] = 0;
       }
     }
   }
 
-  StreamLevels<Codec> levels_;
+  StreamLevels levels_;
   uint32_t even_;           // levels that halve evenly
   std::vector<size_t> at_;  // place of each level in the state
   std::vector<double> state_;
@@ -186,11 +181,11 @@ class MipStream {
 
 /// Mip levels of unit vectors in three or four channels. The state of a level is a row of weighted sums of the columns
 /// of the base.
-template <class Codec>
 class NormalStream {
  public:
-  NormalStream(uint32_t width, uint32_t height)
-      : levels_{width, height, full_level_count(width, height)}, state_(levels_.pitch(0) * (levels_.count - 1)) {}
+  NormalStream(const TexelCodec& codec, uint32_t width, uint32_t height)
+      : levels_{codec, width, height, full_level_count(width, height)},
+        state_(levels_.pitch(0) * (levels_.count - 1)) {}
 
   std::vector<double>& state() { return state_; }
 
@@ -201,8 +196,6 @@ class NormalStream {
   }
 
  private:
-  static constexpr size_t kChannels = Codec::kChannels;
-
   void add(uint32_t level, const StreamRows& rows, uint8_t* const* out) {
     const uint32_t height = levels_.height_of(level);
     const AxisRange range = level_range({rows.first, rows.end()}, levels_.height, height);
@@ -218,32 +211,38 @@ class NormalStream {
     }
   }
 
-  void add_row_of(const uint8_t* texel, double weight, double* sums) const {
-    for (uint32_t x = 0; x < levels_.width; ++x, texel += Codec::kSize) {
-      double value[kChannels];
-      Codec::load(texel, value);
-      decode_normal<Codec>(false, value);
-      for (size_t c = 0; c < kChannels; ++c) *sums++ += weight * value[c];
-    }
+  void add_row_of(const uint8_t* texels, double weight, double* sums) const {
+    const TexelCodec& codec = levels_.codec;
+    for_runs(codec, texels, levels_.width, [&](const double* numbers, size_t count) {
+      for (size_t x = 0; x < count; ++x, numbers += codec.channels) {
+        double value[4];
+        for (size_t c = 0; c < codec.channels; ++c) value[c] = numbers[c];
+        decode_normal(codec, false, value);
+        for (size_t c = 0; c < codec.channels; ++c) *sums++ += weight * value[c];
+      }
+    });
   }
 
   void store(uint32_t level, const double* sums, uint8_t* texel) const {
     const double area = static_cast<double>(levels_.width) * levels_.height;
     const uint32_t width = levels_.width_of(level);
-    for (uint32_t x = 0; x < width; ++x, texel += Codec::kSize) {
+    const TexelCodec& codec = levels_.codec;
+    for (uint32_t x = 0; x < width; ++x, texel += codec.size) {
       const AxisSpan across(x, levels_.width, width);
-      double mean[kChannels] = {};
+      double mean[4] = {};
       for (uint32_t column = across.first; column <= across.last; ++column) {
-        for (size_t c = 0; c < kChannels; ++c) mean[c] += across.weight(column) * sums[column * kChannels + c];
+        for (size_t c = 0; c < codec.channels; ++c) {
+          mean[c] += across.weight(column) * sums[column * codec.channels + c];
+        }
       }
-      for (size_t c = 0; c < kChannels; ++c) mean[c] /= area;
-      encode_normal<Codec>(mean);
-      for (size_t c = 0; c < kChannels; ++c) mean[c] = clamp_stored<Codec>(c, mean[c]);
-      Codec::store(mean, texel);
+      for (size_t c = 0; c < codec.channels; ++c) mean[c] /= area;
+      encode_normal(codec, mean);
+      for (size_t c = 0; c < codec.channels; ++c) mean[c] = codec.clamp(c, mean[c]);
+      codec.store(mean, 1, texel);
     }
   }
 
-  StreamLevels<Codec> levels_;
+  StreamLevels levels_;
   std::vector<double> state_;
 };
 

@@ -9,75 +9,74 @@
 // is exact for n <= 2^26 and a c of 24 bits.
 #include <cstring>
 
-#include "texture/format/formats.h"
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
+#include "texture/table/halve.h"
 #include "texture/table/tables.h"
 
 namespace shd::texture {
 namespace {
 
 /// Adds weight * texel to `sum` for every channel of a stored row.
-template <class Codec>
-void add_row(const uint8_t* texels, uint32_t width, double weight, double* sum) {
-  for (uint32_t x = 0; x < width; ++x, texels += Codec::kSize, sum += Codec::kChannels) {
-    double value[Codec::kChannels];
-    Codec::load(texels, value);
-    for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += weight * value[c];
-  }
+void add_whole_row(const TexelCodec& codec, const uint8_t* texels, size_t width, double weight, double* sum) {
+  for_runs(codec, texels, width, [&](const double* numbers, size_t count) {
+    const size_t size = count * codec.channels;
+    for (size_t i = 0; i < size; ++i) sum[i] += weight * numbers[i];
+    sum += size;
+  });
 }
 
 /// Adds pairs of texels in place.
-template <size_t kChannels>
-void add_pairs(double* row, uint32_t width) {
-  double* to = row;
-  for (uint32_t x = 0; x < width / 2; ++x, row += 2 * kChannels, to += kChannels) {
-    for (size_t c = 0; c < kChannels; ++c) to[c] = row[c] + row[c + kChannels];
-  }
+void add_pairs(size_t channels, double* row, uint32_t width) {
+  with_channels(channels, [&](auto count) {
+    const double* from = row;
+    double* to = row;
+    for (uint32_t x = 0; x < width / 2; ++x, from += 2 * count, to += count) {
+      for (size_t c = 0; c < count; ++c) to[c] = from[c] + from[c + count];
+    }
+  });
 }
 
 /// Computes the weighted sum of the texels under texel `index` of a level row of `width` texels, from a row of `base`
 /// texels.
-template <size_t kChannels>
-void add_span(const double* row, uint32_t index, uint32_t base, uint32_t width, double* sum) {
+void add_span(size_t channels, const double* row, uint32_t index, uint32_t base, uint32_t width, double* sum) {
   const AxisSpan span(index, base, width);
-  for (size_t c = 0; c < kChannels; ++c) sum[c] = 0;
+  for (size_t c = 0; c < channels; ++c) sum[c] = 0;
   for (uint32_t x = span.first; x <= span.last; ++x) {
     const double weight = span.weight(x);
-    for (size_t c = 0; c < kChannels; ++c) sum[c] += weight * row[size_t{x} * kChannels + c];
+    for (size_t c = 0; c < channels; ++c) sum[c] += weight * row[x * channels + c];
   }
 }
 
 /// Builds row y of the levels (0.., j) of one layer.
-template <class Codec>
 class Row {
  public:
-  static constexpr size_t kChannels = Codec::kChannels;
-
   /// Builds the texels over the base columns `columns`. `scratch` holds two rows of the base.
-  Row(Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y, double* scratch)
-      : texture_(texture),
+  Row(const TexelCodec& codec, Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y,
+      double* scratch)
+      : codec_(codec),
+        texture_(texture),
         columns_(columns),
         layer_(layer),
         j_(j),
         y_(y),
         whole_(scratch),
-        halved_(scratch + size_t{texture.width} * kChannels) {}
+        halved_(scratch + texture.width * codec.channels) {}
 
   void run() {
     const uint32_t width = texture_.width, height = level_size(texture_.height, j_);
     const AxisSpan down(y_, texture_.height, height);
-    std::memset(whole_, 0, width * kChannels * sizeof(double));
+    std::memset(whole_, 0, width * codec_.channels * sizeof(double));
     for (uint32_t y = down.first; y <= down.last; ++y) {
-      add_row<Codec>(row_of(texture_, layer_, 0, y), width, down.weight(y), whole_);
+      add_whole_row(codec_, row_of(texture_, layer_, 0, y), width, down.weight(y), whole_);
     }
     if (!is_there(0)) store(0, whole_);
-    std::memcpy(halved_, whole_, width * kChannels * sizeof(double));
+    std::memcpy(halved_, whole_, width * codec_.channels * sizeof(double));
     bool even = true;
     for (uint32_t i = 1; i < texture_.ripmap_columns; ++i) {
       even = even && level_size(width, i - 1) % 2 == 0;
       if (even) {
-        add_pairs<kChannels>(halved_, level_size(width, i - 1));
+        add_pairs(codec_.channels, halved_, level_size(width, i - 1));
         if (!is_there(i)) store(i, halved_);
       } else if (!is_there(i)) {
         store_spans(i);
@@ -91,49 +90,29 @@ class Row {
   /// Stores averages from sums of 2^i columns.
   void store(uint32_t i, const double* sum) {
     const AxisRange range = level_range(columns_, texture_.width, level_size(texture_.width, i));
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Codec::kSize;
     const double area = static_cast<double>(texture_.height) * (1u << i);
-    sum += size_t{range.first} * kChannels;
-    for (uint32_t x = range.first; x < range.end; ++x, texel += Codec::kSize, sum += kChannels) {
-      store_texel(sum, area, texel);
-    }
+    store_averages(codec_, sum + range.first * codec_.channels, area, range.size(), texel(i, range.first));
   }
 
   void store_spans(uint32_t i) {
     const uint32_t width = level_size(texture_.width, i);
     const AxisRange range = level_range(columns_, texture_.width, width);
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Codec::kSize;
     const double area = static_cast<double>(texture_.width) * texture_.height;
-    for (uint32_t x = range.first; x < range.end; ++x, texel += Codec::kSize) {
-      double sum[kChannels];
-      add_span<kChannels>(whole_, x, texture_.width, width, sum);
-      store_texel(sum, area, texel);
+    for (uint32_t x = range.first; x < range.end; ++x) {
+      double sum[4];
+      add_span(codec_.channels, whole_, x, texture_.width, width, sum);
+      store_averages(codec_, sum, area, 1, texel(i, x));
     }
   }
 
-  static void store_texel(const double* sum, double area, uint8_t* texel) {
-    double average[kChannels];
-    for (size_t c = 0; c < kChannels; ++c) average[c] = sum[c] / area;
-    Codec::store(average, texel);
-  }
+  uint8_t* texel(uint32_t i, uint32_t x) const { return ripmap_row(texture_, layer_, i, j_, y_) + x * codec_.size; }
 
+  const TexelCodec& codec_;
   Texture& texture_;
   const AxisRange columns_;
   const uint32_t layer_, j_, y_;
   double *whole_, *halved_;
 };
-
-template <class Codec>
-void build_ripmap_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
-                        double* scratch) {
-  const size_t rows = size_t{2} * texture.width * Codec::kChannels;
-  for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
-    const AxisRange range = level_range(region.y, texture.height, level_size(texture.height, j));
-    for_rows(context, range, [&](uint32_t y, uint32_t worker) {
-      Row<Codec>(texture, layer, region.x, j, y, scratch + worker * rows).run();
-    });
-  }
-}
 
 }  // namespace
 
@@ -144,8 +123,14 @@ size_t ripmap_scratch_size(const core::Context& context, const Texture& texture)
 
 void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                          double* scratch) {
-  visit_stored(texture->component, texture->channels,
-               [&](auto codec) { build_ripmap_layer<decltype(codec)>(context, *texture, layer, region, scratch); });
+  const TexelCodec& codec = codec_of(texture->component, texture->channels);
+  const size_t rows = size_t{2} * texture->width * codec.channels;
+  for (uint32_t j = 0; j < texture->ripmap_rows; ++j) {
+    const AxisRange range = level_range(region.y, texture->height, level_size(texture->height, j));
+    for_rows(context, range, [&](uint32_t y, uint32_t worker) {
+      Row(codec, *texture, layer, region.x, j, y, scratch + worker * rows).run();
+    });
+  }
 }
 
 }  // namespace shd::texture

@@ -10,7 +10,7 @@ using namespace shd::texture;
 template <class Stream>
 class PyramidOf : public Pyramid {
  public:
-  PyramidOf(uint32_t width, uint32_t height) : stream_(width, height) {}
+  PyramidOf(const TexelCodec& codec, uint32_t width, uint32_t height) : stream_(codec, width, height) {}
   void push(const StreamRows& rows, uint8_t* const* out) override {
     stream_.push(rows, out, [](size_t count, const auto& body) {
       OIIO::parallel_for(int64_t{0}, static_cast<int64_t>(count), [&](int64_t i) { body(static_cast<size_t>(i)); });
@@ -26,18 +26,9 @@ class PyramidOf : public Pyramid {
 
 std::unique_ptr<Pyramid> make_pyramid(shd::image::Component component, size_t channels, bool normal, uint32_t width,
                                       uint32_t height) {
-  std::unique_ptr<Pyramid> pyramid;
-  visit_codec(component, channels, [&](auto codec) {
-    using Codec = decltype(codec);
-    if constexpr (Codec::kChannels >= 3) {
-      if (normal) {
-        pyramid = std::make_unique<PyramidOf<NormalStream<Codec>>>(width, height);
-        return;
-      }
-    }
-    pyramid = std::make_unique<PyramidOf<MipStream<Codec>>>(width, height);
-  });
-  return pyramid;
+  const TexelCodec& codec = codec_of(component, channels);
+  if (normal) return std::make_unique<PyramidOf<NormalStream>>(codec, width, height);
+  return std::make_unique<PyramidOf<MipStream>>(codec, width, height);
 }
 
 uint64_t pyramid_bytes(size_t channels, bool normal, uint32_t width, uint32_t height) {

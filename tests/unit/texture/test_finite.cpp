@@ -117,7 +117,7 @@ void test_filter(void** state) {
   }
 }
 
-/// A border of the largest float around 8-bit texels. Derivatives are finite for borders up to 1e30.
+/// A border of the largest float around 8-bit texels.
 void test_border(void** state) {
   const auto& c = *static_cast<const filter_case*>(*state);
   uint8_t texels[kSide * kSide * 4];
@@ -129,11 +129,7 @@ void test_border(void** state) {
   desc.cubic = c.cubic;
   desc.wrap_u = desc.wrap_v = SHD_WRAP_BORDER;
   for (size_t k = 0; k < 4; ++k) desc.border[k] = k % 2 ? kMax : -kMax;
-  filter_case values = c;
-  values.has_derivatives = false;
-  check_case(values, *texture, make_sampler(desc), "largest border");
-  for (size_t k = 0; k < 4; ++k) desc.border[k] = k % 2 ? 1e30f : -1e30f;
-  check_case(c, *texture, make_sampler(desc), "border of 1e30");
+  check_case(c, *texture, make_sampler(desc), "largest border");
   free_texture(texture);
   if (!c.has_derivatives) return;
   texture = make_texture(SHD_FORMAT_RGBA8, 65536, 1, t_wide, false);  // the steepest: a texel is 1 / 65536
