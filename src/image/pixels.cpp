@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/pixels.h"
 
+#include <cmath>
 #include <cstring>
 
 #include "image/channel.h"
@@ -130,6 +131,18 @@ void decode(Component component, const uint8_t* pixel, ptrdiff_t step, size_t co
     case Component::kUnorm16: return each(uint16_t{}, unorm);
     case Component::kFloat16: return each(uint16_t{}, [](uint16_t half, size_t) { return half_to_float(half); });
     case Component::kFloat32: return each(float{}, [](float value, size_t) { return value; });
+    case Component::kRgb9e5: break;  // decode_shared()
+  }
+}
+
+/// decode() of three numbers of 9 bits with one exponent (OpenGL extension EXT_texture_shared_exponent).
+template <class Store>
+void decode_shared(const uint8_t* pixel, ptrdiff_t step, size_t count, const Store& store) {
+  for (size_t i = 0; i < count; ++i, pixel += step) {
+    const auto word = load_as<uint32_t>(pixel);
+    const float unit = std::ldexp(1.0f, static_cast<int>(word >> 27) - 24);
+    for (size_t c = 0; c < 3; ++c) store(i, c, static_cast<float>(word >> 9 * c & 511) * unit);
+    store(i, 3, 1.0f);
   }
 }
 
@@ -137,6 +150,7 @@ template <class Store>
 void decode(shd_format format, const void* in, ptrdiff_t step, size_t count, const Store& store) {
   const auto* const pixel = static_cast<const uint8_t*>(in);
   const FormatInfo info = format_info(format);
+  if (info.component == Component::kRgb9e5) return decode_shared(pixel, step, count, store);
   switch (info.channels) {
     case 1: return decode<1>(info.component, pixel, step, count, store);
     case 2: return decode<2>(info.component, pixel, step, count, store);

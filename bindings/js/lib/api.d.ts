@@ -20,7 +20,9 @@ export type TexelState =
 /**
  * Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y
  * are
- * the derivatives in base-level texels.
+ * the derivatives in base-level texels. Derivatives of 3D textures have a third component, x_w and y_w, which
+ * joins
+ * every sum and every maximum.
  * - `lengths`: axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition
  * - `ellipse`: the axes of the ellipse that x and y span, as Direct3D 11 defines
  * - `vulkan`: Vulkan's approximations, each of its own size: max(|x_u|, |x_v|) <= |x| <= sqrt(2) (|x_u| + |x_v|),
@@ -415,6 +417,8 @@ export type Plane =
  * - `bc5_snorm`: two channels in -1..1
  * - `bc6h_ufloat`: three channels from 0 to 65504
  * - `bc6h_sfloat`: three channels from -65504 to 65504
+ * - `rgb9e5`: one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+ * is its number times 2^(e - 24): 0 to 65408
  */
 export type Format =
   | "none"
@@ -454,6 +458,7 @@ export type Format =
   | "bc6h_sfloat"
   | "bc7"
   | "bc7_srgb"
+  | "rgb9e5"
   ;
 
 /**
@@ -962,7 +967,7 @@ export type Result =
  * texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
  * sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
  * the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
- * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+ * is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels, 4 times as many in 3D.
  * - `stochastic`: An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic
  * picks at random.
  * - `exact`: The average of the bilinear reconstruction over the footprint's parallelogram, computed in double:
@@ -970,7 +975,7 @@ export type Result =
  * truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24).
  * If
  * it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
- * texels. Slow.
+ * texels, in 3D a box. Slow.
  * - `nearest_mip_linear`: The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of
  * the level of detail:
  * VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
@@ -1131,9 +1136,10 @@ export type Precision =
  * - `texel`: One texel, with its weight as the probability. Variance: sum of w_k (t_k - F)^2.
  * - `quad`: One of the two levels of TRILINEAR, or one probe of ANISOTROPIC and one of its levels; then the
  * bilinear lookup
- * b_i of its four texels. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the variance of one
- * texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has none. Other
- * filters are refused.
+ * b_i of its four texels, or eight in 3D. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the
+ * variance of one texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear
+ * has
+ * none. Other filters are refused.
  */
 export type Stochastic =
   | "texel"
@@ -1434,7 +1440,7 @@ export type Channel =
  * Options of a texture; combine with |.
  * - `borrow`: Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them.
  * Requires one
- * layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+ * layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
  * aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
  * because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
  * the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
@@ -1980,7 +1986,7 @@ export interface Lookups {
   lod?: Column;
   /** layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
   layer?: Column;
-  /** random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v */
+  /** random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w */
   random?: Column;
   /**
    * third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -2771,10 +2777,10 @@ export interface SamplerDesc {
   /** default SHD_PRECISION_FULL */
   precision?: Precision | number;
   /**
-   * Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32
-   * or
-   * more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
-   * coarser levels.
+   * Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 =
+   * no
+   * limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+   * max_anisotropy does: longer footprints use coarser levels.
    */
   maxTexels?: number;
   /**
@@ -3136,7 +3142,7 @@ export interface TessellationDesc {
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 export interface TextureDesc {
   /**
-   * any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+   * any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
    * decode them (docs/compressed.md): the caller gives its mip levels; other tables are
    * kept decoded
    */
@@ -3207,16 +3213,15 @@ export interface TextureDesc {
    * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters
    * have
    * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
-   * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says
-   * about
-   * missing tiles.
+   * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+   * SHD_MISSING_TILES_COARSER.
    */
   tiles?: TileSource;
 }
 
 /** Size, format and memory of a texture. */
 export interface TextureInfo {
-  /** format of every level; RGBA for a format of three channels of pixels */
+  /** format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
   format: Format | number;
   /** texels of level 0 */
   width: number;

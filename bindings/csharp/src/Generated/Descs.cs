@@ -700,7 +700,7 @@ namespace Shd
         public Column<float> Lod;
         /// <summary>layer of the array; absent = 0; numbers beyond the last layer mean the last layer</summary>
         public Column<uint> Layer;
-        /// <summary>random bits of Filter.Stochastic; absent = hashed from the bits of u and v</summary>
+        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and in 3D w</summary>
         public Column<uint> Random;
         /// <summary>
         /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -2179,7 +2179,7 @@ namespace Shd
         public static TextureDesc Default { get { return new TextureDesc(); } }
 
         /// <summary>
-        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+        /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
         /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
         /// kept decoded
         /// </summary>

@@ -20,7 +20,8 @@ namespace Shd
 
     /// <summary>
     /// Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y are
-    /// the derivatives in base-level texels.
+    /// the derivatives in base-level texels. Derivatives of 3D textures have a third component, x_w and y_w, which joins
+    /// every sum and every maximum.
     /// </summary>
     [Flags]
     public enum LevelRules : uint
@@ -1119,7 +1120,7 @@ namespace Shd
         /// texels, b &gt;= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
         /// sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
         /// the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
-        /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+        /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels, 4 times as many in 3D.
         /// </summary>
         Ewa = 9,
         /// <summary>An unbiased estimate of the filter that `stochastic_filter` names, from what Stochastic picks at random.</summary>
@@ -1128,7 +1129,7 @@ namespace Shd
         /// The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
         /// truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
         /// it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
-        /// texels. Slow.
+        /// texels, in 3D a box. Slow.
         /// </summary>
         Exact = 11,
         /// <summary>
@@ -1280,9 +1281,9 @@ namespace Shd
         Texel = 0,
         /// <summary>
         /// One of the two levels of TRILINEAR, or one probe of ANISOTROPIC and one of its levels; then the bilinear lookup
-        /// b_i of its four texels. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the variance of one
-        /// texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has none. Other
-        /// filters are refused.
+        /// b_i of its four texels, or eight in 3D. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the
+        /// variance of one texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has
+        /// none. Other filters are refused.
         /// </summary>
         Quad = 1,
     }

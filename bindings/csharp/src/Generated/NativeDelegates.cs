@@ -97,11 +97,10 @@ namespace Shd.Native
     public unsafe delegate void SlotFn(Fragments* @in, float** @out, void* userData);
 
     /// <summary>
-    /// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a compressed
-    /// texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The cache keeps
-    /// them decoded. It is called without a lock, from
-    /// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
-    /// another. It may call shd: see the rules above.
+    /// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a
+    /// compressed texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The
+    /// cache keeps them decoded. It is called without a lock, from any thread that looks texels up, and by several threads
+    /// at once, sometimes for the same tile, whose memory is then another. It may call shd: see the rules above.
     /// @return  Result.Ok, or the reason of a failure. Then no tile of the call is kept, the lookup returns Result.ErrorCallback,
     ///          or Result.ErrorCancelled for Result.ErrorCancelled, and the next lookup calls again
     /// </summary>

@@ -894,7 +894,7 @@ namespace Shd.Native
         public F32In Lod;
         /// <summary>layer of the array; absent = 0; numbers beyond the last layer mean the last layer</summary>
         public U32In Layer;
-        /// <summary>random bits of Filter.Stochastic; absent = hashed from the bits of u and v</summary>
+        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and in 3D w</summary>
         public U32In Random;
         /// <summary>
         /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -2212,7 +2212,7 @@ namespace Shd.Native
         /// <summary>set by shd_texture_desc_default()</summary>
         public uint StructSize;
         /// <summary>
-        /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+        /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
         /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
         /// kept decoded
         /// </summary>
@@ -2277,8 +2277,8 @@ namespace Shd.Native
         /// made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
         /// number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
         /// fewer than 8 bits for the fraction of a texel. Precision.Fast has no effect. Filter.Exact,
-        /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says about
-        /// missing tiles.
+        /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+        /// MissingTiles.Coarser.
         /// </summary>
         public TileSource Tiles;
 

@@ -488,9 +488,9 @@ namespace Shd
         /// <summary>default Precision.Full</summary>
         public Precision Precision;
         /// <summary>
-        /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32 or
-        /// more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
-        /// coarser levels.
+        /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
+        /// limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+        /// max_anisotropy does: longer footprints use coarser levels.
         /// </summary>
         public uint MaxTexels;
         /// <summary>

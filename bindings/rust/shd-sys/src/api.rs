@@ -50,7 +50,8 @@ pub const SHD_TEXEL_STATE_DILATED: shd_texel_state = shd_texel_state::DILATED;
 names!(shd_texel_state: EMPTY, CENTRE, TOUCHED, DILATED);
 
 /// Legal definitions of the size p of a footprint, whose level of detail is log2 p; combine with |. Below, x and y are
-/// the derivatives in base-level texels.
+/// the derivatives in base-level texels. Derivatives of 3D textures have a third component, x_w and y_w, which joins
+/// every sum and every maximum.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct shd_level_rule(pub u32);
@@ -677,6 +678,9 @@ impl shd_format {
     pub const BC6H_SFLOAT: Self = Self(34);
     pub const BC7: Self = Self(35);
     pub const BC7_SRGB: Self = Self(36);
+    /// one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
+    /// is its number times 2^(e - 24): 0 to 65408
+    pub const RGB9E5: Self = Self(37);
 }
 pub const SHD_FORMAT_NONE: shd_format = shd_format::NONE;
 pub const SHD_FORMAT_R8: shd_format = shd_format::R8;
@@ -715,7 +719,8 @@ pub const SHD_FORMAT_BC6H_UFLOAT: shd_format = shd_format::BC6H_UFLOAT;
 pub const SHD_FORMAT_BC6H_SFLOAT: shd_format = shd_format::BC6H_SFLOAT;
 pub const SHD_FORMAT_BC7: shd_format = shd_format::BC7;
 pub const SHD_FORMAT_BC7_SRGB: shd_format = shd_format::BC7_SRGB;
-names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F, BC1_RGB, BC1_RGB_SRGB, BC1_RGBA, BC1_RGBA_SRGB, BC2, BC2_SRGB, BC3, BC3_SRGB, BC4, BC4_SNORM, BC5, BC5_SNORM, BC6H_UFLOAT, BC6H_SFLOAT, BC7, BC7_SRGB);
+pub const SHD_FORMAT_RGB9E5: shd_format = shd_format::RGB9E5;
+names!(shd_format: NONE, R8, RGBA8, RGBA8_SRGB, RGBA16F, RGBA32F, RGBA16, RG8, RGB8, R8_SRGB, RG8_SRGB, RGB8_SRGB, R16, RG16, RGB16, R16F, RG16F, RGB16F, R32F, RG32F, RGB32F, BC1_RGB, BC1_RGB_SRGB, BC1_RGBA, BC1_RGBA_SRGB, BC2, BC2_SRGB, BC3, BC3_SRGB, BC4, BC4_SNORM, BC5, BC5_SNORM, BC6H_UFLOAT, BC6H_SFLOAT, BC7, BC7_SRGB, RGB9E5);
 
 /// File formats that a load may accept; combine with |.
 #[repr(transparent)]
@@ -1510,14 +1515,14 @@ impl shd_filter {
     /// texels, b >= a / max_anisotropy; on the finest level, b = max(b, 1). Half axes: sqrt(0.84^2 a^2 + c) and
     /// sqrt(0.84^2 b^2 + c) in texels of level l, c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without
     /// the averaging of level l. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a
-    /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
+    /// is one to two texels. `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels, 4 times as many in 3D.
     pub const EWA: Self = Self(9);
     /// An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic picks at random.
     pub const STOCHASTIC: Self = Self(10);
     /// The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
     /// truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
     /// it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
-    /// texels. Slow.
+    /// texels, in 3D a box. Slow.
     pub const EXACT: Self = Self(11);
     /// The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
     /// VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
@@ -1697,9 +1702,9 @@ impl shd_stochastic {
     /// One texel, with its weight as the probability. Variance: sum of w_k (t_k - F)^2.
     pub const TEXEL: Self = Self(0);
     /// One of the two levels of TRILINEAR, or one probe of ANISOTROPIC and one of its levels; then the bilinear lookup
-    /// b_i of its four texels. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the variance of one
-    /// texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has none. Other
-    /// filters are refused.
+    /// b_i of its four texels, or eight in 3D. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the
+    /// variance of one texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has
+    /// none. Other filters are refused.
     pub const QUAD: Self = Self(1);
 }
 pub const SHD_STOCHASTIC_TEXEL: shd_stochastic = shd_stochastic::TEXEL;
@@ -2138,7 +2143,7 @@ pub struct shd_texture_flag(pub u32);
 impl shd_texture_flag {
     pub const NONE: Self = Self(0);
     /// Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
-    /// layer of packed rows, or packed slices of packed rows, a format that does not have three channels, and texels
+    /// layer of packed rows, or packed slices of packed rows, a format without three channels or RGB9E5, and texels
     /// aligned to min(size of a texel, 4) bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable,
     /// because lookups load whole vectors. Blocks need neither the alignment nor the padding, and must not change while
     /// the texture lives, because decoded blocks are kept between calls. Lookups give the same bits as for copied
@@ -2566,11 +2571,10 @@ pub type shd_scene_desc_find_fn = Option<unsafe extern "C" fn(user_data: *mut c_
 /// for scalars; the others are NULL
 pub type shd_slot_fn = Option<unsafe extern "C" fn(r#in: *const shd_fragments, out: *const *mut f32, user_data: *mut c_void)>;
 
-/// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a compressed
-/// texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The cache keeps
-/// them decoded. It is called without a lock, from
-/// any thread that looks texels up, and by several threads at once, sometimes for the same tile, whose memory is then
-/// another. It may call shd: see the rules above.
+/// Writes the texels of tiles of one level of a layer, face or slice, in the format of the texture. Tiles of a
+/// compressed texture are written as rows of blocks; the last blocks of a row or column may reach beyond the level. The
+/// cache keeps them decoded. It is called without a lock, from any thread that looks texels up, and by several threads
+/// at once, sometimes for the same tile, whose memory is then another. It may call shd: see the rules above.
 /// @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
 /// or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
 pub type shd_load_tiles_fn = Option<unsafe extern "C" fn(user_data: *mut c_void, tiles: *const shd_tile, count: usize) -> shd_result>;
@@ -3569,7 +3573,7 @@ pub struct shd_lookups {
     pub lod: shd_f32_in,
     /// layer of the array; absent = 0; numbers beyond the last layer mean the last layer
     pub layer: shd_u32_in,
-    /// random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v
+    /// random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w
     pub random: shd_u32_in,
     /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
     /// textures, without effect for others
@@ -4519,9 +4523,9 @@ pub struct shd_sampler_desc {
     pub seed: u32,
     /// default SHD_PRECISION_FULL
     pub precision: shd_precision,
-    /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32 or
-    /// more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
-    /// coarser levels.
+    /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
+    /// limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+    /// max_anisotropy does: longer footprints use coarser levels.
     pub max_texels: u32,
     /// Length by which a footprint may exceed the probes of ANISOTROPIC in LEAST_ERROR and EXACT before another one is
     /// added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
@@ -5019,7 +5023,7 @@ init!(shd_tessellation_desc, SHD_DESC_KIND_TESSELLATION_DESC);
 pub struct shd_texture_desc {
     /// set by shd_texture_desc_default()
     pub struct_size: u32,
-    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+    /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
     /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
     /// kept decoded
     pub format: shd_format,
@@ -5068,8 +5072,8 @@ pub struct shd_texture_desc {
     /// made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
     /// number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
     /// fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
-    /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, whatever the sampler says about
-    /// missing tiles.
+    /// shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
+    /// SHD_MISSING_TILES_COARSER.
     pub tiles: shd_tile_source,
 }
 #[cfg(target_pointer_width = "64")]
@@ -5084,7 +5088,7 @@ init!(shd_texture_desc, SHD_DESC_KIND_TEXTURE_DESC);
 pub struct shd_texture_info {
     /// set by shd_texture_info_default()
     pub struct_size: u32,
-    /// format of every level; RGBA for a format of three channels of pixels
+    /// format of every level; RGBA for RGB8 to RGB32F, with _SRGB
     pub format: shd_format,
     /// texels of level 0
     pub width: u32,

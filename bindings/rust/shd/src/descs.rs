@@ -200,7 +200,7 @@ impl Default for ContextDesc {
 /// Texels and tables of a texture. Required: format, width, height, texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureDesc {
-    /// any; no default. Three channels are stored as four. Blocks stay compressed, and lookups
+    /// any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
     /// decode them (docs/compressed.md): the caller gives its mip levels; other tables are
     /// kept decoded
     pub format: Format,
@@ -274,7 +274,7 @@ impl Default for TextureDesc {
 /// Size, format and memory of a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureInfo {
-    /// format of every level; RGBA for a format of three channels of pixels
+    /// format of every level; RGBA for RGB8 to RGB32F, with _SRGB
     pub format: Format,
     /// texels of level 0
     pub width: u32,
@@ -385,9 +385,9 @@ pub struct SamplerDesc {
     pub seed: u32,
     /// default SHD_PRECISION_FULL
     pub precision: Precision,
-    /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32 or
-    /// more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
-    /// coarser levels.
+    /// Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
+    /// limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+    /// max_anisotropy does: longer footprints use coarser levels.
     pub max_texels: u32,
     /// Length by which a footprint may exceed the probes of ANISOTROPIC in LEAST_ERROR and EXACT before another one is
     /// added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
