@@ -2,7 +2,8 @@
 // The loop of a filter over a batch. It fills a block with shapes and emits the elements of each vector of lookups to a
 // sink. A Filter has these members:
 //
-//   Block                                     shapes of a block of lookups (block.h), which FindShapes() fills
+//   Block                                     shapes of a block of lookups (block.h), which FindShapes() fills: one of
+//                                             the overloads of shapes-inl.h and places-inl.h, or one beside Block
 //   static bool is_scattered(texture, block)  returns whether the lookups should be prefetched (prefetch.h)
 //   emit(d, block, i, sink)                   emits the elements of the vector of lookups at i, and calls sink.finish()
 
@@ -17,6 +18,7 @@
 
 #include <hwy/highway.h>
 
+#include "texture/domain/places-inl.h"
 #include "texture/domain/shapes-inl.h"
 #include "texture/filter/emitter-inl.h"
 #include "texture/filter/prefetch.h"

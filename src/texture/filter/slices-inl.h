@@ -11,14 +11,11 @@
 
 #include <hwy/highway.h>
 
-// The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
-// clang-format off
+#include "simd/round-inl.h"
 #include "texture/domain/places-inl.h"
-#include "texture/store/level-inl.h"
 #include "texture/filter/prefetch.h"
 #include "texture/filter/runner-inl.h"
-// clang-format on
-#include "simd/round-inl.h"
+#include "texture/store/level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
