@@ -44,6 +44,12 @@ bool drop_reference(Object*) noexcept {
 
 namespace shd::texture {
 
+// Parts that these textures do not have.
+DecodeBlock decoder_of(shd_format) {
+  return nullptr;
+}
+void destroy_part(DecodedTexture*) noexcept {}
+
 uint32_t full_level_count(uint32_t, uint32_t, uint32_t) {
   throw std::logic_error("textures of this test have given levels");
 }
@@ -104,7 +110,7 @@ struct World {
     shd_tile_cache_stats stats = shd_tile_cache_stats_default();
     cache->get_stats(&stats);
     if (stats.pinned_tiles != 0) broken("a pin was left");
-    texture.tiles = TileSetOwner();
+    texture.tiles = Owned<TileSet>();
     cache->get_stats(&stats);
     if (stats.resident_tiles != 0) broken("a tile was left");
     TileCache::destroy(allocator, cache);
