@@ -198,8 +198,8 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Texture& text
   for (size_t c = 4; c < kCoarser; ++c) wanted = wanted || batch.out[c].data;
   for (size_t c = 12; c < kCoarser; ++c) along_w = along_w || batch.out[c].data;
   if (!wanted) return SHD_OK;
-  if (along_w && texture.depth == 0) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
+  if (along_w && !texture::needs_w(texture)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is 2D");
   }
   return check_lookups(texture, sampler, texture::Use::kGradients);
 }

@@ -86,11 +86,11 @@ void test_refused_calls(void **)
     shd_assert_result("bicubic", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,
                       "sampler.magnification: BICUBIC");
     shd_sampler_release(sampler);
-    sampler = make_sampler(g_context, SHD_FILTER_TRILINEAR);
-    out.du[0] = shd_f32_out_column(value + 1, 0);
-    shd_assert_result("du", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,
-                      "TRILINEAR has no derivatives (the texture has projection");
-    out.du[0].data = nullptr;
+    sampler = make_sampler(g_context, SHD_FILTER_NEAREST);
+    out.dw[0] = shd_f32_out_column(value + 1, 0);
+    shd_assert_result("dw", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,
+                      "NEAREST has no derivatives (the texture has projection");
+    out.dw[0].data = nullptr;
     in.w.data = nullptr;
     shd_assert_result("w", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "lookups.w.data: NULL, but the texture is one of directions");
@@ -146,6 +146,14 @@ void test_special(void **state)
         one.lod.assign(1, 0.5f);
         const float want = one.sample(texture, sampler)[0];
         for (size_t i = 0; i < at.count(); ++i) assert_true(!is_front[i] || at.value[i] == want);
+        if (filter.filter != SHD_FILTER_NEAREST && filter.filter != SHD_FILTER_NEAREST_MIP) {
+            at.sample_slopes(texture, sampler);
+            assert_int_equal(without, at.nonfinite);
+            for (const auto &slope : at.slope) {
+                for (size_t i = 0; i < at.count(); ++i)
+                    assert_true(is_front[i] ? slope[i] == 0.0f : std::isfinite(slope[i]));
+            }
+        }
         at.lod.clear();
         shd_sampler_release(sampler);
     }

@@ -190,12 +190,17 @@ struct Batch {
     }
     shd_result sample(const shd_texture *texture, const shd_sampler *sampler, bool gradient)
     {
+        shd_texture_info info = {};
+        info.struct_size = sizeof info;
+        shd_assert_ok(shd_texture_get_info(texture, &info));
+        const bool deep = gradient && (info.depth != 0 || info.projection != SHD_PROJECTION_NONE);
         const shd_lookups in = lookups();
         shd_texels to = shd_texels_default();
         for (auto &values : out) std::fill(values.begin(), values.end(), -1.0f);
         for (size_t c = 0; c < 4; ++c) {
             to.channel[c].data = out[c].data();
             if (gradient) to.du[c].data = out[4 + c].data(), to.dv[c].data = out[8 + c].data();
+            if (deep) to.dw[c].data = out[12 + c].data();
         }
         return shd_texture_sample(texture, sampler, &in, &to);
     }

@@ -82,6 +82,7 @@ struct DirectionImage {
 /// Columns of lookups of directions, and their results.
 struct DirectionLookups {
     std::vector<float> column[9], lod, value;  // n, dn/dx, dn/dy
+    std::vector<float> slope[3];               // derivatives of the value in the components of n
     size_t nonfinite = 0;
 
     size_t count() const { return column[0].size(); }
@@ -113,6 +114,20 @@ struct DirectionLookups {
         shd_assert_ok(shd_texture_sample(texture, sampler, &in, &out));
         nonfinite = out.nonfinite_count;
         return value;
+    }
+    /// Values of the first channel and their derivatives.
+    void sample_slopes(const shd_texture *texture, const shd_sampler *sampler)
+    {
+        const shd_lookups in = lookups();
+        shd_texels out = shd_texels_default();
+        shd_f32_out *const to[4] = {out.channel, out.du, out.dv, out.dw};
+        std::vector<float> *const from[4] = {&value, &slope[0], &slope[1], &slope[2]};
+        for (int i = 0; i < 4; ++i) {
+            from[i]->assign(count(), NAN);
+            to[i][0] = shd_f32_out_column(from[i]->data(), 0);
+        }
+        shd_assert_ok(shd_texture_sample(texture, sampler, &in, &out));
+        nonfinite = out.nonfinite_count;
     }
 };
 

@@ -39,6 +39,12 @@ struct ProjectedBlock {
   alignas(64) float stretch[kBlock];
 };
 
+/// Derivatives of the points of a block of directions in the three components of the directions, du/dn and dv/dn. All
+/// are finite. Those of lookups without a direction are 0.
+struct DirectionRates {
+  alignas(64) float u[3][kBlock], v[3][kBlock];
+};
+
 /// Returns a sampler with the wraps of a projection, without border and without rounded weights.
 Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler);
 

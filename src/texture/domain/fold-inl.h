@@ -161,6 +161,55 @@ HWY_INLINE FoldedPoint<D> FoldPoint(D d, shd_projection projection, hn::Vec<D> u
           face};
 }
 
+/// Derivatives of a pair of coordinates in u and v.
+template <class D>
+struct PointRates {
+  hn::Vec<D> u_u, u_v, v_u, v_v;
+};
+
+/// Derivatives of FoldPoint() at a point outside the image.
+template <class D>
+HWY_INLINE PointRates<D> FoldRates(D d, shd_projection projection, hn::Vec<D> u, hn::Vec<D> v, Ints<D> face) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const V s = (u + u) - one, t = (v + v) - one;
+  if (projection == SHD_PROJECTION_CUBE) {
+    const V limit = hn::Set(d, 0x1p30f);
+    const V in_s = hn::Min(hn::Max(s, hn::Neg(limit)), limit), in_t = hn::Min(hn::Max(t, hn::Neg(limit)), limit);
+    const V scale = one / hn::Max(hn::Max(hn::Abs(in_s), hn::Abs(in_t)), one);
+    const projection::HWY_NAMESPACE::Cube<D> cube(d, CubeVector(d, face, in_s * scale, in_t * scale, scale));
+    const auto right = cube.step(d, CubeVector(d, face, two * scale, zero, zero));
+    const auto down = cube.step(d, CubeVector(d, face, zero, two * scale, zero));
+    return {right.du, down.du, right.dv, down.dv};
+  }
+  if (projection == SHD_PROJECTION_LAT_LONG) {
+    const auto beyond = hn::Gt(v - two * RoundDown(v * hn::Set(d, 0.5f)), one);
+    return {one, zero, zero, hn::IfThenElse(beyond, hn::Neg(one), one)};
+  }
+  if (projection == SHD_PROJECTION_OCTAHEDRAL) {
+    const auto beside_u = hn::Gt(hn::Abs(s), one), beside_v = hn::Gt(hn::Abs(t), one);
+    const auto slope = [&](V x) SHD_INLINE_LAMBDA {
+      return hn::IfThenElseZero(hn::Le(hn::Abs(x), hn::Set(d, 3.0f)), one);  // FoldPoint() cuts longer distances
+    };
+    // Each coordinate is mirrored at its own edges, and by the edges of the other one.
+    const auto mirrored = hn::Xor(beside_u, beside_v);
+    return {hn::IfThenElse(mirrored, hn::Neg(slope(s)), slope(s)), zero, zero,
+            hn::IfThenElse(mirrored, hn::Neg(slope(t)), slope(t))};
+  }
+  // (p, q) becomes (1 - 2 / r) (p, q).
+  const auto cut = [&](V x) SHD_INLINE_LAMBDA { return hn::Min(hn::Max(x, hn::Set(d, -3.0f)), hn::Set(d, 3.0f)); };
+  const V p = cut(s), q = cut(t), squared = p * p + q * q, r = hn::Sqrt(squared);
+  const auto outside = hn::Gt(squared, one), beyond = hn::Gt(r, two);
+  const V scale = hn::Min(r - two, zero) / hn::Max(r, one);
+  const V turn = hn::IfThenZeroElse(beyond, two / hn::Max(squared * r, one));
+  const V u_u = hn::IfThenElse(outside, scale + turn * p * p, one),
+          v_v = hn::IfThenElse(outside, scale + turn * q * q, one);
+  const V cross = hn::IfThenElseZero(outside, turn * p * q);
+  const auto free_p = hn::Eq(p, s), free_q = hn::Eq(q, t);
+  return {hn::IfThenElseZero(free_p, u_u), hn::IfThenElseZero(free_q, cross), hn::IfThenElseZero(free_p, cross),
+          hn::IfThenElseZero(free_q, v_v)};
+}
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -17,6 +17,9 @@ namespace shd::texture::HWY_NAMESPACE {
 /// without a direction.
 size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out);
 
+/// Finds the derivatives of the points of a block (project.cpp).
+void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out);
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

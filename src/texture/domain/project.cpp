@@ -46,6 +46,11 @@ HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction& dn, const 
   return {hn::IfThenElse(any, infinity, step.du), hn::IfThenElse(any, infinity, step.dv)};
 }
 
+/// The directions of a vector of lookups.
+HWY_INLINE Direction LoadDirection(BatchTag d, const Lookups& from, size_t i) {
+  return {LoadOrZero(d, from.u, i), LoadOrZero(d, from.v, i), LoadOrZero(d, from.w, i)};
+}
+
 template <template <class> class Map>
 size_t Project(const Lookups& in, ProjectedBlock* out) {
   size_t nonfinite = 0;
@@ -53,7 +58,7 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     const hn::RebindToUnsigned<decltype(d)> du;
     const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
-    const maps::BoundedDirection<BatchTag> direction(d, {load(from.u), load(from.v), load(from.w)});
+    const maps::BoundedDirection<BatchTag> direction(d, LoadDirection(d, from, i));
     auto finite = direction.valid;
     const Map<BatchTag> map(d, direction.n);
     hn::Store(map.u, d, out->u + to);
@@ -86,6 +91,35 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
   points.dudx = steps_given ? out->step[0] : nullptr, points.dvdx = steps_given ? out->step[1] : nullptr;
   points.dudy = steps_given ? out->step[2] : nullptr, points.dvdy = steps_given ? out->step[3] : nullptr;
   return nonfinite;
+}
+
+template <template <class> class Map>
+void FindRates(const Lookups& in, DirectionRates* out) {
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    const maps::BoundedDirection<BatchTag> direction(d, LoadDirection(d, from, i));
+    const Map<BatchTag> map(d, direction.n);
+    const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), largest = hn::Set(d, 0x1.fffffep127f);
+    const auto bounded = [&](auto x) SHD_INLINE_LAMBDA {
+      return hn::IfThenElseZero(direction.valid, hn::Min(hn::Max(x, hn::Neg(largest)), largest));
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      const Direction unit = {axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
+      const auto step =
+          direction.derivatives(d, unit, [&](const Direction& dn) SHD_INLINE_LAMBDA { return map.step(d, dn); });
+      hn::Store(bounded(step.du), d, out->u[axis] + to);
+      hn::Store(bounded(step.dv), d, out->v[axis] + to);
+    }
+  });
+}
+
+void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out) {
+  switch (texture.projection) {
+    case SHD_PROJECTION_LAT_LONG: return FindRates<maps::LatLong>(in, out);
+    case SHD_PROJECTION_MIRROR_BALL: return FindRates<maps::MirrorBall>(in, out);
+    case SHD_PROJECTION_ANGULAR: return FindRates<maps::Angular>(in, out);
+    case SHD_PROJECTION_OCTAHEDRAL: return FindRates<maps::Octahedral>(in, out);
+    default: return FindRates<maps::Cube>(in, out);
+  }
 }
 
 size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {

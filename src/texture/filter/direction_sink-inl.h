@@ -16,6 +16,7 @@
 #include "texture/domain/direction.h"
 #include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"
+#include "texture/filter/edge_weights-inl.h"
 #include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,7 +39,8 @@ class DirectionSink {
         is_disc_(projection_ == SHD_PROJECTION_MIRROR_BALL || projection_ == SHD_PROJECTION_ANGULAR) {}
 
   HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
-  static constexpr bool has_rates() { return false; }
+  /// Calls with rates compute no values: their elements at edges differ.
+  HWY_INLINE bool has_rates() const { return stream_.has_rates(); }
   static constexpr bool bordered() { return false; }
 
   void begin(size_t first, bool scattered) { stream_.begin(first, scattered); }
@@ -125,7 +127,8 @@ class DirectionSink {
     const hn::RebindToSigned<D> di;
     const auto in = hn::Eq(u, u);
     const VI x = ToInt(taps.x), y = ToInt(taps.y), one = hn::Set(di, 1);
-    const LinearTaps<D> across = {taps.s, u, x, x + one, in, in}, down = {taps.t, v, y, y + one, in, in};
+    const LinearTaps<D> across = {taps.s, level.across.real, x, x + one, in, in};
+    const LinearTaps<D> down = {taps.t, level.down.real, y, y + one, in, in};
     stream_.quad(d, op, level, across, down, share);
   }
 
@@ -154,11 +157,62 @@ class DirectionSink {
             hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), outside), inner.face, face_)};
     }
     const Taps taps = TapsAt(d, level, at.u, at.v, at.face);
+    if (HWY_UNLIKELY(has_rates())) {
+      const auto inside = are_inside(d, level, TapsAt(d, level, u, v, face_));
+      return rated_at_edge(d, op, level, at.u, taps, rates_at(d, u, v, outside), inside, share);
+    }
     if (projection_ == SHD_PROJECTION_LAT_LONG) return at_pole(d, op, level, at.u, taps, share);
     if (projection_ == SHD_PROJECTION_CUBE) return at_corner(d, op, level, taps, share);
     TexelPlace<D> quad[4];
     fold_quad(d, level, taps, quad);
     stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
+  }
+
+  /// Derivatives of the point of a quad after the fold.
+  HWY_INLINE PointRates<D> rates_at(D d, V u, V v, MaskOf<D> outside) const {
+    const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    if (hn::AllFalse(d, outside)) return {one, zero, zero, one};
+    const PointRates<D> folded = FoldRates(d, projection_, u, v, face_);
+    return {hn::IfThenElse(outside, folded.u_u, one), hn::IfThenElse(outside, folded.u_v, zero),
+            hn::IfThenElse(outside, folded.v_u, zero), hn::IfThenElse(outside, folded.v_v, one)};
+  }
+
+  /// at_edge() with derivatives: the same texels and weights as at_pole(), at_corner() or a quad. Lanes whose quad lies
+  /// `inside` have that quad, so that results do not depend on the other lanes.
+  HWY_NOINLINE void rated_at_edge(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps,
+                                  const PointRates<D>& rates, MaskOf<D> inside, V share) {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const QuadFractions<D> at(level, rates, taps.s, taps.t);
+    const Share<D> all = {one, zero, zero}, none = {zero, zero, zero};
+    TexelPlace<D> quad[4];
+    fold_quad(d, level, taps, quad);
+    const bool starts = (op & kHow) == kStart;
+    const V last_x = level.across.real - one, last_y = level.down.real - one;
+    const VI x = ToInt(hn::Min(hn::Max(taps.x, zero), last_x)), y = ToInt(hn::Min(hn::Max(taps.y, zero), last_y));
+    const VI next_x = ToInt(hn::Min(taps.x + one, last_x)), next_y = ToInt(hn::Min(taps.y + one, last_y));
+    const LinearTaps<D> across = {taps.s, level.across.real, x, next_x, inside, inside};
+    const LinearTaps<D> down = {taps.t, level.down.real, y, next_y, inside, inside};
+    stream_.quad(d, op, level, across, down, starts ? share : hn::IfThenElseZero(inside, share));
+    WeightedTexels<D> texels;
+    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, level.down.real - one);
+    if (projection_ == SHD_PROJECTION_LAT_LONG) {
+      const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
+      texels.add(d, quad, at.s, at.t, Complement(d, beyond));
+      const Taps other = opposite_of(d, level, u, taps);
+      fold_quad(d, level, other, quad);
+      texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
+    } else {
+      texels.add(d, quad, at.s, at.t, all);
+    }
+    if (projection_ == SHD_PROJECTION_CUBE) {
+      const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, level.across.real - one);
+      texels.share_out(d, 0, hn::And(left, top));
+      texels.share_out(d, 1, hn::And(right, top));
+      texels.share_out(d, 2, hn::And(left, bottom));
+      texels.share_out(d, 3, hn::And(right, bottom));
+    }
+    const V replaced = starts ? hn::Set(d, kWhole) : share;
+    texels.emit(d, op & kSecond, level, hn::IfThenZeroElse(inside, replaced), stream_);
   }
 
   HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, TexelPlace<D> (&quad)[4]) const {
@@ -172,11 +226,18 @@ class DirectionSink {
   /// A share without the mark of kReplace.
   HWY_INLINE static V Plain(D d, V share) { return hn::Min(share, hn::Set(d, 1.0f)); }
 
+  /// The quad of a row at u + 1/2.
+  HWY_INLINE static Taps opposite_of(D d, const Level<D>& level, V u, const Taps& taps) {
+    const V half = hn::Set(d, 0.5f), turned = u + half;
+    Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
+    other.y = taps.y;
+    return other;
+  }
+
   /// LAT_LONG. A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its
   /// columns lie between those of the row.
   HWY_INLINE void at_pole(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps, V share) {
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V last = level.down.real - one;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.down.real - one;
     const auto north = hn::Lt(taps.y, zero), pole = hn::Or(north, hn::Ge(taps.y, last));
     TexelPlace<D> quad[4];
     fold_quad(d, level, taps, quad);
@@ -187,9 +248,7 @@ class DirectionSink {
     const auto whole = hn::Gt(share, one);
     const V first = plain * (one - opposite) / (one - plain * opposite);
     stream_.quad_of(d, op, level, quad, taps.s, taps.t, hn::IfThenElse(whole, share, first));
-    const V turned = u + half;
-    Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
-    other.y = taps.y;
+    const Taps other = opposite_of(d, level, u, taps);
     fold_quad(d, level, other, quad);
     stream_.quad_of(d, kBlend | (op & kSecond), level, quad, other.s, taps.t, plain * opposite);
   }

@@ -18,6 +18,10 @@ namespace shd::texture::HWY_NAMESPACE {
 /// The run of a filter on directions, or null (directions.cpp).
 RunFilter DirectionFilterOf(shd_filter filter);
 
+/// Runs the filter of a call for the derivatives of values in the three components of directions; the call has no
+/// values (directions_gradient.cpp).
+size_t RunDirectionGradient(const FilterCall& call);
+
 size_t RunEwaDirections(const FilterCall& call);
 
 }  // namespace shd::texture::HWY_NAMESPACE

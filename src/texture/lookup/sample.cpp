@@ -81,6 +81,10 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
     kernels.run = DirectionFilterOf(sampler.filter);
+    if (gradient != Gradient::kNone) {
+      kernels.run = RunDirectionGradient;
+      kernels.format.gradient = GradientOf(component);
+    }
     return;
   }
   kernels.run = FilterOf(sampler.filter);
@@ -152,7 +156,21 @@ Texels of_columns(const Texels& columns, size_t first, size_t end) {
   return some;
 }
 
-/// Filters the stored channels. `wanted` holds their columns. `store`: state of the placement, for textures whose
+/// Calls body(columns) for the wanted columns, in two passes if they need consumers or elements of their own: those of
+/// derivatives in w, or all derivatives of textures of directions, and then the others. Returns the result of the first
+/// call.
+template <class Body>
+size_t in_passes(const Texture& texture, const Texels& wanted, const Body& body) {
+  if (HWY_LIKELY(!needs_w(texture))) return body(wanted);
+  const size_t first = texture.depth != 0 ? 12 : 4;
+  const Texels apart = of_columns(wanted, first, kOutputColumns), others = of_columns(wanted, 0, first);
+  if (!apart.wants_gradient()) return body(wanted);
+  const size_t nonfinite = body(apart);
+  if (others.wants_values() || others.wants_gradient()) body(others);
+  return nonfinite;
+}
+
+/// Filters the stored channels. `wanted` holds their columns, those of one pass. `store`: state of the placement, for textures whose
 /// streams are placed.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& wanted, Recording* recording, void* store,
@@ -170,14 +188,8 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
     }
     return filter({texture, sampler, lookups, to, kernels.format, nullptr, nullptr, {kernels.place, store, origin}});
   };
-  if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
-    const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
-    find_kernels(Gradient::kDeep);
-    const size_t nonfinite = run(kernels.run, deep);
-    if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
-    return sample_stored(texture, sampler, simd, lookups, others, nullptr, store, origin);
-  }
-  find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
+  const bool deep = gradient && texture.depth != 0 && wanted.wants_deep_gradient();
+  find_kernels(deep ? Gradient::kDeep : gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   if (recording) return run(kernels.run, wanted);
   if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
@@ -189,7 +201,9 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
 [[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                                        const Lookups& lookups, const Texels& wanted) {
   CacheLease lease(texture);
-  return sample_stored(texture, sampler, simd, lookups, wanted, nullptr, &lease, lease.cache()->texels);
+  return in_passes(texture, wanted, [&](const Texels& columns) {
+    return sample_stored(texture, sampler, simd, lookups, columns, nullptr, &lease, lease.cache()->texels);
+  });
 }
 
 /// sample_stored() of a texture in tiles.
@@ -197,10 +211,12 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
                                       const Lookups& lookups, const Texels& wanted) {
   TileCall call(texture);
   const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
-    call.lookup = 0;
     call.lookup_end = in.count;
     call.needed = needed;
-    return sample_stored(texture, with, simd, in, out, nullptr, &call, call.origin);
+    return in_passes(texture, out, [&](const Texels& columns) {
+      call.lookup = 0;
+      return sample_stored(texture, with, simd, in, columns, nullptr, &call, call.origin);
+    });
   };
   if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
     return sample_coarser(texture, sampler, lookups, wanted, filter);
@@ -216,7 +232,9 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
                               : sample_blocks(texture, sampler, simd, lookups, wanted);
   }
   if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
-  return sample_stored(texture, sampler, simd, lookups, wanted, recording, nullptr, nullptr);
+  return in_passes(texture, wanted, [&](const Texels& columns) {
+    return sample_stored(texture, sampler, simd, lookups, columns, recording, nullptr, nullptr);
+  });
 }
 
 /// Comparison lookups: the results in r, and constants in the other channels.

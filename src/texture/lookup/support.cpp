@@ -31,7 +31,6 @@ constexpr Refusal kRefusals[] = {
      bits(Use::kGradients), "its values have steps"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kGradients),
      "it is not a tree of blends with derivatives"},
-    {kAny, bits(Domain::kDirections), kAny, bits(Use::kGradients), "directions have no derivatives"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
           SHD_FILTER_EXACT),
