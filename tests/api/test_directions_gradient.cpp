@@ -108,6 +108,7 @@ struct Case {
 };
 const Case kCases[] = {
     {"bilinear", SHD_FILTER_BILINEAR, 0.0f, 0.0, 0.0},
+    {"bicubic", SHD_FILTER_BICUBIC, 0.0f, 0.0, 0.0},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, 1.0f, 0.0, 0.0},
     {"trilinear", SHD_FILTER_TRILINEAR, 0.6f, 0.0, 0.0},
     {"anisotropic", SHD_FILTER_ANISOTROPIC, 0.6f, 0.0, 0.0},
@@ -131,8 +132,16 @@ void change_of(shd_projection projection, const double *n, double du, double dv,
     for (int c = 0; c < 3; ++c) change[c] = static_cast<double>(s * a[c] + t * b[c]);
 }
 
-/// Every filter against differences of its values, where they are smooth. Footprints are constant in the image; those of
-/// LAT_LONG depend on the latitude, so that lookups move along the parallel unless the footprint is not stretched.
+/// Change of the longitude, relative to the direction's: large at the poles of LAT_LONG and at -Z of the discs.
+double growth_of(shd_projection projection, double x, double y, double z)
+{
+    const bool lat_long = projection == SHD_PROJECTION_LAT_LONG;
+    if (!lat_long && !(is_disc(projection) && z < 0.0)) return 1.0;
+    return std::hypot(std::hypot(x, y), z) / (lat_long ? std::hypot(x, z) : std::hypot(x, y));
+}
+
+/// Every filter against differences of its values, where they are smooth. Footprints are constant in the image. Those
+/// of LAT_LONG depend on the latitude, so that lookups move along the parallel unless the footprint is not stretched.
 void test_differences(void **)
 {
     DirectionImage *image = nullptr;
@@ -152,11 +161,12 @@ void test_differences(void **)
                     const double length = std::hypot(std::hypot(n[0], n[1]), n[2]);
                     double turn = random.unit() * 2.0 * M_PI, move[3];
                     random_direction(&random, move);
+                    const double growth = growth_of(projection, n[0], n[1], n[2]);
                     const double around[3] = {n[2] / length, 0.0, -n[0] / length};
                     if (lat_long && !stretched) turn = 0.5 * M_PI;
                     for (int k = -1; k <= 1; ++k) {
                         double m[3], d[2][3] = {};
-                        const double a = 2e-4 * k;  // a rotation around the Y axis keeps the latitude
+                        const double a = 1e-4 / growth * k;  // a rotation around the Y axis keeps the latitude
                         for (int c = 0; c < 3; ++c) m[c] = n[c] + a * length * move[c];
                         if (stretched) {
                             m[0] = n[0] * std::cos(a) + length * around[0] * std::sin(a), m[1] = n[1];
@@ -185,13 +195,17 @@ void test_differences(void **)
                         want += step * double{at.slope[c][i + 1]}, length += step * step;
                         n += double{at.column[c][i + 1]} * double{at.column[c][i + 1]};
                     }
+                    const double growth = growth_of(projection, double{at.column[0][i + 1]},
+                                                    double{at.column[1][i + 1]}, double{at.column[2][i + 1]});
+                    const double unit = size * growth;
+                    if (row.along > 0.0 && growth > 8.0) continue;  // such footprints are not constant in floats
                     const double per_radian = std::sqrt(n / length);
                     const double before = 2.0 * per_radian * (double{value[i + 1]} - double{value[i]});
                     const double after = 2.0 * per_radian * (double{value[i + 2]} - double{value[i + 1]});
-                    if (std::fabs(after - before) > 0.006 * size) continue;  // a kink
+                    if (std::fabs(after - before) > 0.006 * unit) continue;  // a kink
                     ++checked;
                     const double got = want * per_radian, differences = 0.5 * (before + after);
-                    if (!(std::fabs(got - differences) <= 0.006 * size)) {
+                    if (!(std::fabs(got - differences) <= 0.006 * unit)) {
                         fail_msg("%s %u, %s [%zu] (%g, %g, %g): %g, not %g", kProjectionNames[projection], size,
                                  row.name, i / 3, double{at.column[0][i + 1]}, double{at.column[1][i + 1]},
                                  double{at.column[2][i + 1]}, got, differences);

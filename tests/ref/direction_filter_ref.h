@@ -3,9 +3,11 @@
 // edge are found on the cube, on the octahedron and on the sphere.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "ref/projection_ref.h"
+#include "ref/texture_ref.h"
 
 namespace shd::ref {
 
@@ -32,9 +34,8 @@ inline int modulo(int x, int size) {
   return (x % size + size) % size;
 }
 
-/// The texel of the cube `beyond` rows behind an edge of a face: a path over the edge goes on along its grid line. Beyond
-/// a corner the path goes over the left or right edge, in the row beside the corner. A path ends on the last row of the
-/// adjacent face.
+/// The texel of the cube at (x, y) of a face: a path over an edge goes on along its grid line. Beyond a corner the path
+/// goes over the left or right edge, in the row beside the corner. A path ends on the last row of the adjacent face.
 inline FaceTexel cube_texel(int size, int x, int y, uint32_t face) {
   if (!is_outside(x, size) && !is_outside(y, size)) return {x, y, face};
   const int* row = ref_cube_table[face];
@@ -60,7 +61,8 @@ inline FaceTexel texel_at(const DirectionTexels& image, int x, int y, uint32_t f
   if (image.projection == SHD_PROJECTION_OCTAHEDRAL) {
     const bool beside_x = is_outside(x, w), beside_y = is_outside(y, h);
     const int in_x = x < 0 ? -1 - x : x >= w ? 2 * w - 1 - x : x, in_y = y < 0 ? -1 - y : y >= h ? 2 * h - 1 - y : y;
-    return {beside_y ? w - 1 - in_x : in_x, beside_x ? h - 1 - in_y : in_y, 0};
+    const int x_in = std::min(std::max(in_x, 0), w - 1), y_in = std::min(std::max(in_y, 0), h - 1);  // one texel
+    return {beside_y ? w - 1 - x_in : x_in, beside_x ? h - 1 - y_in : y_in, 0};
   }
   const int row = modulo(y, 2 * h);
   const double middle = x + 0.5 + (row >= h ? 0.5 * w : 0.0);
@@ -98,6 +100,22 @@ inline double bilinear(const DirectionTexels& image, const long double* n) {
     sum += weight * value, weights += weight, values += value;
   }
   return weights + missing > 0.0 ? sum + missing * values / 3.0 : 0.0;
+}
+
+/// The bicubic value in a direction. Not for discs.
+inline double bicubic(const DirectionTexels& image, shd_cubic cubic, const long double* n) {
+  const ref_place place = ref_project(image.projection, n);
+  const double x = static_cast<double>(place.u) * image.width - 0.5;
+  const double y = static_cast<double>(place.v) * image.height - 0.5;
+  const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+  double sum = 0.0, weights = 0.0;
+  for (int k = 0; k < 16; ++k) {
+    const int tx = left - 1 + k % 4, ty = top - 1 + k / 4;
+    const double weight = ::ref::cubic_weight(cubic, x - tx) * ::ref::cubic_weight(cubic, y - ty);
+    const FaceTexel texel = texel_at(image, tx, ty, place.face);
+    sum += weight * image.at(texel.x, texel.y, texel.face), weights += weight;
+  }
+  return sum / weights;
 }
 
 }  // namespace shd::ref

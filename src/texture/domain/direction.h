@@ -40,7 +40,7 @@ struct ProjectedBlock {
 };
 
 /// Derivatives of the points of a block of directions in the three components of the directions, du/dn and dv/dn. All
-/// are finite. Those of lookups without a direction are 0.
+/// are finite. Lookups without a direction have derivatives of 0.
 struct DirectionRates {
   alignas(64) float u[3][kBlock], v[3][kBlock];
 };

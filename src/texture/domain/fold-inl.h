@@ -7,7 +7,7 @@
 //   MIRROR_BALL,  beyond the rim, at a distance r > 1 from the centre, the image goes on at 2 - r on the other side
 //   ANGULAR
 //
-// Texels are given by whole numbers x and y as floats, -1..size.
+// Texels are given by whole numbers x and y as floats, -1..size, and -2..size + 1 for FoldFar().
 
 #if defined(SHD_TEXTURE_FOLD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FOLD_INL_H_
@@ -53,7 +53,8 @@ HWY_INLINE Vec3V<V> CubeVector(D d, Ints<D> face, V s, V t, V axis) {
 }
 
 /// The texel of the adjacent face. Texel centres are odd or even numbers -(n - 1)..n - 1 on a cube of half width n. A
-/// texel beyond an edge becomes the first one beside the edge. Beyond a corner the result is any texel of the cube.
+/// texel beyond an edge becomes the one of the adjacent face on its grid line, at most the last one of the line. A texel
+/// beyond a corner becomes the one beyond the left or the right edge, in the row beside the corner.
 template <class D>
 HWY_INLINE FoldedTexel<D> FoldCube(D d, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> size, Ints<D> face) {
   using V = hn::Vec<D>;
@@ -63,7 +64,9 @@ HWY_INLINE FoldedTexel<D> FoldCube(D d, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> s
   const V bounded_s = hn::IfThenElse(out_s, hn::CopySign(size, s), s);
   const V inner_t = hn::Min(hn::Max(t, hn::Neg(last)), last);
   const V bounded_t = hn::IfThenElse(out_t, hn::CopySign(size, t), inner_t);
-  const V axis = hn::IfThenElse(hn::Or(out_s, out_t), last, size);
+  const V beyond = hn::IfThenElse(out_s, hn::Abs(s), hn::Abs(t));
+  const V depth = hn::Max(size + size - beyond, hn::Neg(last));  // the first texel is at `last`
+  const V axis = hn::IfThenElse(hn::Or(out_s, out_t), depth, size);
   const projection::HWY_NAMESPACE::Cube<D> cube(d, CubeVector(d, face, bounded_s, bounded_t, axis));
   return {(cube.s + last) * half, (cube.t + last) * half, cube.face};
 }
@@ -73,7 +76,11 @@ HWY_INLINE FoldedTexel<D> FoldOctahedral(D d, hn::Vec<D> x, hn::Vec<D> y, hn::Ve
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d), last = size - hn::Set(d, 1.0f);
   const auto beside_x = IsBeside(d, x, size), beside_y = IsBeside(d, y, size);
-  const V in_x = hn::Min(hn::Max(x, zero), last), in_y = hn::Min(hn::Max(y, zero), last);
+  const auto mirrored = [&](V at) SHD_INLINE_LAMBDA {
+    const V near = hn::Max(at, hn::Neg(at) - hn::Set(d, 1.0f));
+    return hn::Max(hn::Min(near, last + size - near), zero);
+  };
+  const V in_x = hn::Min(mirrored(x), last), in_y = hn::Min(mirrored(y), last);
   return {hn::IfThenElse(beside_y, last - in_x, in_x), hn::IfThenElse(beside_x, last - in_y, in_y), face};
 }
 
@@ -116,6 +123,27 @@ HWY_INLINE FoldedTexel<D> Fold(D d, shd_projection projection, const Level<D>& l
     case SHD_PROJECTION_OCTAHEDRAL: return FoldOctahedral(d, x, y, size, face);
     default: return FoldDisc(d, x, y, size, face);
   }
+}
+
+/// The texel of LAT_LONG that contains the direction of the centre of (x, y). Beyond a pole of an image of odd width
+/// the centre lies between two texels; the result is the right one.
+template <class D>
+HWY_INLINE FoldedTexel<D> FoldFarLatLong(D d, hn::Vec<D> x, hn::Vec<D> y, const Level<D>& level, Ints<D> face) {
+  using V = hn::Vec<D>;
+  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), width = level.across.real;
+  const V rows = level.down.real + level.down.real;
+  const V row = y - rows * RoundDown(y / rows);
+  const auto beyond = hn::Ge(row, level.down.real);
+  const V column = x + hn::IfThenElseZero(beyond, RoundDown(width * half + half));
+  return {column - width * RoundDown(column / width), hn::IfThenElse(beyond, rows - one - row, row), face};
+}
+
+/// The texel that continues the grid of the image at (x, y), at most two texels beyond an edge.
+template <class D>
+HWY_INLINE FoldedTexel<D> FoldFar(D d, shd_projection projection, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y,
+                                  Ints<D> face) {
+  if (projection == SHD_PROJECTION_LAT_LONG) return FoldFarLatLong(d, x, y, level, face);
+  return Fold(d, projection, level, x, y, face);
 }
 
 /// A point of an image, and the face of the image.

@@ -17,6 +17,7 @@
 #include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"
 #include "texture/filter/edge_weights-inl.h"
+#include "texture/filter/random-inl.h"
 #include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,6 +26,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::RoundDown;
 using simd::HWY_NAMESPACE::RoundUp;
 
+/// Stream: the sink of the elements, a StreamSink or a PickSink.
+template <class Stream = StreamSink>
 class DirectionSink {
  public:
   static constexpr bool kTakesLines = false;
@@ -46,6 +49,9 @@ class DirectionSink {
   void begin(size_t first, bool scattered) { stream_.begin(first, scattered); }
   void flush() { stream_.flush(); }
   HWY_INLINE void finish() { stream_.finish(); }
+
+  /// Begins a vector of lookups that picks with random bits.
+  HWY_INLINE void start(D d, Bits<D> random) { stream_.start(d, random); }
 
   /// Begins a vector of lookups. `blur`: part of a texel's stretch that the lookups average, 0..1. `most`: the largest
   /// number of quads in place of one.
@@ -72,6 +78,35 @@ class DirectionSink {
   HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
     if (HWY_UNLIKELY(stretched_)) return along_parallel(d, op, level, u, v, share);
     one_quad(d, op, level, u, v, share);
+  }
+
+  /// Emits a row of bicubic: four texels of row y, of which the second one has column x. They may lie beyond edges.
+  template <class AnyShare>
+  HWY_INLINE void cubic_row(D d, uint32_t op, const Level<D>& level, V x, V y, const RowShares<D>& shares,
+                            const AnyShare& share) {
+    const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d);
+    const auto across = hn::And(hn::Ge(x, one), hn::Lt(x + two, level.across.real));
+    auto inside = hn::And(across, hn::And(hn::Ge(y, zero), hn::Lt(y, level.down.real)));
+    if (is_disc_) {
+      const V last = level.across.real - one, q = y + y - last;
+      const V p = hn::Max(last - (x + x) + two, (x + x) + two + two - last);
+      inside = hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
+    }
+    if (HWY_UNLIKELY(!hn::AllTrue(d, inside))) {
+      TexelPlace<D> texel[4];
+      fold_row(d, level, x, y, texel);
+      return stream_.row_of(d, op, level, texel, shares, share);
+    }
+    const hn::RebindToSigned<D> di;
+    const VI second = ToInt(x), next = hn::Set(di, 1);
+    Row<D> row;
+    for (size_t k = 0; k < 3; ++k) row.share[k] = shares.share[k], row.rate[k] = shares.rate[k];
+    row.column[0] = second, row.column[1] = second + next, row.column[2] = second - next;
+    row.column[3] = second + next + next;
+    row.y = ToInt(y);
+    row.in[0] = row.in[1] = row.in[2] = row.in[3] = inside;
+    row.neighbours = true;
+    stream_.row(d, op, level, row, share);
   }
 
   /// The texel whose direction is that of the centre of texel (x, y), which may lie outside the image.
@@ -215,6 +250,12 @@ class DirectionSink {
     texels.emit(d, op & kSecond, level, hn::IfThenZeroElse(inside, replaced), stream_);
   }
 
+  HWY_NOINLINE void fold_row(D d, const Level<D>& level, V x, V y, TexelPlace<D> (&row)[4]) const {
+    constexpr float kOrder[4] = {0, 1, -1, 2};
+    for (int k = 0; k < 4; ++k)
+      row[k] = place_of(d, level, FoldFar(d, projection_, level, x + hn::Set(d, kOrder[k]), y, face_));
+  }
+
   HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, TexelPlace<D> (&quad)[4]) const {
     const V one = hn::Set(d, 1.0f);
     for (int k = 0; k < 4; ++k) {
@@ -308,7 +349,7 @@ class DirectionSink {
     }
   }
 
-  StreamSink stream_;
+  Stream stream_;
   const shd_projection projection_;
   const int32_t layer_units_;
   const bool is_disc_;
@@ -355,8 +396,18 @@ inline void StretchShapes(const ProjectedBlock& points, const Texture&, ProbeBlo
   }
 }
 
+/// Finds the random bits of a block of directions: those of the lookups, or a hash of the direction.
+inline void FindRandom(const Lookups& in, uint32_t* random) {
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto load = [&](const float* column) { return FiniteOrZero(d, LoadOrZero(d, column, i)); };
+    const auto hash = BitsOfPoint(d, load(from.u), hn::BitCast(d, BitsOfPoint(d, load(from.v), load(from.w))));
+    hn::Store(from.random ? hn::LoadU(du, from.random + i) : hash, du, random + to);
+  });
+}
+
 /// Runs a filter over a batch of directions; a RunFilter.
-template <class Filter>
+template <class Filter, class Stream = StreamSink>
 HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
   const BatchTag d;
   const Sampler sampler = sampler_of_directions(given.texture, given.sampler);
@@ -366,14 +417,18 @@ HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
   const bool lat_long = call.texture.projection == SHD_PROJECTION_LAT_LONG;
   ProjectedBlock points;
   typename Filter::Block block;
-  DirectionSink sink(call);
+  constexpr bool kPicks = !std::is_same_v<Stream, StreamSink>;
+  alignas(64) uint32_t random[kPicks ? kBlock : 1];
+  DirectionSink<Stream> sink(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     nonfinite += ProjectLookups(call.texture, block_of(call.in, first), &points);
     FindShapes(call.texture, call.sampler, points.points, ShapesOf(&block));
     if (lat_long) StretchShapes(points, call.texture, &block);
+    if constexpr (kPicks) FindRandom(block_of(call.in, first), random);
     sink.begin(first, Filter::is_scattered(call.texture, block));
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+      if constexpr (kPicks) sink.start(d, hn::Load(hn::RebindToUnsigned<BatchTag>(), random + i));
       sink.place(d, points, i, BlurOf(d, block, i), MostOf(d, block, i));
       filter.emit(d, block, i, sink);
     }

@@ -23,6 +23,8 @@ RunFilter DirectionFilterOf(shd_filter filter);
 size_t RunDirectionGradient(const FilterCall& call);
 
 size_t RunEwaDirections(const FilterCall& call);
+size_t RunPickedEwaDirections(const FilterCall& call);
+size_t RunStochasticDirections(const FilterCall& call);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -10,6 +10,7 @@
 #include "texture/filter/bilinear-inl.h"
 #include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/directions-inl.h"
+#include "texture/filter/directions_cubic-inl.h"
 #include "texture/filter/mip-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/nearest_mip_linear-inl.h"
@@ -22,12 +23,14 @@ RunFilter DirectionFilterOf(shd_filter filter) {
   switch (filter) {
     case SHD_FILTER_NEAREST: return RunDirections<Nearest>;
     case SHD_FILTER_BILINEAR: return RunDirections<Bilinear>;
+    case SHD_FILTER_BICUBIC: return RunDirections<CubicDirections>;
     case SHD_FILTER_NEAREST_MIP: return RunDirections<NearestMip>;
     case SHD_FILTER_BILINEAR_MIP: return RunDirections<BilinearMip>;
     case SHD_FILTER_TRILINEAR: return RunDirections<Trilinear>;
     case SHD_FILTER_ANISOTROPIC: return RunDirections<Anisotropic>;
     case SHD_FILTER_NEAREST_MIP_LINEAR: return RunDirections<NearestMipLinear>;
     case SHD_FILTER_EWA: return RunEwaDirections;
+    case SHD_FILTER_STOCHASTIC: return RunStochasticDirections;
     default: return nullptr;
   }
 }

@@ -13,6 +13,7 @@
 #include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/directions-inl.h"
 #include "texture/filter/ewa-inl.h"
+#include "texture/filter/pick_sink-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -78,6 +79,9 @@ void StretchShapes(const ProjectedBlock& points, const Texture& texture, EwaDire
 
 size_t RunEwaDirections(const FilterCall& call) {
   return RunDirections<EwaDirections>(call);
+}
+size_t RunPickedEwaDirections(const FilterCall& call) {
+  return RunDirections<EwaDirections, PickSink<false>>(call);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

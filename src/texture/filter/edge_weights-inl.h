@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quads at the edges of an image of directions as texels with weights. Derivatives need them: the weights of a corner of
-// the cube, and those of a probe that leaves the image, depend on both coordinates. The shares of a quad do not.
+// Quads at the edges of an image of directions as texels with weights. Derivatives need them: the weights of a corner
+// of the cube, and those of a probe that leaves the image, depend on both coordinates. The shares of a quad do not.
 
 #if defined(SHD_TEXTURE_EDGE_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_EDGE_WEIGHTS_INL_H_

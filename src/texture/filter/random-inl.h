@@ -39,9 +39,17 @@ HWY_INLINE Bits<D> BitsOfPlace(D d, V u, V v, V w) {
 template <class D>
 class Rng {
  public:
+  Rng() = default;
   Rng(D, Bits<D> random, uint32_t seed) {
     const hn::RebindToUnsigned<D> du;
     state_ = MixBits(du, random + MixBits(du, hn::Set(du, seed + kWeylStep)));
+  }
+  /// Returns the next number of some lanes. The others get any number, and their sequences stay.
+  HWY_INLINE hn::Vec<D> next_if(D d, hn::Mask<D> lanes) {
+    const auto before = state_;
+    const auto number = next(d);
+    state_ = hn::IfThenElse(hn::RebindMask(hn::RebindToUnsigned<D>(), lanes), state_, before);
+    return number;
   }
   /// Returns the next number, a multiple of 2^-24, uniform in [0, 1).
   HWY_INLINE hn::Vec<D> next(D d) {

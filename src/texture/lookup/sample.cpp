@@ -170,8 +170,8 @@ size_t in_passes(const Texture& texture, const Texels& wanted, const Body& body)
   return nonfinite;
 }
 
-/// Filters the stored channels. `wanted` holds their columns, those of one pass. `store`: state of the placement, for textures whose
-/// streams are placed.
+/// Filters the stored channels. `wanted` holds their columns, those of one pass. `store`: state of the placement, for
+/// textures whose streams are placed.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& wanted, Recording* recording, void* store,
                      const uint8_t* origin) {

@@ -24,8 +24,9 @@ struct Refusal {
 constexpr Refusal kRefusals[] = {
     // Filters of a domain.
     {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), bits(Domain::kSlices), kAny, kAny, "its tables are 2D"},
-    {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT),
-     bits(Domain::kDirections), kAny, kAny, "the filter does not continue over the edges of the image"},
+    {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), bits(Domain::kDirections), kAny, kAny,
+     "a box of its table is no box on the other side of an edge"},
+    {bits(SHD_FILTER_EXACT), bits(Domain::kDirections), kAny, kAny, "its integral ends at the edges of the image"},
     // Uses.
     {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_STOCHASTIC), kAny, kAny,
      bits(Use::kGradients), "its values have steps"},

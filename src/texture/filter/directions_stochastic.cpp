@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Stochastic filtering of textures of directions: the picks of filters whose texels beyond edges are folded.
+#include "texture/stream.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/filter/directions_stochastic.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/anisotropic-inl.h"
+#include "texture/filter/bilinear-inl.h"
+#include "texture/filter/direction_sink-inl.h"
+#include "texture/filter/directions-inl.h"
+#include "texture/filter/directions_cubic-inl.h"
+#include "texture/filter/pick_sink-inl.h"
+#include "texture/filter/trilinear-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+size_t RunStochasticDirections(const FilterCall& call) {
+  const shd_filter filter = call.sampler.stochastic_filter;
+  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
+    return filter == SHD_FILTER_ANISOTROPIC ? RunDirections<Anisotropic, PickSink<true>>(call)
+                                            : RunDirections<Trilinear, PickSink<true>>(call);
+  }
+  switch (filter) {
+    case SHD_FILTER_BILINEAR: return RunDirections<Bilinear, PickSink<false>>(call);
+    case SHD_FILTER_BICUBIC: return RunDirections<CubicDirections, PickSink<false>>(call);
+    case SHD_FILTER_ANISOTROPIC: return RunDirections<Anisotropic, PickSink<false>>(call);
+    case SHD_FILTER_EWA: return RunPickedEwaDirections(call);
+    default: return RunDirections<Trilinear, PickSink<false>>(call);
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
