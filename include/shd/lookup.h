@@ -16,9 +16,8 @@
  * gives the coarsest level. Only places of probes are limited: a line of probes is at most one circle along a parallel
  * of LAT_LONG, and ends at most one image beyond OCTAHEDRAL, MIRROR_BALL and ANGULAR. Beyond an edge of an image texels
  * come from the neighbouring image, so that no filter has a seam or a pole. Wraps and borders have no effect; `layer`
- * has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR,
- * ANISOTROPIC and EWA, without derivatives of the result; others return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has
- * no effect. A direction of length 0, or with a component that is NaN or infinite, counts as +Z.
+ * has none for CUBE. RIPMAP, SUMMED_AREA and EXACT return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect. A
+ * direction of length 0, or with a component that is NaN or infinite, counts as +Z; derivatives of the result are 0.
  *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
@@ -70,7 +69,7 @@ typedef struct shd_lookups {
     shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
     shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
-    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w */
+    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w */
     shd_f32_in w;         /**< third coordinate: across the slices of a 3D texture, or of a direction; required by these
                                textures, without effect for others */
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
@@ -97,13 +96,14 @@ typedef struct shd_texels {
      * Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
      * filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel centres; the result
      * there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-     * derivative of the weights.
+     * derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three components
+     * of the direction, not normalised, with the footprint held constant in the image.
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];
     size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
-    shd_f32_out dw[4];      /**< d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-                                 SHD_ERROR_UNSUPPORTED */
+    shd_f32_out dw[4];      /**< d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
+                                 2D textures return SHD_ERROR_UNSUPPORTED */
     /**
      * 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
      * and coarser levels were filtered instead. NULL = not wanted.

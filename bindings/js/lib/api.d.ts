@@ -1986,7 +1986,7 @@ export interface Lookups {
   lod?: Column;
   /** layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
   layer?: Column;
-  /** random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w */
+  /** random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w */
   random?: Column;
   /**
    * third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -2011,15 +2011,17 @@ export interface Texels {
    * filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel centres; the
    * result
    * there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-   * derivative of the weights.
+   * derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three
+   * components
+   * of the direction, not normalised, with the footprint held constant in the image.
    */
   du?: OutColumns;
   dv?: OutColumns;
   /** written: lookups whose coordinates, derivatives or lod were not finite */
   nonfiniteCount?: number;
   /**
-   * d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-   * SHD_ERROR_UNSUPPORTED
+   * d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
+   * 2D textures return SHD_ERROR_UNSUPPORTED
    */
   dw?: OutColumns;
   /**

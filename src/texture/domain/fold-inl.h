@@ -53,8 +53,8 @@ HWY_INLINE Vec3V<V> CubeVector(D d, Ints<D> face, V s, V t, V axis) {
 }
 
 /// The texel of the adjacent face. Texel centres are odd or even numbers -(n - 1)..n - 1 on a cube of half width n. A
-/// texel beyond an edge becomes the one of the adjacent face on its grid line, at most the last one of the line. A texel
-/// beyond a corner becomes the one beyond the left or the right edge, in the row beside the corner.
+/// texel beyond an edge becomes the one of the adjacent face on its grid line, at most the last one of the line. A
+/// texel beyond a corner becomes the one beyond the left or the right edge, in the row beside the corner.
 template <class D>
 HWY_INLINE FoldedTexel<D> FoldCube(D d, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> size, Ints<D> face) {
   using V = hn::Vec<D>;

@@ -700,7 +700,7 @@ namespace Shd
         public Column<float> Lod;
         /// <summary>layer of the array; absent = 0; numbers beyond the last layer mean the last layer</summary>
         public Column<uint> Layer;
-        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and in 3D w</summary>
+        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and, if read, w</summary>
         public Column<uint> Random;
         /// <summary>
         /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -762,15 +762,16 @@ namespace Shd
         /// Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
         /// filter in this list; other filters return Result.ErrorUnsupported. BILINEAR has kinks at texel centres; the result
         /// there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-        /// derivative of the weights.
+        /// derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three components
+        /// of the direction, not normalised, with the footprint held constant in the image.
         /// </summary>
         public readonly Column<float>[] Du = new Column<float>[4];
         public readonly Column<float>[] Dv = new Column<float>[4];
         /// <summary>written: lookups whose coordinates, derivatives or lod were not finite</summary>
         public long NonfiniteCount { get { return Fields.NonfiniteCount; } set { Fields.NonfiniteCount = value; } }
         /// <summary>
-        /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-        /// Result.ErrorUnsupported
+        /// d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
+        /// 2D textures return Result.ErrorUnsupported
         /// </summary>
         public readonly Column<float>[] Dw = new Column<float>[4];
         /// <summary>

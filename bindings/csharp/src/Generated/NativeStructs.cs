@@ -894,7 +894,7 @@ namespace Shd.Native
         public F32In Lod;
         /// <summary>layer of the array; absent = 0; numbers beyond the last layer mean the last layer</summary>
         public U32In Layer;
-        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and in 3D w</summary>
+        /// <summary>random bits of Filter.Stochastic; absent = hashed from u, v and, if read, w</summary>
         public U32In Random;
         /// <summary>
         /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
@@ -933,7 +933,8 @@ namespace Shd.Native
         /// Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
         /// filter in this list; other filters return Result.ErrorUnsupported. BILINEAR has kinks at texel centres; the result
         /// there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-        /// derivative of the weights.
+        /// derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three components
+        /// of the direction, not normalised, with the footprint held constant in the image.
         /// </summary>
         public F32Out4 Du;
         public F32Out4 Dv;
@@ -941,8 +942,8 @@ namespace Shd.Native
         public long NonfiniteCount { get { return (long)nonfiniteCountWord; } set { nonfiniteCountWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr nonfiniteCountWord;
         /// <summary>
-        /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-        /// Result.ErrorUnsupported
+        /// d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
+        /// 2D textures return Result.ErrorUnsupported
         /// </summary>
         public F32Out4 Dw;
         /// <summary>

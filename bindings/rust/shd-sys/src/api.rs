@@ -3573,7 +3573,7 @@ pub struct shd_lookups {
     pub lod: shd_f32_in,
     /// layer of the array; absent = 0; numbers beyond the last layer mean the last layer
     pub layer: shd_u32_in,
-    /// random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and in 3D w
+    /// random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w
     pub random: shd_u32_in,
     /// third coordinate: across the slices of a 3D texture, or of a direction; required by these
     /// textures, without effect for others
@@ -3603,13 +3603,14 @@ pub struct shd_texels {
     /// Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
     /// filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel centres; the result
     /// there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-    /// derivative of the weights.
+    /// derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three components
+    /// of the direction, not normalised, with the footprint held constant in the image.
     pub du: [shd_f32_out; 4],
     pub dv: [shd_f32_out; 4],
     /// written: lookups whose coordinates, derivatives or lod were not finite
     pub nonfinite_count: usize,
-    /// d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
-    /// SHD_ERROR_UNSUPPORTED
+    /// d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
+    /// 2D textures return SHD_ERROR_UNSUPPORTED
     pub dw: [shd_f32_out; 4],
     /// 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
     /// and coarser levels were filtered instead. NULL = not wanted.
