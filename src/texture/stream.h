@@ -86,7 +86,7 @@ struct Stream : Elements<256> {
 
   size_t elements;  // elements in use, one vector each
   uint16_t op[kMaxElements];
-  StreamPlaces places;  // written if a store places the stream
+  StreamPlaces* places;  // written if a store places the stream; else null
 
   /// Returns the row and the image of texel k of element e.
   size_t row_of(size_t e, size_t k) const { return op[e] & kApart ? k : op[e] & kQuad ? k / 2 : 0; }
@@ -104,6 +104,7 @@ struct Placement {
   PlaceStream place = nullptr;
   void* state = nullptr;
   const uint8_t* origin = nullptr;  // texel 0
+  StreamPlaces* places = nullptr;   // memory for the places of the stream
 };
 
 struct FilterCall;

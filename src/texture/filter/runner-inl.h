@@ -38,13 +38,14 @@ class StreamSink : public Emitter<StreamSink> {
       : sampler_(call.sampler),
         bordered_(has_border(call.texture, call.sampler)),
         placement_(call.placement),
-        places_(placement_.place ? &stream_.places : nullptr),
+        places_(placement_.places),
         first_(call, TexelSource(call), call.recording),
         second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;
     if (!call.record) consume_second_ = call.format.gradient;
     if (!call.record && !call.out.wants_values()) consume_first_ = nullptr;
     stream_.elements = 0;
+    stream_.places = places_;
   }
 
   HWY_INLINE const Sampler& sampler() const { return sampler_; }

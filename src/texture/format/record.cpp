@@ -24,8 +24,8 @@ void place_taps(void* recording, size_t end, size_t lanes, Stream* stream) {
     if (stream->op[e] & kNeighbours) write_neighbours(e, lanes, stream);
     for (size_t k = 0; k < stream->texels_of(e); ++k) {
       int32_t& x = stream->index[k][e * lanes];
-      const int32_t y = stream->places.y[stream->row_of(e, k)][e * lanes];
-      const int32_t first = stream->places.first[stream->image_of(e, k)][e * lanes];
+      const int32_t y = stream->places->y[stream->row_of(e, k)][e * lanes];
+      const int32_t first = stream->places->first[stream->image_of(e, k)][e * lanes];
       const bool border = (x | y) < 0;
       SHD_ASSERT(record.place_count < Recording::kMaxTaps);
       record.places[record.place_count] = {border ? 0 : static_cast<uint32_t>(x), border ? 0 : static_cast<uint32_t>(y),

@@ -9,10 +9,9 @@
 
 #include "core/allocator.h"
 #include "core/status.h"
+#include "texture/stream.h"
 
 namespace shd::texture {
-
-struct Stream;
 
 /// A texel of a level, or the border colour.
 struct RecordedTap {
@@ -33,7 +32,8 @@ struct RecordedBlend {
 struct Recording {
   static constexpr size_t kMaxTaps = 4096;
 
-  core::Array<RecordedTap> places;  // places of the texels of streams
+  core::Array<StreamPlaces> columns;  // one
+  core::Array<RecordedTap> places;    // places of the texels of streams
   core::Array<RecordedTap> taps;
   core::Array<RecordedBlend> blends;
   size_t place_count = 0, tap_count = 0, blend_count = 0;
@@ -41,7 +41,7 @@ struct Recording {
   float reference = 0.0f;      // clamped reference of a comparison lookup
 
   explicit Recording(const core::Allocator& allocator)
-      : places(allocator, kMaxTaps), taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}
+      : columns(allocator, 1), places(allocator, kMaxTaps), taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}
 
   uint32_t tap(uint32_t place) {
     SHD_ASSERT(tap_count < kMaxTaps && place < place_count);

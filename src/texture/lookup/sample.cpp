@@ -173,8 +173,7 @@ size_t in_passes(const Texture& texture, const Texels& wanted, const Body& body)
 /// Filters the stored channels. `wanted` holds their columns, those of one pass. `store`: state of the placement, for
 /// textures whose streams are placed.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& wanted, Recording* recording, void* store,
-                     const uint8_t* origin) {
+                     const Lookups& lookups, const Texels& wanted, Recording* recording, const Placement& store) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
   Kernels kernels = {};
@@ -183,10 +182,23 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   };
   const auto run = [&](RunFilter filter, const Texels& to) {
     if (HWY_UNLIKELY(recording != nullptr)) {
-      return filter(
-          {texture, sampler, lookups, to, kernels.format, kernels.record, recording, {place_taps, recording}});
+      return filter({texture,
+                     sampler,
+                     lookups,
+                     to,
+                     kernels.format,
+                     kernels.record,
+                     recording,
+                     {place_taps, recording, nullptr, recording->columns.data()}});
     }
-    return filter({texture, sampler, lookups, to, kernels.format, nullptr, nullptr, {kernels.place, store, origin}});
+    return filter({texture,
+                   sampler,
+                   lookups,
+                   to,
+                   kernels.format,
+                   nullptr,
+                   nullptr,
+                   {kernels.place, store.state, store.origin, store.places}});
   };
   const bool deep = gradient && texture.depth != 0 && wanted.wants_deep_gradient();
   find_kernels(deep ? Gradient::kDeep : gradient ? Gradient::kPlane : Gradient::kNone);
@@ -202,7 +214,8 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
                                        const Lookups& lookups, const Texels& wanted) {
   CacheLease lease(texture);
   return in_passes(texture, wanted, [&](const Texels& columns) {
-    return sample_stored(texture, sampler, simd, lookups, columns, nullptr, &lease, lease.cache()->texels);
+    return sample_stored(texture, sampler, simd, lookups, columns, nullptr,
+                         {nullptr, &lease, lease.cache()->texels, lease.places()});
   });
 }
 
@@ -215,7 +228,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
     call.needed = needed;
     return in_passes(texture, out, [&](const Texels& columns) {
       call.lookup = 0;
-      return sample_stored(texture, with, simd, in, columns, nullptr, &call, call.origin);
+      return sample_stored(texture, with, simd, in, columns, nullptr, {nullptr, &call, call.origin, &call.places});
     });
   };
   if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
@@ -233,7 +246,7 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
   }
   if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
   return in_passes(texture, wanted, [&](const Texels& columns) {
-    return sample_stored(texture, sampler, simd, lookups, columns, recording, nullptr, nullptr);
+    return sample_stored(texture, sampler, simd, lookups, columns, recording, {});
   });
 }
 

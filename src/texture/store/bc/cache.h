@@ -11,6 +11,7 @@
 
 #include "core/cache_pool.h"
 #include "texture/store/bc/levels.h"
+#include "texture/stream.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -53,6 +54,7 @@ class CacheLease {
 
   BlockCache* cache() const { return cache_; }
   const Texture& texture() const { return texture_; }
+  StreamPlaces* places() { return &places_; }
 
  private:
   static constexpr uint32_t kFewPlaces = 16, kLargestTexel = 8;
@@ -60,6 +62,7 @@ class CacheLease {
       (4 * (4 * kFewPlaces + BlockCache::kMargin) + BlockCache::kSpare) * kLargestTexel + SHD_TEXTURE_PADDING;
 
   const Texture& texture_;
+  StreamPlaces places_;
   core::CachePool* const pool_;
   core::CachePool::Lease lease_;
   BlockCache* cache_;

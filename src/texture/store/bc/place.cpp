@@ -43,7 +43,7 @@ class Placer {
       }
       for (size_t k = 0; k < stream_.texels_of(e); ++k) {
         const size_t row = stream_.row_of(e, k), image = stream_.image_of(e, k);
-        place_texels(k, at, {stream_.places.y[row] + at, stream_.places.first[image] + at});
+        place_texels(k, at, {stream_.places->y[row] + at, stream_.places->first[image] + at});
       }
     }
   }
@@ -75,7 +75,7 @@ class Placer {
   }
 
   HWY_INLINE Image image_of(size_t at, const int32_t* first) const {
-    const auto width = static_cast<uint32_t>(stream_.places.width[at]), number = static_cast<uint32_t>(first[0]);
+    const auto width = static_cast<uint32_t>(stream_.places->width[at]), number = static_cast<uint32_t>(first[0]);
     return {number, units_along(width, 2), cache_.zeroth_place(number, width)};
   }
 
@@ -194,7 +194,7 @@ class Placer {
   HWY_INLINE bool place_quad(size_t at) {
     const DI di;
     int32_t *const upper = stream_.index[0] + at, *const lower = stream_.index[2] + at;
-    const StreamPlaces& places = stream_.places;
+    const StreamPlaces& places = *stream_.places;
     const int32_t *const top = places.y[0] + at, *const bottom = places.y[1] + at, *const first = places.first[0] + at;
     VI index[2];
     const VI apart = hn::Or(hn::Or(load(first) ^ hn::Set(di, first[0]), load(top) ^ hn::Set(di, top[0])),
@@ -223,7 +223,7 @@ class Placer {
   /// Places a row of neighbours, as place_quad() does. Columns are in the order 1, 2, 0, 3.
   HWY_INLINE bool place_row(size_t at) {
     int32_t* const left = stream_.index[2] + at;
-    const int32_t *const y = stream_.places.y[0] + at, *const first = stream_.places.first[0] + at;
+    const int32_t *const y = stream_.places->y[0] + at, *const first = stream_.places->first[0] + at;
     VI index;
     if (!all_equal(first) || !all_equal(y) || !place_run(at, first, left, 3, y[0], &index)) return false;
     hn::Store(index, DI(), left);

@@ -70,6 +70,7 @@ struct TileCall {
 
   // Tiles of texels that wait for resolve(); Stream::index then has the texels within the tiles.
   alignas(64) int32_t wanted[4][kColumn];
+  StreamPlaces places;
 };
 
 }  // namespace shd::texture

@@ -27,7 +27,7 @@ class TilePlacer {
       : call_(*call),
         lease_(*call->lease),
         stream_(*stream),
-        places_(stream->places),
+        places_(*stream->places),
         shape_(call->texture.layout.unit),
         last_x_((1 << shape_.shift_x) - 1),
         last_y_((1 << shape_.shift_y) - 1),
