@@ -250,7 +250,7 @@ void test_tiles() {
   expect(stats.loads == static_cast<std::uint64_t>(calls) && stats.failed_tiles > 0, "tiles/loads");
   texture.reset();
   expect(kept.use_count() == 1, "tiles/released");
-  desc.depth = 2;
+  desc.depth = desc.layers = 2;
   thrown = false;
   try {
     texture = shd::texture_create(context, &desc, cache, Load{&calls, &fails, kept});

@@ -53,8 +53,8 @@ static void test_save(void **state)
 
 static void test_save_bad(void **state)
 {
-    const file_texture t = texture_of(&k_formats[40], 8, 8, 1);
-    const file_ktx2 k = ktx2_of(&k_formats[40]);
+    const file_texture t = texture_of(&k_formats[41], 8, 8, 1);
+    const file_ktx2 k = ktx2_of(&k_formats[41]);
     shd_texture_file_info info;
     shd_texture *texture = load(file_make_ktx2(&t, &k, NULL), NULL, 0, &info);
     shd_ktx2_desc desc = shd_ktx2_desc_default();

@@ -106,9 +106,7 @@ void test_texture_desc(void **)
         {[](shd_texture_desc *d) { d->flags = SHD_TEXTURE_BORROW; }, SHD_ERROR_INVALID_ARGUMENT,
          "texture.flags: 0x1, but"},
         {[](shd_texture_desc *d) { d->format = SHD_FORMAT_RGB8; }, SHD_ERROR_UNSUPPORTED, "three channels"},
-        {[](shd_texture_desc *d) { d->format = SHD_FORMAT_BC7; }, SHD_ERROR_UNSUPPORTED, "compressed blocks"},
-        {[](shd_texture_desc *d) { d->tables = SHD_TABLE_RIPMAP; }, SHD_ERROR_UNSUPPORTED, "texture.tables: 0x2"},
-        {[](shd_texture_desc *d) { d->depth = 2, d->level_count = 0; }, SHD_ERROR_UNSUPPORTED, "depth 2"},
+        {[](shd_texture_desc *d) { d->depth = 2, d->layers = 2; }, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 2"},
         {[](shd_texture_desc *d) { d->width = (1u << 20) + 1; }, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 1048577"},
         {[](shd_texture_desc *d) { d->level_count = 8; }, SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: 8"},
         {[](shd_texture_desc *d) { d->tables = 0; }, SHD_ERROR_INVALID_ARGUMENT, "without SHD_TABLE_MIPMAP"},
@@ -136,10 +134,10 @@ void test_unsupported(void **)
     shd_assert_ok(shd_texture_create(g_context, &desc, &tiled));
     TileLookups at = diagonal();
     shd_sampler *exact = make_sampler(g_context, SHD_FILTER_EXACT);
-    shd_assert_result("exact", at.sample(tiled, exact), SHD_ERROR_UNSUPPORTED, "EXACT");
+    shd_assert_ok(at.sample(tiled, exact));
     shd_sampler *sums = make_sampler(g_context, SHD_FILTER_SUMMED_AREA);
-    shd_assert_result("sums", at.sample(tiled, sums), SHD_ERROR_UNSUPPORTED,
-                      "SUMMED_AREA, but the texture is in tiles");
+    shd_assert_result("sums", at.sample(tiled, sums), SHD_ERROR_INVALID_ARGUMENT,
+                      "SUMMED_AREA, but the texture has no SHD_TABLE_SUMMED_AREA");
     shd_sampler *sampler = make_sampler(g_context);
     shd_lookups in = shd_lookups_default();
     in.count = 1;

@@ -234,7 +234,8 @@ public static class Tiles
             Check.Throws<ShdException>(() => new Texture(source.Context, desc), "texture.tiles.load");
             desc.Tiles = new TileSource(source.Cache, tiles => { });
             desc.Depth = 2;
-            Check.Throws<ShdException>(() => new Texture(source.Context, desc), "in tiles");
+            desc.Layers = 2;
+            Check.Throws<ShdException>(() => new Texture(source.Context, desc), "texture.layers");
             Check.Throws<ShdException>(() => source.Memory.LoadTiles(Region()), "tiles");
             TileCacheDesc small = TileCacheDesc.Default;
             small.BudgetBytes = 1;

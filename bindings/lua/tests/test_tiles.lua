@@ -135,7 +135,7 @@ case("a function lives as long as its texture", function()
 end)
 
 case("what is refused", function()
-  refused("tiles", make, {depth = 2})
+  refused("layers", make, {depth = 2, layers = 2})
   refused("texture.tiles.load: a function", make, {tiles = {load = 3}})
   refused("texture.tiles.release: a function of C", make, {tiles = {release = print}})
   refused("texture.tiles.cache: a tile_cache, not a context", make, {tiles = {cache = context}})

@@ -97,6 +97,28 @@ bool matches_level(const ref::Image& image, double lambda, double u, double v, i
   return false;
 }
 
+/// Calls body(value) with the nearest texels of a level that rounding may reach.
+template <class Body>
+void for_each_nearest(const ref::Image& image, int level, double u, double v, int channel, const Body& body) {
+  const double w = static_cast<double>(image.levels[level].width), h = static_cast<double>(image.levels[level].height);
+  for (const double dx : {0.0, -4e-7 * w, 4e-7 * w}) {
+    for (const double dy : {0.0, -4e-7 * h, 4e-7 * h}) body(ref::nearest_on(image, level, u, v, dx, dy, channel));
+  }
+}
+
+/// Whether a value is possible for NEAREST_MIP_LINEAR.
+bool matches_two_levels(const ref::Image& image, double lambda, double u, double v, int channel, double got,
+                        double error) {
+  const double lod = ref::clamp_lod(image, lambda), floor_lod = floor(lod), s = lod - floor_lod;
+  const int fine = static_cast<int>(floor_lod), coarse = s > 0 ? fine + 1 : fine;
+  bool matches = false;
+  for_each_nearest(image, fine, u, v, channel, [&](double a) {
+    for_each_nearest(image, coarse, u, v, channel,
+                     [&](double b) { matches = matches || shd_is_close(got, a + s * (b - a), error, 0); });
+  });
+  return matches;
+}
+
 bool matches(const ref::Image& image, const ref::Jacobian& j, size_t i, int channel, double got) {
   const double u = static_cast<double>(t_batch.u[i]), v = static_cast<double>(t_batch.v[i]);
   const double w = static_cast<double>(image.levels[0].width), h = static_cast<double>(image.levels[0].height);
@@ -107,6 +129,7 @@ bool matches(const ref::Image& image, const ref::Jacobian& j, size_t i, int chan
   if (filter == SHD_FILTER_TRILINEAR) {
     return shd_is_close(got, ref::trilinear(image, u, v, lambda, channel), trilinear, 0);
   }
+  if (filter == SHD_FILTER_NEAREST_MIP_LINEAR) return matches_two_levels(image, lambda, u, v, channel, got, trilinear);
   for (const double slack : {0.0, -2e-6, 2e-6}) {
     if (filter != SHD_FILTER_ANISOTROPIC && matches_level(image, lambda + slack, u, v, channel, got)) return true;
     if (filter != SHD_FILTER_ANISOTROPIC) continue;

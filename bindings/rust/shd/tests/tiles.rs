@@ -178,7 +178,7 @@ fn a_closure_is_dropped_once_with_the_last_owner() {
     assert_eq!(Arc::strong_count(&shared), 2);
     drop(material);
     assert_eq!(Arc::strong_count(&shared), 1);
-    assert!(message(make(&TextureDesc { depth: 2, ..Source::desc() })).contains("in tiles"));
+    assert!(message(make(&TextureDesc { depth: 2, layers: 2, ..Source::desc() })).contains("texture.layers"));
     assert_eq!(Arc::strong_count(&shared), 1);
     let error = TileCache::new(&context, &TileCacheDesc { budget_bytes: 1, ..Default::default() });
     assert!(message(error).contains("budget_bytes: 1 is not"));
