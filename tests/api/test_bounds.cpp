@@ -99,7 +99,7 @@ struct Tight {
 void test_tight(void **)
 {
     constexpr Tight kTight[] = {
-        {Kind::kFlat, SHD_FILTER_NEAREST, {1.1, 1.2, 1.1, 1.1}},
+        {Kind::kFlat, SHD_FILTER_NEAREST, {1.05, 1.05, 1.05, 1.05}},
         {Kind::kFlat, SHD_FILTER_BILINEAR, {1.15, 1.6, 1.15, 1.15}},
         {Kind::kFlat, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
         {Kind::kFlat, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
@@ -111,7 +111,7 @@ void test_tight(void **)
         {Kind::kDeep, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},
         {Kind::kDeep, SHD_FILTER_TRILINEAR, {1.15, 1.25, 1.15, 1.15}},
         {Kind::kDeep, SHD_FILTER_ANISOTROPIC, {1.7, 1.7, 1.75, 2.1}},
-        {Kind::kFolded, SHD_FILTER_NEAREST, {1.1, 1.1, 1.1, 1.1}},
+        {Kind::kFolded, SHD_FILTER_NEAREST, {1.05, 1.05, 1.05, 1.05}},
         {Kind::kFolded, SHD_FILTER_BILINEAR, {1.15, 1.9, 1.15, 1.15}},
         {Kind::kFolded, SHD_FILTER_NEAREST_MIP, {1.1, 1.1, 1.1, 1.1}},
         {Kind::kFolded, SHD_FILTER_BILINEAR_MIP, {1.1, 1.1, 1.1, 1.1}},

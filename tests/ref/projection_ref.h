@@ -83,9 +83,9 @@ typedef struct ref_change {
   long double du, dv;
 } ref_change;
 
-/* Vulkan 1.3 specification, "Cube Map Derivative Transformation": on the plane of the face of `n`. */
-static inline ref_change ref_cube_step(const long double* n, const long double* dn) {
-  const int* row = ref_cube_table[ref_face_of(n)];
+/* Vulkan 1.3 specification, "Cube Map Derivative Transformation": on the plane of a face. */
+static inline ref_change ref_cube_step(const long double* n, const long double* dn, uint32_t face) {
+  const int* row = ref_cube_table[face];
   const long double r = ref_component(n, row[0]), dr = ref_component(dn, row[0]);
   const long double s = ref_component(n, row[1]), t = ref_component(n, row[2]);
   ref_change step = {(r * ref_component(dn, row[1]) - s * dr) / (2.0L * r * r),
@@ -130,7 +130,7 @@ static inline ref_change ref_step(shd_projection projection, const long double* 
     case SHD_PROJECTION_LAT_LONG: return ref_lat_long_step(n, dn);
     case SHD_PROJECTION_MIRROR_BALL: return ref_disc_step(n, dn, 1);
     case SHD_PROJECTION_ANGULAR: return ref_disc_step(n, dn, 0);
-    case SHD_PROJECTION_CUBE: return ref_cube_step(n, dn);
+    case SHD_PROJECTION_CUBE: return ref_cube_step(n, dn, ref_face_of(n));
     default: return ref_octahedral_step(n, dn);
   }
 }

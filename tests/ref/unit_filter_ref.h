@@ -203,17 +203,33 @@ inline void apply_axis_bugs(const Unit& unit, UnitPoint* p) {
   if (unit.bug == Bug::kSwappedAxes) std::swap((*p)[0], (*p)[1]);
 }
 
+/// The face of a direction. Directions within 2^-20 of an edge of the cube may be on either face.
+inline uint32_t unit_face(const Unit& unit, const long double* n) {
+  const uint32_t nearest = ref_face_of(n);
+  const long double least = ref_component(n, ref_cube_table[nearest][0]) * (1.0L - 0x1p-20L);
+  uint32_t faces[3] = {nearest}, count = 1;
+  for (uint32_t face = 0; face < 6; ++face) {
+    if (face != nearest && ref_component(n, ref_cube_table[face][0]) >= least) faces[count++] = face;
+  }
+  return faces[static_cast<uint32_t>(unit.face_tie) % count];
+}
+
 /// The point of a direction in its image, and its derivatives.
 inline Value unit_direction(const UnitImage& image, const Unit& unit, const UnitLookup& lookup) {
   const long double n[3] = {lookup.p[0], lookup.p[1], lookup.p[2]};
-  const ref_place place = ref_project(image.projection, n);
+  const bool cube = image.projection == SHD_PROJECTION_CUBE;
+  const uint32_t on = cube ? unit_face(unit, n) : 0;
+  ref_place place = cube ? ref_on_face(n, on) : ref_project(image.projection, n);
+  // The point of another face than the nearest one lies up to 2^-21 beside the face: on its edge.
+  const auto inside = [](long double x) { return fminl(fmaxl(x, 0.0L), 1.0L - 0x1p-40L); };
+  if (cube && on != ref_face_of(n)) place.u = inside(place.u), place.v = inside(place.v);
   const auto step = [&](const double* d) {
     const long double dn[3] = {d[0], d[1], d[2]};
-    const ref_change change = ref_step(image.projection, n, dn);
+    const ref_change change = cube ? ref_cube_step(n, dn, on) : ref_step(image.projection, n, dn);
     return UnitPoint{static_cast<double>(change.du), static_cast<double>(change.dv), 0};
   };
   UnitPoint p = {static_cast<double>(place.u), static_cast<double>(place.v), 0};
-  int face = image.projection == SHD_PROJECTION_CUBE ? static_cast<int>(place.face) : lookup.layer;
+  int face = cube ? static_cast<int>(on) : lookup.layer;
   if (unit.bug == Bug::kFlippedFace && face == unit.option >> 1) p[unit.option & 1] = 1 - p[unit.option & 1];
   apply_axis_bugs(unit, &p);
   if (unit.bug == Bug::kLayer) face = (face + 1) % image.layers;

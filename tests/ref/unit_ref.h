@@ -83,6 +83,7 @@ struct Unit {
   double isotropy = 0;        // 0 = the probes of the rule, 1 = one probe
   bool vulkan_places = true;  // i / (N + 1) - 1/2, else (k + 1/2) / N - 1/2
   double probe_falloff = 0;   // weights exp(-falloff x^2)
+  int face_tie = 0;           // face of directions at an edge of the cube, among those that are as near
   Bug bug = Bug::kNone;
   double a = 0, b = 0, c = 0;
   int option = 0;

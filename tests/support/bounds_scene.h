@@ -332,6 +332,7 @@ inline ref::Unit legal_unit(const shd_bounds_desc &rules, Random *random)
     unit.isotropy = random->whole(0, 2) ? 0 : random->unit();
     unit.vulkan_places = random->whole(0, 1);
     unit.probe_falloff = random->whole(0, 1) ? 0 : random->in(0, 3);
+    unit.face_tie = (unit.lower_tie ? 1 : 0) + (unit.floats ? 1 : 0);
     return unit;
 }
 
