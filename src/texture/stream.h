@@ -137,6 +137,7 @@ struct Consumption {
   const Texels& out;     // unwanted columns are null; nothing is written past `count`
   size_t count;
   const float* reference;  // references of all lookups, for ComparedOf(); null = 0
+  bool unorm;              // texels are unorm, and so references are clamped
   size_t done = 0;         // lookups written so far
   bool open = false;       // the stream ended within a vector of lookups, whose averages are in `state`
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
@@ -183,7 +184,8 @@ inline Consumption::Consumption(const FilterCall& call, const TexelSource& sourc
       recording(record),
       out(call.out),
       count(call.in.count),
-      reference(call.in.reference) {}
+      reference(call.in.reference),
+      unorm(image::is_unorm(call.texture.component)) {}
 
 /// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);

@@ -12,8 +12,8 @@ struct SharedExponent {
   int exponent;
 };
 
-/// Returns the nearest numbers of kBits bits to finite channels that are not negative, half up, with the least exponent,
-/// from `least` on, at which the largest number fits after it is rounded.
+/// Returns the nearest numbers of kBits bits to finite channels that are not negative, half up. Their exponent is the
+/// least one, from `least` on, at which the largest number fits after it is rounded.
 template <int kBits>
 SharedExponent share_exponent(const double (&color)[3], int least) {
   const auto nearest = [](double value, int exponent) {
@@ -29,8 +29,8 @@ SharedExponent share_exponent(const double (&color)[3], int least) {
   return {{nearest(color[0], exponent), nearest(color[1], exponent), nearest(color[2], exponent)}, exponent};
 }
 
-/// Codec of three numbers of 9 bits with one exponent e, which has the bias 15. Channel 3 is 1. Averages are encoded as in
-/// the OpenGL extension EXT_texture_shared_exponent, "Shared Exponent Texture Color Conversion".
+/// Codec of three numbers of 9 bits with one exponent e, which has the bias 15. Channel 3 is 1. Averages are encoded as
+/// in the OpenGL extension EXT_texture_shared_exponent, "Shared Exponent Texture Color Conversion".
 template <size_t kCount>
 struct Rgb9e5Codec {
   static constexpr size_t kChannels = kCount, kSize = 4;

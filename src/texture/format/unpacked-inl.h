@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texels as floats. Consumers of samplers with a border colour and of derivatives are rarely used, and they blend values
-// after they have left the lerp domain of the format. So these consumers are compiled once for all formats, and each
+// Texels as floats. Consumers of border colours, comparisons and derivatives blend values after they have left the lerp
+// domain of the format, and they are rarely used. So these consumers are compiled once for all formats, and each
 // format has one small function, which decodes a vector of texels into memory.
 
 #if defined(SHD_TEXTURE_UNPACKED_INL_H_) == defined(HWY_TARGET_TOGGLE)

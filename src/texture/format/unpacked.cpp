@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Consumers of values, for samplers whose lookups may read the border colour, and of derivatives.
+// Consumers of unpacked texels: of values that may be the border colour, of comparisons and of derivatives.
 #include "texture/stream.h"
 
 #define SHD_FORMAT_KERNELS
@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/format/compared-inl.h"
 #include "texture/format/formats-inl.h"
 #include "texture/format/formats.h"
 #include "texture/format/gradient-inl.h"
@@ -32,6 +33,10 @@ Consume ConsumerOf(image::Component component) {
 
 Consume BorderedOf(image::Component component) {
   return ConsumerOf<Blend<Unpacked, true>>(component);
+}
+
+Consume ComparedOf(image::Component component) {
+  return ConsumerOf<Compared>(component);
 }
 
 Consume GradientOf(image::Component component) {
