@@ -31,8 +31,7 @@
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. A texel of weight 0 has no effect, even if it is NaN. Finite texels and
  * borders give finite values and derivatives: a blend that leaves the range of float, which takes the lobes of a
- * bicubic kernel or a derivative, becomes the largest float of its sign before the next blend. Derivatives of formats
- * of 8 and 16 bits without floats are finite for borders up to 1e30.
+ * bicubic kernel or a derivative, becomes the largest float of its sign before the next blend.
  *
  * Each lookup depends on its own inputs only: results have the same bits for any batch size, order and worker count.
  *

@@ -10,9 +10,10 @@ namespace ref {
 /// but ALWAYS false.
 inline float compare(shd_compare compare, shd_format format, float reference, float texel) {
   const auto component = layout(format).component;
-  const bool floats = component == Layout::kFloat16 || component == Layout::kFloat32;
-  if (!floats && reference < 0) reference = 0;
-  if (!floats && reference > 1) reference = 1;
+  const bool fixed_point =
+      component != Layout::kFloat16 && component != Layout::kFloat32 && component != Layout::kRgb9e5;
+  if (fixed_point && reference < 0) reference = 0;
+  if (fixed_point && reference > 1) reference = 1;
   bool result = false;
   if (compare == SHD_COMPARE_LESS) result = reference < texel;
   if (compare == SHD_COMPARE_LESS_EQUAL) result = reference <= texel;

@@ -4549,7 +4549,7 @@ pub struct shd_sampler_desc {
     /// filter blends these numbers. The result is in r; g and b are 0, and a is 1.
     ///
     /// A texel is its channel of r after the texture's swizzle, which may be a constant of `fill`. Texels outside with
-    /// SHD_WRAP_BORDER have the border colour. Formats without floats clamp the reference to \[0, 1\]. Numbers are
+    /// SHD_WRAP_BORDER have the border colour. UNORM and SRGB formats clamp the reference to \[0, 1\]. Numbers are
     /// compared as floats, after sRGB is decoded.
     ///
     /// Works with NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC on all
