@@ -32,7 +32,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-RunFilter FilterOf(shd_filter filter) {
+RunFilter PlaneFilterOf(shd_filter filter) {
   switch (filter) {
 #define SHD_TEXTURE_CASE(name, run, gradient) \
   case name: return run;
@@ -59,41 +59,30 @@ Consume ConsumerOf(const Texture& texture, const Sampler& sampler) {
   return has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
 }
 
-/// Kernels of a 3D texture. kDeep: derivatives in w.
-void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
-  Kernels& kernels = *out;
-  kernels.run = SliceFilterOf(sampler.filter);
-  kernels.format.values = ConsumerOf(texture, sampler);
-  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
-  if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(texture.component);
-  if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
+/// Returns the filter of the domain of a texture.
+RunFilter FilterOf(const Texture& texture, const Sampler& sampler, Gradient gradient) {
+  if (HWY_UNLIKELY(texture.depth != 0)) return SliceFilterOf(sampler.filter);
+  if (HWY_LIKELY(texture.projection == SHD_PROJECTION_NONE)) return PlaneFilterOf(sampler.filter);
+  return gradient == Gradient::kNone ? DirectionFilterOf(sampler.filter) : RunDirectionGradient;
 }
 
 /// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup. They are
 /// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
 void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
-  const bool is_placed = has_blocks(texture) || has_tiles(texture);
-  if (HWY_UNLIKELY(is_placed)) out->place = has_tiles(texture) ? PlaceInTiles : PlaceInBlocks;
-  if (HWY_UNLIKELY(texture.depth != 0)) return FindSliceKernels(texture, sampler, gradient, out);
   const image::Component component = texture.component;
+  const bool is_placed = has_blocks(texture) || has_tiles(texture);
   Kernels& kernels = *out;
-  kernels.format.values = ConsumerOf(texture, sampler);
+  if (HWY_UNLIKELY(is_placed)) kernels.place = has_tiles(texture) ? PlaceInTiles : PlaceInBlocks;
+  kernels.run = FilterOf(texture, sampler, gradient);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
-  if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
-    kernels.run = DirectionFilterOf(sampler.filter);
-    if (gradient != Gradient::kNone) {
-      kernels.run = RunDirectionGradient;
-      kernels.format.gradient = GradientOf(component);
-    }
-    return;
-  }
-  kernels.run = FilterOf(sampler.filter);
-  if (gradient != Gradient::kNone) {
-    kernels.format.gradient = GradientOf(component);
-  } else if (!has_border(sampler) && !is_placed && !sampler.compares) {
+  kernels.format.values = ConsumerOf(texture, sampler);
+  if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(component);
+  if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(component);
+  if (HWY_UNLIKELY(is_placed || needs_w(texture))) return;
+  if (gradient == Gradient::kNone && !has_border(sampler) && !sampler.compares) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
-  if (sampler.precision == SHD_PRECISION_FAST && !is_placed) {
+  if (sampler.precision == SHD_PRECISION_FAST) {
     kernels.format.fixed = FixedOf(component);
     if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
   }
@@ -209,6 +198,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   if (wanted.wants_values()) run(kernels.fixed, without_gradient(wanted));
   return run(kernels.run, without_values(wanted));
 }
+
 /// sample_stored() of a compressed texture. Calls for other textures do not pay for its stack frame.
 [[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                                        const Lookups& lookups, const Texels& wanted) {
