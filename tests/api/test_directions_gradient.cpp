@@ -141,7 +141,8 @@ double growth_of(shd_projection projection, double x, double y, double z)
 }
 
 /// Every filter against differences of its values, where they are smooth. Footprints are constant in the image. The
-/// footprints of LAT_LONG depend on the latitude, so that lookups move along the parallel unless the footprint is not stretched.
+/// footprints of LAT_LONG depend on the latitude, so that lookups move along the parallel unless the footprint is not
+/// stretched.
 void test_differences(void **)
 {
     DirectionImage *image = nullptr;

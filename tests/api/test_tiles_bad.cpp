@@ -143,8 +143,7 @@ void test_unsupported(void **)
     in.count = 1;
     in.u.data = in.v.data = at.column[0].data();
     shd_explanation explanation = shd_explanation_default();
-    shd_assert_result("explain", shd_texture_explain(tiled, sampler, &in, 0, &explanation), SHD_ERROR_UNSUPPORTED,
-                      "TRILINEAR has no explanation (the texture is in tiles)");
+    shd_assert_ok(shd_texture_explain(tiled, sampler, &in, 0, &explanation));
     shd_image image = shd_image_default();
     image.format = SHD_FORMAT_RGBA8, image.width = image.height = 1, image.pixels = g_texels.data();
     shd_assert_result("update", shd_texture_update(tiled, 0, 0, 0, &image), SHD_ERROR_UNSUPPORTED, "in tiles");

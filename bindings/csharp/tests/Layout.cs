@@ -55,7 +55,7 @@ public static class Layout
     public static void Defaults()
     {
         SamplerDesc sampler = SamplerDesc.Default;
-        Check.Equal(124u, sampler.StructSize, "struct_size");
+        Check.Equal(132u, sampler.StructSize, "struct_size");
         Check.IsTrue(sampler.LodMax > 0, "LodMax");
         Check.Equal(1.0f, new RenderDesc().ClearDepth, "ClearDepth");
         Check.Equal(1.0f, new Draw().ObjectToWorld[5], "ObjectToWorld");
