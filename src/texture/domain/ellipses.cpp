@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ellipse or ellipsoid of a lookup on its level (Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5).
+// The ellipse or ellipsoid of a lookup on its level (Heckbert, "Fundamentals of Texture Mapping and Image Warping",
+// 1989, 3.5).
 #include "texture/domain/block.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -53,8 +53,8 @@ struct Recording;
 /// normal to its plane: 1, and 1 + (1 - (64 b / a)^2) (bb - 1) in its square if 64 b < a, where bb is the square of the
 /// half axis across; a level of detail has a ball. An ellipsoid holds at most 64 (max_anisotropy + 1) texels: its
 /// volume, widened by half the diagonal of a texel, is below 63 max_anisotropy + 54 (Steiner's formula). It is blended
-/// with linear. STOCHASTIC picks a texel of these filters, or with SHD_STOCHASTIC_QUAD both quads of a level. EXACT is the
-/// average over the parallelogram in space, or over the box of 2^lod base texels.
+/// with linear. STOCHASTIC picks a texel of these filters, or with SHD_STOCHASTIC_QUAD both quads of a level. EXACT is
+/// the average over the parallelogram in space, or over the box of 2^lod base texels.
 ///
 /// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed.h; measured 2^-12).
 ///
