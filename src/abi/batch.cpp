@@ -8,12 +8,12 @@
 namespace shd::abi {
 namespace {
 
-/// The field of a column, as "lookups.u" or "texels.channel[0]".
-struct FieldName {
+/// The name of a column, as "lookups.u" or "texels.channel[0]".
+struct ColumnName {
   char text[64];
 
   template <class Void>
-  explicit FieldName(const BatchColumn<Void>& column) {
+  explicit ColumnName(const BatchColumn<Void>& column) {
     if (column.index < 0) {
       std::snprintf(text, sizeof text, "%s", column.name);
     } else {
@@ -36,7 +36,7 @@ template <class Void>
 shd_result check_each(const BatchColumn<Void>* columns, size_t column_count, size_t count) {
   for (size_t c = 0; c < column_count; ++c) {
     if (is_sound(columns[c], count)) continue;
-    const FieldName name(columns[c]);
+    const ColumnName name(columns[c]);
     SHD_TRY(check_column(name.text, columns[c].data, columns[c].stride, count));
     if (columns[c].required && count > 0 && !columns[c].data) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: NULL", name.text);
@@ -78,7 +78,7 @@ bool overlap(const Extent& a, const Extent& b) {
 template <class Void>
 shd_result check_pair(const OutColumn& out, const BatchColumn<Void>& other, size_t count) {
   if (!other.data || !overlap(Extent(out, count), Extent(other, count))) return SHD_OK;
-  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", FieldName(out).text, FieldName(other).text);
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", ColumnName(out).text, ColumnName(other).text);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 #include "abi/camera.h"
 
 #include <cmath>
-#include <cstdio>
-
 #include "abi/desc.h"
 #include "data/camera.h"
 #include "data/transform.h"
@@ -11,13 +9,7 @@
 namespace shd::abi {
 namespace {
 
-/// "camera.eye": the name of a part of the call.
-struct Field {
-  Field(const char* name, const char* part) { std::snprintf(text, sizeof text, "%s.%s", name, part); }
-  char text[48];
-};
-
-shd_result check_matrix(const char* what, const float* matrix) {
+shd_result check_product(const char* what, const float* matrix) {
   for (int i = 0; i < 16; ++i) {
     if (!std::isfinite(matrix[i])) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "camera: its %s exceeds the range of float", what);
@@ -49,9 +41,9 @@ shd_result check_projection(const char* name, float fov_y, float near_plane, flo
 }
 
 shd_result make_look_at(const char* name, const float eye[3], const float target[3], const float up[3], float out[16]) {
-  SHD_TRY(check_finite(Field(name, "eye").text, eye, 3));
-  SHD_TRY(check_finite(Field(name, "target").text, target, 3));
-  SHD_TRY(check_finite(Field(name, "up").text, up, 3));
+  SHD_TRY(check_finite(FieldName(name, "eye"), eye, 3));
+  SHD_TRY(check_finite(FieldName(name, "target"), target, 3));
+  SHD_TRY(check_finite(FieldName(name, "up"), up, 3));
   if (eye[0] == target[0] && eye[1] == target[1] && eye[2] == target[2]) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.target: is the eye", name);
   }
@@ -71,8 +63,8 @@ shd_result read_camera(const shd_camera* camera, float picture_aspect, shd_view*
   SHD_TRY(make_look_at("camera", read.eye, read.target, read.up, view.world_to_view));
   const float aspect = read.aspect != 0.0f ? read.aspect : picture_aspect;
   data::perspective(read.fov_y, aspect, read.near_plane, read.far_plane, view.view_to_clip);
-  SHD_TRY(check_matrix("world_to_view (eye, target)", view.world_to_view));
-  SHD_TRY(check_matrix("view_to_clip (fov_y, aspect, near_plane, far_plane)", view.view_to_clip));
+  SHD_TRY(check_product("world_to_view (eye, target)", view.world_to_view));
+  SHD_TRY(check_product("view_to_clip (fov_y, aspect, near_plane, far_plane)", view.view_to_clip));
   for (int axis = 0; axis < 3; ++axis) view.eye[axis] = read.eye[axis];
   *out = view;
   return SHD_OK;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 #include <shd/column.h>
@@ -16,6 +17,17 @@
 namespace shd::abi {
 
 using core::enum_bits;
+
+/// The name of a field, for messages: "camera.eye".
+struct FieldName {
+  FieldName(const char* desc, const char* field) { std::snprintf(text, sizeof text, "%s.%s", desc, field); }
+  operator const char*() const { return text; }
+  char text[64];
+};
+
+inline bool is_zero(const float (&v)[3]) {
+  return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
+}
 
 /// Copies the caller's desc over the defaults in `out`. `in` null keeps the defaults if `optional`, else it fails.
 template <class Desc>

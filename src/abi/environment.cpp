@@ -17,19 +17,19 @@ using namespace shd;
 using namespace shd::abi;
 using environment::Environment;
 
-constexpr core::ObjectType kType = core::ObjectType::kEnvironment;
-constexpr uint64_t kMaxPixels = uint64_t{1} << 26;
+constexpr core::ObjectType kEnvironmentType = core::ObjectType::kEnvironment;
+constexpr uint64_t kMaxEnvironmentPixels = uint64_t{1} << 26;
 
 /// Columns of shd_environment_lookups.
-enum LookupColumn { kRoughness = 3, kExponent = 4, kLookupColumns = 5 };
-using LookupBatch = Batch<kLookupColumns, 3>;
-using LookupPiece = Piece<kLookupColumns, 3>;
+enum EnvironmentColumn { kRoughness = 3, kExponent = 4, kEnvironmentColumns = 5 };
+using EnvironmentBatch = Batch<kEnvironmentColumns, 3>;
+using EnvironmentPiece = Piece<kEnvironmentColumns, 3>;
 
 /// Reads the image, and checks its size for the projection.
 shd_result read_source_image(const shd_environment_desc& desc, shd_image* out) {
   SHD_TRY(read_image("environment.image", desc.image, out));
   SHD_TRY(check_count("environment.image.width * environment.image.height", uint64_t{out->width} * out->height, 1,
-                      kMaxPixels));
+                      kMaxEnvironmentPixels));
   if (desc.projection == SHD_PROJECTION_LAT_LONG) return SHD_OK;
   const uint64_t height = uint64_t{out->width} * projection::face_count(desc.projection);
   if (out->height == height) return SHD_OK;
@@ -49,7 +49,8 @@ shd_result require_table(bool exists, const char* table) {
 }
 
 /// Reads the columns of a call.
-shd_result read_lookups(const shd_environment_lookups* lookups, const shd_environment_light* out, LookupBatch* batch) {
+shd_result read_lookups(const shd_environment_lookups* lookups, const shd_environment_light* out,
+                        EnvironmentBatch* batch) {
   shd_environment_lookups in = shd_environment_lookups_default();
   SHD_TRY(read_desc("lookups", lookups, false, &in));
   shd_environment_light light = shd_environment_light_default();
@@ -68,10 +69,10 @@ shd_result read_lookups(const shd_environment_lookups* lookups, const shd_enviro
 /// The kernel of a kind of lookup, and the column of its width.
 using LookUp = void (*)(const core::SimdTarget&, const Environment&, const environment::LookUps&, float* const[3]);
 
-void run(const shd_environment* handle, const Environment& body, const LookupBatch& batch, LookUp look_up,
+void run(const shd_environment* handle, const Environment& body, const EnvironmentBatch& batch, LookUp look_up,
          size_t width) {
   const core::Context& context = *object_of(handle)->context;
-  run_batch(&context, batch, [&](const LookupPiece& piece) {
+  run_batch(&context, batch, [&](const EnvironmentPiece& piece) {
     float* const out[3] = {piece.out_floats(0), piece.out_floats(1), piece.out_floats(2)};
     look_up(context.simd, body, {piece.count, {piece.floats(0), piece.floats(1), piece.floats(2)}, piece.floats(width)},
             out);
@@ -102,24 +103,24 @@ shd_result shd_environment_create(shd_context* context, const shd_environment_de
       core::destroy(owner.allocator, body);
       throw;
     }
-    make_handle(owner, kType, body, out_environment);
+    make_handle(owner, kEnvironmentType, body, out_environment);
     return SHD_OK;
   });
 }
 
 void shd_environment_retain(shd_environment* environment) {
-  retain_handle(environment, kType);
+  retain_handle(environment, kEnvironmentType);
 }
 
 void shd_environment_release(shd_environment* environment) {
-  release_handle(environment, kType);
+  release_handle(environment, kEnvironmentType);
 }
 
 shd_result shd_environment_get_info(const shd_environment* environment, shd_environment_info* out_info) {
   return guard([&]() -> shd_result {
     SHD_TRY(begin_output("out_info", out_info));
     const Environment* body;
-    SHD_TRY(read_handle("environment", environment, kType, &body));
+    SHD_TRY(read_handle("environment", environment, kEnvironmentType, &body));
     shd_environment_info info = shd_environment_info_default();
     info.projection = body->projection;
     info.irradiance = body->irradiance.size ? SHD_IRRADIANCE_CONVOLVED : SHD_IRRADIANCE_HARMONICS;
@@ -139,8 +140,8 @@ shd_result shd_environment_irradiance(const shd_environment* environment, const 
                                       const shd_environment_light* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
-    SHD_TRY(read_handle("environment", environment, kType, &body));
-    LookupBatch batch;
+    SHD_TRY(read_handle("environment", environment, kEnvironmentType, &body));
+    EnvironmentBatch batch;
     SHD_TRY(read_lookups(lookups, out, &batch));
     for (const size_t column : {size_t{kRoughness}, size_t{kExponent}}) {
       if (!batch.in[column].data) continue;
@@ -155,8 +156,8 @@ shd_result shd_environment_radiance(const shd_environment* environment, const sh
                                     const shd_environment_light* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
-    SHD_TRY(read_handle("environment", environment, kType, &body));
-    LookupBatch batch;
+    SHD_TRY(read_handle("environment", environment, kEnvironmentType, &body));
+    EnvironmentBatch batch;
     SHD_TRY(read_lookups(lookups, out, &batch));
     if (batch.in[kRoughness].data && batch.in[kExponent].data) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "lookups.exponent: set, but so is lookups.roughness");

@@ -13,7 +13,7 @@ using namespace shd::abi;
 using texture::Step;
 using texture::Surface;
 
-constexpr size_t kOutputs = 4;
+constexpr size_t kStepOutputs = 4;
 
 /// Columns of shd_ray_differentials. Columns of three components begin at x.
 enum DifferentialColumn {
@@ -30,12 +30,8 @@ enum DifferentialColumn {
 /// Columns of shd_ray_cones; the first nine are those of DifferentialColumn.
 enum ConeColumn { kWidth = 9, kConeColumns = 10 };
 
-void set_vector(const char* name, const shd_f32_in (&columns)[3], Need need, InColumn* out) {
-  for (int c = 0; c < 3; ++c) out[c] = in_column(name, columns[c], need, c);
-}
-
 template <size_t kIn>
-void set_derivatives(const shd_derivatives& out, Batch<kIn, kOutputs>* batch) {
+void set_derivatives(const shd_derivatives& out, Batch<kIn, kStepOutputs>* batch) {
   batch->out = {out_column("derivatives.dudx", out.dudx, Need::kOptional),
                 out_column("derivatives.dvdx", out.dvdx, Need::kOptional),
                 out_column("derivatives.dudy", out.dudy, Need::kOptional),
@@ -44,23 +40,23 @@ void set_derivatives(const shd_derivatives& out, Batch<kIn, kOutputs>* batch) {
 
 /// Element i of a column of a piece; 0 where the column is absent.
 template <size_t kIn>
-double value_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
+double value_at(const Piece<kIn, kStepOutputs>& piece, size_t column, size_t i) {
   return piece.in[column] ? static_cast<double>(piece.floats(column)[i]) : 0.0;
 }
 template <size_t kIn>
-data::Vec3d vector_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
+data::Vec3d vector_at(const Piece<kIn, kStepOutputs>& piece, size_t column, size_t i) {
   return {value_at(piece, column, i), value_at(piece, column + 1, i), value_at(piece, column + 2, i)};
 }
 
 template <size_t kIn>
-void store_steps(const Piece<kIn, kOutputs>& piece, size_t i, const Step& x, const Step& y) {
-  const float values[kOutputs] = {x.du, x.dv, y.du, y.dv};
-  for (size_t c = 0; c < kOutputs; ++c) {
+void store_steps(const Piece<kIn, kStepOutputs>& piece, size_t i, const Step& x, const Step& y) {
+  const float values[kStepOutputs] = {x.du, x.dv, y.du, y.dv};
+  for (size_t c = 0; c < kStepOutputs; ++c) {
     if (piece.out[c]) piece.out_floats(c)[i] = values[c];
   }
 }
 
-void trace_differentials(const Piece<kDifferentialColumns, kOutputs>& piece) {
+void trace_differentials(const Piece<kDifferentialColumns, kStepOutputs>& piece) {
   for (size_t i = 0; i < piece.count; ++i) {
     const Surface surface = {vector_at(piece, kDpdu, i), vector_at(piece, kDpdv, i)};
     const data::Vec3d direction = vector_at(piece, kDirection, i);
@@ -73,7 +69,7 @@ void trace_differentials(const Piece<kDifferentialColumns, kOutputs>& piece) {
   }
 }
 
-void trace_cones(const Piece<kConeColumns, kOutputs>& piece) {
+void trace_cones(const Piece<kConeColumns, kStepOutputs>& piece) {
   for (size_t i = 0; i < piece.count; ++i) {
     const Surface surface = {vector_at(piece, kDpdu, i), vector_at(piece, kDpdv, i)};
     const texture::ConeSteps steps =
@@ -92,7 +88,7 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     SHD_TRY(read_desc("rays", rays, false, &in));
     shd_derivatives derivatives = shd_derivatives_default();
     SHD_TRY(read_desc("derivatives", out, false, &derivatives));
-    Batch<kDifferentialColumns, kOutputs> batch;
+    Batch<kDifferentialColumns, kStepOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
     set_vector("rays.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
@@ -116,7 +112,7 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     SHD_TRY(read_desc("cones", cones, false, &in));
     shd_derivatives derivatives = shd_derivatives_default();
     SHD_TRY(read_desc("derivatives", out, false, &derivatives));
-    Batch<kConeColumns, kOutputs> batch;
+    Batch<kConeColumns, kStepOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
     set_vector("cones.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);

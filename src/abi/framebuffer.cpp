@@ -17,7 +17,7 @@ using namespace shd;
 using namespace shd::abi;
 using film::Framebuffer;
 
-constexpr core::ObjectType kType = core::ObjectType::kFramebuffer;
+constexpr core::ObjectType kFramebufferType = core::ObjectType::kFramebuffer;
 
 shd_result check_samples(const char* field, uint32_t samples) {
   switch (samples) {
@@ -44,7 +44,7 @@ shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
 }
 
 shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** out) {
-  return read_handle("framebuffer", handle, kType, out);
+  return read_handle("framebuffer", handle, kFramebufferType, out);
 }
 
 shd_result check_plane_value(const shd_plane& plane) {
@@ -90,17 +90,18 @@ shd_result shd_framebuffer_create(shd_context* context, const shd_framebuffer_de
     core::Context& owner = context_of(context);
     Framebuffer framebuffer{};
     film::build(owner, read, &framebuffer);
-    make_handle(owner, kType, core::create<Framebuffer>(owner.allocator, std::move(framebuffer)), out_framebuffer);
+    make_handle(owner, kFramebufferType, core::create<Framebuffer>(owner.allocator, std::move(framebuffer)),
+                out_framebuffer);
     return SHD_OK;
   });
 }
 
 void shd_framebuffer_retain(shd_framebuffer* framebuffer) {
-  retain_handle(framebuffer, kType);
+  retain_handle(framebuffer, kFramebufferType);
 }
 
 void shd_framebuffer_release(shd_framebuffer* framebuffer) {
-  release_handle(framebuffer, kType);
+  release_handle(framebuffer, kFramebufferType);
 }
 
 shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_framebuffer_info* out_info) {

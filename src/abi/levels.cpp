@@ -14,7 +14,7 @@ using namespace shd;
 using namespace shd::abi;
 
 using LevelBatch = Batch<kLookupColumns, 2>;
-enum Output { kLod, kLevel };
+enum LevelOutput { kLod, kLevel };
 
 /// Levels of detail of one piece of a batch.
 void query_piece(const core::SimdTarget& simd, const texture::Texture& texture, const texture::Sampler& sampler,

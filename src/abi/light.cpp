@@ -12,14 +12,10 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr core::ObjectType kType = core::ObjectType::kLight;
+constexpr core::ObjectType kLightType = core::ObjectType::kLight;
 // As floats, which descs hold.
 constexpr double kMinLength = static_cast<double>(1e-6f), kMinAngle = static_cast<double>(1e-3f);
 constexpr double kRightAngle = 1.5707964;  // pi / 2 rounded up
-
-bool is_zero(const float v[3]) {
-  return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
-}
 
 shd_result check_cone(const shd_light_desc& desc) {
   SHD_TRY(check_range("light.outer_angle", double{desc.outer_angle}, kMinAngle, desc.texture ? 1.55 : kRightAngle));
@@ -82,17 +78,17 @@ shd_result shd_light_create(shd_context* context, const shd_light_desc* desc, sh
       core::destroy(owner.allocator, body);
       return result;
     }
-    make_handle(owner, kType, body, out_light);
+    make_handle(owner, kLightType, body, out_light);
     return SHD_OK;
   });
 }
 
 void shd_light_retain(shd_light* light) {
-  retain_handle(light, kType);
+  retain_handle(light, kLightType);
 }
 
 void shd_light_release(shd_light* light) {
-  release_handle(light, kType);
+  release_handle(light, kLightType);
 }
 
 }  // extern "C"

@@ -101,7 +101,7 @@ shd_result refuse(const char* field, const char* value, const texture::Texture& 
 }
 
 /// Options of samplers that 3D textures do not have.
-shd_result check_slices(const texture::Sampler& sampler) {
+shd_result check_slice_options(const texture::Sampler& sampler) {
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR && sampler.profile != SHD_PROFILE_EXACT) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "sampler.profile: %s, but the texture is 3D, which needs LEAST_ERROR or EXACT",
@@ -145,7 +145,7 @@ shd_result check_lookups(const texture::Texture& texture, const texture::Sampler
     if (use == texture::Use::kGradients)
       return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.compares: 1, but comparisons have no derivatives");
   }
-  if (HWY_UNLIKELY(texture.depth != 0)) SHD_TRY(check_slices(sampler));
+  if (HWY_UNLIKELY(texture.depth != 0)) SHD_TRY(check_slice_options(sampler));
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
   }
@@ -170,8 +170,8 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr size_t kCoarser = texture::kOutputColumns, kOutputs = kCoarser + 1;
-using LookupBatch = Batch<kLookupColumns, kOutputs>;
+constexpr size_t kCoarser = texture::kOutputColumns, kTexelOutputs = kCoarser + 1;
+using LookupBatch = Batch<kLookupColumns, kTexelOutputs>;
 
 void set_outputs(const shd_texels& texels, LookupBatch* batch) {
   for (size_t c = 0; c < 4; ++c) {
@@ -185,11 +185,11 @@ void set_outputs(const shd_texels& texels, LookupBatch* batch) {
 }
 
 shd_result check_outputs(const LookupBatch& batch) {
-  SHD_TRY(check_columns(batch.out.data(), kOutputs, batch.count));
+  SHD_TRY(check_columns(batch.out.data(), kTexelOutputs, batch.count));
   bool wanted = batch.count == 0;
   for (const OutColumn& column : batch.out) wanted = wanted || column.data;
   if (!wanted) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.channel: NULL for all, and no derivative");
-  return check_overlap(batch.in.data(), kLookupColumns, batch.out.data(), kOutputs, batch.count);
+  return check_overlap(batch.in.data(), kLookupColumns, batch.out.data(), kTexelOutputs, batch.count);
 }
 
 /// Whether the texture and the sampler have the derivatives that a batch requests.
@@ -230,7 +230,7 @@ void write_nonfinite(size_t count, shd_texels* out) {
   SHD_TRY(check_gradient(batch, texture, sampler));
   SHD_TRY(check_outputs(batch));
   std::atomic<size_t> nonfinite{0};
-  run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
+  run_batch(&context, batch, [&](const Piece<kLookupColumns, kTexelOutputs>& piece) {
     texture::Texels to;
     for (size_t c = 0; c < kCoarser; ++c) to.column(c) = piece.out_floats(c);
     to.coarser = piece.out_integers(kCoarser);

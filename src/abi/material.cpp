@@ -15,7 +15,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr core::ObjectType kType = core::ObjectType::kMaterial;
+constexpr core::ObjectType kMaterialType = core::ObjectType::kMaterial;
 constexpr uint32_t kFlags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS |
                             SHD_MATERIAL_ALPHA_TO_COVERAGE | SHD_MATERIAL_DOUBLE_SIDED | SHD_MATERIAL_NORMAL_Y_DOWN;
 
@@ -268,17 +268,17 @@ shd_result shd_material_create(shd_context* context, const shd_material_desc* de
       core::destroy(owner.allocator, material);
       return result;
     }
-    make_handle(owner, kType, material, out_material);
+    make_handle(owner, kMaterialType, material, out_material);
     return SHD_OK;
   });
 }
 
 void shd_material_retain(shd_material* material) {
-  retain_handle(material, kType);
+  retain_handle(material, kMaterialType);
 }
 
 void shd_material_release(shd_material* material) {
-  release_handle(material, kType);
+  release_handle(material, kMaterialType);
 }
 
 }  // extern "C"

@@ -14,9 +14,8 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr core::ObjectType kType = core::ObjectType::kMesh;
+constexpr core::ObjectType kMeshType = core::ObjectType::kMesh;
 constexpr uint32_t kMaxVertices = 1u << 28;
-constexpr size_t kMaxTriangles = size_t{1} << 28;
 
 /// All columns of an attribute are there or none is, and each fits in memory.
 shd_result check_attribute(const char* name, const shd_f32_in* columns, int size, uint32_t count) {
@@ -69,7 +68,7 @@ shd_result check_indices(const shd_mesh_desc& desc) {
     }
   }
   const bool separate = desc.topology == SHD_TOPOLOGY_TRIANGLES;
-  SHD_TRY(check_count(field, count, 0, separate ? 3 * kMaxTriangles : kMaxTriangles + 2));
+  SHD_TRY(check_count(field, count, 0, separate ? 3 * geometry::kMaxTriangles : geometry::kMaxTriangles + 2));
   if (separate && count % 3 != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu is not a multiple of 3", field, count);
   }
@@ -93,7 +92,7 @@ template <class Pick>
 shd_result read_columns(const shd_mesh* mesh, const shd_f32_out* out, int count, const Pick& pick) {
   static const char* const kFields[4] = {"out[0]", "out[1]", "out[2]", "out[3]"};
   const geometry::Mesh* body = nullptr;
-  SHD_TRY(read_handle("mesh", mesh, kType, &body));
+  SHD_TRY(read_handle("mesh", mesh, kMeshType, &body));
   SHD_TRY(check_not_null("out", out));
   for (int c = 0; c < count; ++c) SHD_TRY(check_column(kFields[c], out[c], body->vertex_count));
   const Column* columns[4];
@@ -121,24 +120,24 @@ shd_result shd_mesh_create(shd_context* context, const shd_mesh_desc* desc, shd_
     core::Context& owner = context_of(context);
     geometry::Mesh mesh{};
     geometry::build(owner, read, &mesh);
-    make_handle(owner, kType, core::create<geometry::Mesh>(owner.allocator, std::move(mesh)), out_mesh);
+    make_handle(owner, kMeshType, core::create<geometry::Mesh>(owner.allocator, std::move(mesh)), out_mesh);
     return SHD_OK;
   });
 }
 
 void shd_mesh_retain(shd_mesh* mesh) {
-  retain_handle(mesh, kType);
+  retain_handle(mesh, kMeshType);
 }
 
 void shd_mesh_release(shd_mesh* mesh) {
-  release_handle(mesh, kType);
+  release_handle(mesh, kMeshType);
 }
 
 shd_result shd_mesh_get_info(const shd_mesh* mesh, shd_mesh_info* out_info) {
   return guard([&]() -> shd_result {
     SHD_TRY(begin_output("out_info", out_info));
     const geometry::Mesh* body = nullptr;
-    SHD_TRY(read_handle("mesh", mesh, kType, &body));
+    SHD_TRY(read_handle("mesh", mesh, kMeshType, &body));
     write_desc(body->info, out_info);
     return SHD_OK;
   });
@@ -195,7 +194,7 @@ shd_result shd_mesh_read_attribute(const shd_mesh* mesh, uint32_t index, const s
 shd_result shd_mesh_read_indices(const shd_mesh* mesh, const shd_u32_out* out) {
   return guard([&]() -> shd_result {
     const geometry::Mesh* body = nullptr;
-    SHD_TRY(read_handle("mesh", mesh, kType, &body));
+    SHD_TRY(read_handle("mesh", mesh, kMeshType, &body));
     SHD_TRY(check_not_null("out", out));
     SHD_TRY(check_column("out", *out, body->indices.size()));
     if (!out->data) return SHD_OK;

@@ -17,7 +17,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr uint64_t kMaxPixels = uint64_t{1} << 28;
+constexpr uint64_t kMaxBasePixels = uint64_t{1} << 28;
 
 shd_result check_mip_desc(const shd_mip_desc& desc, size_t channels) {
   SHD_TRY(check_enum("mip.kernel", desc.kernel, SHD_MIP_KERNEL_BOX, SHD_MIP_KERNEL_LANCZOS));
@@ -84,7 +84,7 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
     SHD_TRY(check_context(context));
     shd_image image;
     SHD_TRY(read_image("base", base, &image));
-    SHD_TRY(check_count("base.width * base.height", uint64_t{image.width} * image.height, 1, kMaxPixels));
+    SHD_TRY(check_count("base.width * base.height", uint64_t{image.width} * image.height, 1, kMaxBasePixels));
     shd_mip_desc read = shd_mip_desc_default();
     SHD_TRY(read_desc("mip", desc, false, &read));
     SHD_TRY(check_mip_desc(read, image::format_info(image.format).channels));

@@ -15,7 +15,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr uint64_t kMaxPixels = uint64_t{1} << 26;
+constexpr uint64_t kMaxConvertedPixels = uint64_t{1} << 26;
 
 /// A caller's images, in the layout of this version.
 struct Images {
@@ -28,9 +28,9 @@ struct Images {
 shd_result check_size(const char* name, const Images& in) {
   const shd_image& first = in.image[0];
   const uint64_t pixels = uint64_t{first.width} * first.height * in.count;
-  if (pixels > kMaxPixels) {
+  if (pixels > kMaxConvertedPixels) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.images: %llu pixels are not in 1..%llu", name,
-                      static_cast<unsigned long long>(pixels), static_cast<unsigned long long>(kMaxPixels));
+                      static_cast<unsigned long long>(pixels), static_cast<unsigned long long>(kMaxConvertedPixels));
   }
   if (in.desc.projection == SHD_PROJECTION_LAT_LONG) return SHD_OK;
   const bool cube = in.desc.projection == SHD_PROJECTION_CUBE;

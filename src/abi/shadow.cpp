@@ -15,10 +15,10 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr core::ObjectType kType = core::ObjectType::kShadow;
+constexpr core::ObjectType kShadowType = core::ObjectType::kShadow;
 constexpr double kMaxLength = 1e9;
 
-shd_result check_length(const char* field, float value) {
+shd_result check_distance(const char* field, float value) {
   return check_range(field, static_cast<double>(value), 0.0, kMaxLength);
 }
 
@@ -26,18 +26,14 @@ shd_result check_shadow_desc(const shd_shadow_desc& desc) {
   SHD_TRY(check_count("shadow.size", desc.size, 16, 8192));
   SHD_TRY(check_enum("shadow.filter", desc.filter, 0, SHD_SHADOW_FILTER_PCSS));
   SHD_TRY(check_count("shadow.taps", desc.taps, 1, light::kMaxTaps));
-  SHD_TRY(check_length("shadow.filter_size", desc.filter_size));
-  SHD_TRY(check_length("shadow.light_size", desc.light_size));
-  SHD_TRY(check_length("shadow.bias", desc.bias));
+  SHD_TRY(check_distance("shadow.filter_size", desc.filter_size));
+  SHD_TRY(check_distance("shadow.light_size", desc.light_size));
+  SHD_TRY(check_distance("shadow.bias", desc.bias));
   SHD_TRY(check_range("shadow.bias_slope", static_cast<double>(desc.bias_slope), 0.0, 1000.0));
-  SHD_TRY(check_length("shadow.normal_offset", desc.normal_offset));
+  SHD_TRY(check_distance("shadow.normal_offset", desc.normal_offset));
   SHD_TRY(check_enum("shadow.caster_cull", desc.caster_cull, 0, SHD_CULL_FRONT));
   SHD_TRY(check_range("shadow.bleed", static_cast<double>(desc.bleed), 0.0, static_cast<double>(0.99f)));
-  return check_length("shadow.min_variance", desc.min_variance);
-}
-
-bool is_zero(const float (&v)[3]) {
-  return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
+  return check_distance("shadow.min_variance", desc.min_variance);
 }
 
 shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& light, frame::ShadowFrame* out) {
@@ -142,24 +138,24 @@ shd_result shd_shadow_create(shd_context* context, const shd_shadow_desc* desc, 
     shadow->options = {read.size,          read.filter,     read.taps,        read.caster_cull,
                        read.filter_size,   read.light_size, read.bias,        read.bias_slope,
                        read.normal_offset, read.bleed,      read.min_variance};
-    make_handle(owner, kType, shadow, out_shadow);
+    make_handle(owner, kShadowType, shadow, out_shadow);
     return SHD_OK;
   });
 }
 
 void shd_shadow_retain(shd_shadow* shadow) {
-  retain_handle(shadow, kType);
+  retain_handle(shadow, kShadowType);
 }
 
 void shd_shadow_release(shd_shadow* shadow) {
-  release_handle(shadow, kType);
+  release_handle(shadow, kShadowType);
 }
 
 shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd_shadow_render_desc* desc) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     light::Shadow* body = nullptr;
-    SHD_TRY(read_handle("shadow", shadow, kType, &body));
+    SHD_TRY(read_handle("shadow", shadow, kShadowType, &body));
     shd_shadow_render_desc read = shd_shadow_render_desc_default();
     SHD_TRY(read_desc("shadow_render", desc, false, &read));
     core::ScratchScope scratch(context_of(context));
@@ -170,7 +166,7 @@ shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd
 shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, const shd_f32_out* out) {
   return guard([&]() -> shd_result {
     const light::Shadow* body = nullptr;
-    SHD_TRY(read_handle("shadow", shadow, kType, &body));
+    SHD_TRY(read_handle("shadow", shadow, kShadowType, &body));
     ShadowBatch batch;
     SHD_TRY(read_batch(lookups, out, &batch));
     if (!body->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");

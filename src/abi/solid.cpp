@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 
 #include "abi/batch.h"
 #include "abi/desc.h"
@@ -14,33 +13,26 @@
 namespace shd::abi {
 namespace {
 
-/// The name of a field, for messages.
-struct Field {
-  Field(const char* desc, const char* field) { std::snprintf(text, sizeof text, "%s.%s", desc, field); }
-  operator const char*() const { return text; }
-  char text[64];
-};
-
 shd_result check_kind(const char* name, const shd_solid_desc& desc) {
-  SHD_TRY(check_enum(Field(name, "kind"), desc.kind, 0, SHD_SOLID_WOOD));
-  SHD_TRY(check_enum(Field(name, "sum"), desc.sum, 0, SHD_SOLID_SUM_TURBULENCE));
-  SHD_TRY(check_enum(Field(name, "gradients"), desc.gradients, 0, SHD_SOLID_GRADIENTS_TABLE));
-  SHD_TRY(check_enum(Field(name, "fade"), desc.fade, 0, SHD_SOLID_FADE_CUBIC));
-  return check_enum(Field(name, "distance"), desc.distance, 0, SHD_SOLID_DISTANCE_F2_F1);
+  SHD_TRY(check_enum(FieldName(name, "kind"), desc.kind, 0, SHD_SOLID_WOOD));
+  SHD_TRY(check_enum(FieldName(name, "sum"), desc.sum, 0, SHD_SOLID_SUM_TURBULENCE));
+  SHD_TRY(check_enum(FieldName(name, "gradients"), desc.gradients, 0, SHD_SOLID_GRADIENTS_TABLE));
+  SHD_TRY(check_enum(FieldName(name, "fade"), desc.fade, 0, SHD_SOLID_FADE_CUBIC));
+  return check_enum(FieldName(name, "distance"), desc.distance, 0, SHD_SOLID_DISTANCE_F2_F1);
 }
 
 shd_result check_numbers(const char* name, const shd_solid_desc& desc) {
-  SHD_TRY(check_range(Field(name, "size"), double{desc.size}, 1e-30, 1e30));
-  SHD_TRY(check_count(Field(name, "octaves"), desc.octaves, 1, procedural::kMaxOctaves));
-  SHD_TRY(check_range(Field(name, "lacunarity"), double{desc.lacunarity}, 1.0, 16.0));
-  SHD_TRY(check_range(Field(name, "gain"), double{desc.gain}, 0.0, 1.0));
-  SHD_TRY(check_range(Field(name, "distortion"), double{desc.distortion}, 0.0, 1000.0));
-  SHD_TRY(check_values(Field(name, "range"), desc.range, 2, -1e6, 1e6));
-  SHD_TRY(check_count(Field(name, "color_count"), desc.color_count, 2, SHD_MAX_SOLID_COLORS));
+  SHD_TRY(check_range(FieldName(name, "size"), double{desc.size}, 1e-30, 1e30));
+  SHD_TRY(check_count(FieldName(name, "octaves"), desc.octaves, 1, procedural::kMaxOctaves));
+  SHD_TRY(check_range(FieldName(name, "lacunarity"), double{desc.lacunarity}, 1.0, 16.0));
+  SHD_TRY(check_range(FieldName(name, "gain"), double{desc.gain}, 0.0, 1.0));
+  SHD_TRY(check_range(FieldName(name, "distortion"), double{desc.distortion}, 0.0, 1000.0));
+  SHD_TRY(check_values(FieldName(name, "range"), desc.range, 2, -1e6, 1e6));
+  SHD_TRY(check_count(FieldName(name, "color_count"), desc.color_count, 2, SHD_MAX_SOLID_COLORS));
   for (uint32_t i = 0; i < desc.color_count; ++i) {
     char color[24];
     std::snprintf(color, sizeof color, "colors[%u]", i);
-    SHD_TRY(check_values(Field(name, color), desc.colors[i], 4, -1e6, 1e6));
+    SHD_TRY(check_values(FieldName(name, color), desc.colors[i], 4, -1e6, 1e6));
   }
   return SHD_OK;
 }
@@ -61,10 +53,10 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-enum Input { kX, kY, kZ, kWidth, kInputs };
-enum Output { kValue, kGradient, kColor = kGradient + 3, kOutputs = kColor + 4 };
-using SolidBatch = Batch<kInputs, kOutputs>;
-using SolidPiece = Piece<kInputs, kOutputs>;
+enum SolidInput { kX, kY, kZ, kFilterWidth, kSolidInputs };
+enum SolidOutput { kValue, kGradient, kColor = kGradient + 3, kSolidOutputs = kColor + 4 };
+using SolidBatch = Batch<kSolidInputs, kSolidOutputs>;
+using SolidPiece = Piece<kSolidInputs, kSolidOutputs>;
 
 void set_columns(const shd_solid_points& points, const shd_solid_values& values, SolidBatch* batch) {
   batch->count = points.count;
@@ -73,7 +65,7 @@ void set_columns(const shd_solid_points& points, const shd_solid_values& values,
     batch->in[k] = in_column("points.position", points.position[c], Need::kRequired, c);
     batch->out[kGradient + k] = out_column("values.gradient", values.gradient[c], Need::kOptional, c);
   }
-  batch->in[kWidth] = in_column("points.width", points.width, Need::kOptional);
+  batch->in[kFilterWidth] = in_column("points.width", points.width, Need::kOptional);
   batch->out[kValue] = out_column("values.value", values.value, Need::kOptional);
   for (int c = 0; c < 4; ++c) {
     batch->out[kColor + static_cast<size_t>(c)] = out_column("values.color", values.color[c], Need::kOptional, c);
@@ -100,7 +92,7 @@ size_t evaluate_rows(const procedural::Solid& solid, const core::SimdTarget& sim
     for (size_t c = 0; c < 3; ++c) out.gradient[c] = or_own(piece.out_floats(kGradient + c), ignored);
   }
   const procedural::Places places = {piece.count, piece.floats(kX), piece.floats(kY), piece.floats(kZ),
-                                     piece.floats(kWidth)};
+                                     piece.floats(kFilterWidth)};
   const size_t bad = procedural::evaluate(solid, simd, places, out);
   float* color[4];
   bool has_color = false;

@@ -15,9 +15,6 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr core::ObjectType kType = core::ObjectType::kMesh;
-constexpr size_t kMaxTriangles = size_t{1} << 28;
-
 shd_result check_number(const char* field, float value, double limit) {
   return check_range(field, static_cast<double>(value), -limit, limit);
 }
@@ -41,7 +38,7 @@ shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
   SHD_TRY(check_enum("tessellation.normals", desc.normals, 0, SHD_DISPLACED_NORMALS_FACES));
   if (desc.view) SHD_TRY(check_view(*desc.view));
   if (desc.object_to_world) SHD_TRY(check_finite("tessellation.object_to_world", desc.object_to_world, 16));
-  SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, kMaxTriangles));
+  SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, geometry::kMaxTriangles));
   SHD_TRY(check_number("tessellation.amplitude", desc.amplitude, 1e12));
   SHD_TRY(check_number("tessellation.offset", desc.offset, 1e12));
   return check_number("tessellation.lod", desc.lod, 32.0);
@@ -74,7 +71,7 @@ extern "C" shd_result shd_mesh_tessellate(shd_context* context, const shd_mesh* 
     *out_mesh = nullptr;
     SHD_TRY(check_context(context));
     const geometry::Mesh* source = nullptr;
-    SHD_TRY(read_handle("mesh", mesh, kType, &source));
+    SHD_TRY(read_handle("mesh", mesh, core::ObjectType::kMesh, &source));
     shd_tessellation_desc read = shd_tessellation_desc_default();
     SHD_TRY(read_desc("tessellation", desc, false, &read));
     SHD_TRY(check_tessellation_desc(read));
@@ -83,7 +80,8 @@ extern "C" shd_result shd_mesh_tessellate(shd_context* context, const shd_mesh* 
     core::Context& owner = context_of(context);
     geometry::Mesh made{};
     geometry::tessellate(owner, *source, read, displacement.texture, displacement.sampler, &made);
-    make_handle(owner, kType, core::create<geometry::Mesh>(owner.allocator, std::move(made)), out_mesh);
+    make_handle(owner, core::ObjectType::kMesh, core::create<geometry::Mesh>(owner.allocator, std::move(made)),
+                out_mesh);
     return SHD_OK;
   });
 }

@@ -14,7 +14,7 @@
 namespace shd::abi {
 namespace {
 
-constexpr core::ObjectType kType = core::ObjectType::kVolume;
+constexpr core::ObjectType kVolumeType = core::ObjectType::kVolume;
 constexpr uint64_t kMaxVolumes = 1024;
 
 /// A column of values of the points, each in [low, high].
@@ -96,7 +96,7 @@ shd_result fill(const core::Context& context, const shd_volume_desc& desc, volum
 shd_result read_volume(const shd_volume_draw* in, frame::VolumeDraw* out) {
   shd_volume_draw draw = shd_volume_draw_default();
   SHD_TRY(read_desc("volume", in, false, &draw));
-  SHD_TRY(read_handle("volume.volume", draw.volume, kType, &out->volume));
+  SHD_TRY(read_handle("volume.volume", draw.volume, kVolumeType, &out->volume));
   SHD_TRY(check_matrix("volume.object_to_world", draw.object_to_world));
   if (volume::make_world_to_box(draw.object_to_world, out->volume->box_min, out->volume->box_max, &out->world_to_box)) {
     return SHD_OK;
@@ -154,17 +154,17 @@ shd_result shd_volume_create(shd_context* context, const shd_volume_desc* desc, 
       core::destroy(owner.allocator, body);
       return result;
     }
-    make_handle(owner, kType, body, out_volume);
+    make_handle(owner, kVolumeType, body, out_volume);
     return SHD_OK;
   });
 }
 
 void shd_volume_retain(shd_volume* volume) {
-  retain_handle(volume, kType);
+  retain_handle(volume, kVolumeType);
 }
 
 void shd_volume_release(shd_volume* volume) {
-  release_handle(volume, kType);
+  release_handle(volume, kVolumeType);
 }
 
 }  // extern "C"

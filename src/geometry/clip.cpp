@@ -11,7 +11,7 @@ struct ClipVertex {
   const ScreenVertex* original;  // null for a vertex made by clipping
 };
 
-struct Polygon {
+struct ClippedPolygon {
   ClipVertex vertex[kMaxClipped];
   int count;
 };
@@ -40,7 +40,7 @@ ClipVertex intersect(const ClipVertex& in, const ClipVertex& out, double in_dist
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w), nullptr};
 }
 
-void clip_plane(int plane, const Polygon& in, Polygon* out) {
+void clip_plane(int plane, const ClippedPolygon& in, ClippedPolygon* out) {
   out->count = 0;
   for (int i = 0; i < in.count; ++i) {
     const ClipVertex& a = in.vertex[i];
@@ -77,7 +77,7 @@ constexpr int kPlanes = 7;
 }  // namespace
 
 int clip_triangle(const Vertices& vertices, const uint32_t row[3], ScreenVertex* out) {
-  Polygon polygon[2];
+  ClippedPolygon polygon[2];
   polygon[0].count = 3;
   for (int k = 0; k < 3; ++k) polygon[0].vertex[k] = clip_vertex(vertices, row[k]);
   int current = 0;
@@ -85,7 +85,7 @@ int clip_triangle(const Vertices& vertices, const uint32_t row[3], ScreenVertex*
     clip_plane(plane, polygon[current], &polygon[1 - current]);
     current = 1 - current;
   }
-  const Polygon& result = polygon[current];
+  const ClippedPolygon& result = polygon[current];
   if (result.count < 3) return 0;
   for (int i = 0; i < result.count; ++i) out[i] = project(result.vertex[i]);
   return result.count;

@@ -96,11 +96,11 @@ core::Array<uint32_t> smooth_groups(const core::Allocator& allocator, const Mesh
 }
 
 /// Sides and normal of a triangle; the length of the normal is twice the area.
-struct Face {
+struct FaceSides {
   Vec3d side[3];  // [k] opposite to corner k
   Vec3d normal;
 };
-Face face_of(const Mesh& mesh, const uint32_t* v) {
+FaceSides sides_of(const Mesh& mesh, const uint32_t* v) {
   const Vec3d a = position(mesh, v[0]);
   const Vec3d b = position(mesh, v[1]);
   const Vec3d c = position(mesh, v[2]);
@@ -119,7 +119,7 @@ void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>&
   slopes.fill_zero();
   for (size_t t = 0; t < mesh->triangle_count; ++t) {
     const uint32_t* const v = mesh->indices.data() + 3 * t;
-    const Face face = face_of(*mesh, v);
+    const FaceSides face = sides_of(*mesh, v);
     const double area = data::length(face.normal);
     if (!(area > 0.0 && area < INFINITY)) continue;
     Vec3d across = {0.0, 0.0, 0.0};
@@ -150,7 +150,7 @@ void compute_face_normals(const core::Allocator& allocator, const core::Array<ui
   sums.fill_zero();
   for (size_t t = 0; t < mesh->triangle_count; ++t) {
     const uint32_t* const v = mesh->indices.data() + 3 * t;
-    const Vec3d n = face_of(*mesh, v).normal;
+    const Vec3d n = sides_of(*mesh, v).normal;
     if (!(data::dot(n, n) < INFINITY)) continue;
     for (int k = 0; k < 3; ++k) {
       Vec3d& sum = sums[group[v[k]]];

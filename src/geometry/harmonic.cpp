@@ -9,7 +9,7 @@
 namespace shd::geometry {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
+constexpr uint32_t kNoNode = ~0u;
 
 /// A node of a triangle: i parts towards its second corner and j towards its third one.
 struct Place {
@@ -24,13 +24,13 @@ uint32_t side_of(const HarmonicField& field, uint32_t a, uint32_t b) {
 }
 
 void number_sides(HarmonicField* field) {
-  std::fill_n(field->side.data(), field->side.size(), kNone);
+  std::fill_n(field->side.data(), field->side.size(), kNoNode);
   uint32_t count = 0;
   for (uint32_t t = 0; t < field->triangles.count; ++t) {
     const uint32_t* const c = field->triangles.corner[t];
     for (int k = 0; k < 3; ++k) {
       uint32_t& side = side_of(*field, c[k], c[(k + 1) % 3]);
-      if (side == kNone) side = count++;
+      if (side == kNoNode) side = count++;
     }
   }
   field->first_interior = field->vertex_count + count * (field->segments - 1);
@@ -55,7 +55,7 @@ uint32_t node_of(const HarmonicField& field, uint32_t t, Place at) {
   return field.first_interior + t * ((m - 1) * (m - 2) / 2) + row + at.i - 1;
 }
 
-/// Sets the values of the nodes on the polygon's edges, and the unknown of every other node; kNone on edges.
+/// Sets the values of the nodes on the polygon's edges, and the unknown of every other node; kNoNode on edges.
 size_t set_edges(const Polygon& polygon, HarmonicField* field, uint32_t* unknown, size_t nodes) {
   const uint32_t n = field->vertex_count, m = field->segments;
   std::fill_n(unknown, nodes, 0u);
@@ -65,14 +65,14 @@ size_t set_edges(const Polygon& polygon, HarmonicField* field, uint32_t* unknown
     for (uint32_t part = 0; part < m; ++part) {
       const uint32_t node = side_node(*field, a, b, part);
       const double t = static_cast<double>(part) / m;
-      unknown[node] = kNone;
+      unknown[node] = kNoNode;
       field->value[size_t{node} * n + a] = 1.0 - t;
       field->value[size_t{node} * n + b] = t;
     }
   }
   uint32_t count = 0;
   for (size_t node = 0; node < nodes; ++node) {
-    if (unknown[node] != kNone) unknown[node] = count++;
+    if (unknown[node] != kNoNode) unknown[node] = count++;
   }
   return count;
 }
@@ -98,14 +98,14 @@ struct Equations {
   void add(const HarmonicField& field, const uint32_t* unknown, uint32_t a, uint32_t b, double w) {
     add_row(field, unknown, a, b, w);
     add_row(field, unknown, b, a, w);
-    if (unknown[a] == kNone || unknown[b] == kNone) return;
+    if (unknown[a] == kNoNode || unknown[b] == kNoNode) return;
     entries.push_back({std::max(unknown[a], unknown[b]), std::min(unknown[a], unknown[b]), -w});
   }
 
   void add_row(const HarmonicField& field, const uint32_t* unknown, uint32_t a, uint32_t b, double w) {
-    if (unknown[a] == kNone) return;
+    if (unknown[a] == kNoNode) return;
     entries.push_back({unknown[a], unknown[a], w});
-    if (unknown[b] != kNone) return;
+    if (unknown[b] != kNoNode) return;
     for (uint32_t v = 0; v < field.vertex_count; ++v) {
       right[v * unknowns + unknown[a]] += w * field.value[size_t{b} * field.vertex_count + v];
     }
@@ -196,7 +196,7 @@ bool solve_harmonic(const core::Allocator& allocator, const Polygon& polygon, ui
   if (!solve_sparse(equations.unknowns, equations.entries.data(), equations.entries.size(), equations.right.data(), n))
     return false;
   for (size_t node = 0; node < nodes; ++node) {
-    for (size_t v = 0; v < n && unknown[node] != kNone; ++v) {
+    for (size_t v = 0; v < n && unknown[node] != kNoNode; ++v) {
       out->value[node * n + v] = equations.right[v * equations.unknowns + unknown[node]];
     }
   }

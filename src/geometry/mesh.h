@@ -28,6 +28,9 @@ struct Mesh {
   core::Array<uint32_t> across;  // [3 * triangle_count], see edges.h; empty without adjacency
 };
 
+/// Largest number of triangles of a mesh.
+constexpr size_t kMaxTriangles = size_t{1} << 28;
+
 constexpr size_t kMaxColumns = 14 + SHD_MAX_ATTRIBUTES;
 
 /// Calls body(column) for every column of vertices, including absent ones. AnyMesh is Mesh or const Mesh.

@@ -14,7 +14,7 @@ namespace {
 
 using data::Vec3d;
 
-constexpr uint32_t kNone = 0xffffffffu;
+constexpr uint32_t kNoEdge = 0xffffffffu;
 
 Vec3d row_of(const double* matrix, int row) {
   return {matrix[row], matrix[4 + row], matrix[8 + row]};
@@ -85,7 +85,7 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
     uint32_t from, edge;
   };
   core::Array<Known> known(allocator, mesh.vertex_count);  // [vertex] latest edge that ends there
-  for (Known& k : known) k = {kNone, 0};
+  for (Known& k : known) k = {kNoEdge, 0};
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     for (const uint32_t* side = sides.begin(v); side < sides.end(v); ++side) {
       const uint32_t other = ends(*side).second;

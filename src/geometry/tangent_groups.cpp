@@ -15,7 +15,7 @@ using data::cross;
 using data::dot;
 using data::Vec3d;
 
-constexpr uint32_t kNone = 0xffffffffu;
+constexpr uint32_t kNoCorner = 0xffffffffu;
 
 uint32_t next_corner(uint32_t corner) {
   return corner % 3 == 2 ? corner - 2 : corner + 1;
@@ -102,8 +102,8 @@ class Grouping {
 };
 
 /// Pairs the corners [begin, end) around one vertex, ascending, across the edges that they share. The first triangle
-/// that leaves along an edge is paired with the first triangle that arrives along it, and so on. `head` must be kNone
-/// everywhere, and is left so.
+/// that leaves along an edge is paired with the first triangle that arrives along it, and so on. `head` must be
+/// kNoCorner everywhere, and is left so.
 void Grouping::link_vertex(const uint32_t* begin, const uint32_t* end, uint32_t* head, uint32_t* chain) {
   for (const uint32_t* c = end; c != begin;) {
     const uint32_t corner = *--c;
@@ -113,21 +113,21 @@ void Grouping::link_vertex(const uint32_t* begin, const uint32_t* end, uint32_t*
   }
   for (const uint32_t* c = begin; c != end; ++c) {
     uint32_t& first = head[vertex_of(next_corner(*c))];
-    if (first == kNone) continue;
+    if (first == kNoCorner) continue;
     forward_[*c] = first;
     backward_[first] = *c;
     first = chain[first];
   }
-  for (const uint32_t* c = begin; c != end; ++c) head[vertex_of(previous_corner(*c))] = kNone;
+  for (const uint32_t* c = begin; c != end; ++c) head[vertex_of(previous_corner(*c))] = kNoCorner;
 }
 
 void Grouping::link_corners(const core::Allocator& allocator) {
-  for (uint32_t c = 0; c < corner_count_; ++c) forward_[c] = backward_[c] = kNone;
+  for (uint32_t c = 0; c < corner_count_; ++c) forward_[c] = backward_[c] = kNoCorner;
   const Buckets corners = make_buckets(allocator, corner_count_, mesh_.vertex_count, [&](uint32_t corner) {
     return kind_[corner / 3] == kLeftOut ? kNoBucket : vertex_of(corner);
   });
   core::Array<uint32_t> head(allocator, mesh_.vertex_count);
-  for (uint32_t& corner : head) corner = kNone;
+  for (uint32_t& corner : head) corner = kNoCorner;
   for (size_t v = 0; v < mesh_.vertex_count; ++v) {
     link_vertex(corners.begin(v), corners.end(v), head.data(), out.of_corner.data());
   }
@@ -170,8 +170,8 @@ void Grouping::grow_groups() {
     const auto group = static_cast<uint32_t>(out.group.size());
     out.group.push_back({{0.0, 0.0, 0.0}, kind == kMirrored});
     join(c, group);
-    for (uint32_t n = forward_[c]; n != kNone && join(n, group);) n = forward_[n];
-    for (uint32_t n = backward_[c]; n != kNone && join(n, group);) n = backward_[n];
+    for (uint32_t n = forward_[c]; n != kNoCorner && join(n, group);) n = forward_[n];
+    for (uint32_t n = backward_[c]; n != kNoCorner && join(n, group);) n = backward_[n];
   }
 }
 

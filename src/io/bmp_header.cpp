@@ -27,7 +27,7 @@ bool is_depth(uint32_t bits) {
   return bits == 1 || bits == 4 || bits == 8 || bits == 16 || bits == 24 || bits == 32;
 }
 
-BmpLayout read_layout(ByteReader& in) {
+BmpLayout read_bmp_layout(ByteReader& in) {
   BmpLayout layout = {};
   const uint32_t header = in.u32(14);
   const bool core = header == kCoreHeader;
@@ -70,7 +70,7 @@ void check_indices(const ByteReader& in, const BmpLayout& layout) {
 
 void check_bmp_header(const unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, false};
-  const BmpLayout layout = read_layout(in);
+  const BmpLayout layout = read_bmp_layout(in);
   const uint64_t max_colors = layout.bits > 8 ? 0 : uint64_t{1} << layout.bits;
   if (!in.ok || layout.colors > max_colors || !in.has(layout.palette, layout.colors * layout.color_size)) {
     core::refuse(SHD_ERROR_CORRUPT, "BMP: bad palette");

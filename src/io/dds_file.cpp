@@ -13,8 +13,8 @@ namespace shd::io {
 
 namespace {
 
-constexpr const char* kName = "DDS";
-constexpr uint64_t kHeader = 128;
+constexpr const char* kDdsName = "DDS";
+constexpr uint64_t kDdsHeader = 128;
 constexpr uint64_t kHeaderDx10 = 148;
 constexpr uint32_t kAlphaPixels = 0x1, kAlpha = 0x2, kFourCc = 0x4, kRgb = 0x40, kLuminance = 0x20000;
 constexpr uint32_t kDepthFlag = 0x800000;
@@ -216,7 +216,7 @@ bool is_dds(const unsigned char* bytes, size_t size) {
 TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
                       const Limits& limits) {
   ByteReader in{bytes, size, false};
-  if (!in.has(0, kHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the header", size);
+  if (!in.has(0, kDdsHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the header", size);
   const uint32_t header = in.u32(4), pixel_format = in.u32(76);
   // Writers that store 0 or 24 as the second size mean the same structure.
   if (header != 124 || (pixel_format != 32 && pixel_format != 24 && pixel_format != 0)) {
@@ -236,9 +236,9 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   const uint32_t stored = info.level_count;
   const bool sized = info.width <= kMaxSide && info.height <= kMaxSide && info.depth <= kMaxSide;
   if (sized && stored == whole_level_count(info) + 1) --info.level_count;  // one below 1 x 1
-  check_sizes(kName, limits, &parsed);
-  place_levels(in, dx10 ? kHeaderDx10 : kHeader, stored, partial, &parsed);
-  parsed.storage.format = choose_curve(kName, parsed.storage.format, declared, encoding);
+  check_sizes(kDdsName, limits, &parsed);
+  place_levels(in, dx10 ? kHeaderDx10 : kDdsHeader, stored, partial, &parsed);
+  parsed.storage.format = choose_curve(kDdsName, parsed.storage.format, declared, encoding);
   info.format = parsed.storage.format;
   return parsed;
 }

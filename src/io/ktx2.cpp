@@ -12,11 +12,7 @@ namespace shd::io {
 
 namespace {
 
-constexpr const char* kName = "KTX2";
-
-unsigned long long wide(uint64_t value) {
-  return static_cast<unsigned long long>(value);
-}
+constexpr const char* kKtx2Name = "KTX2";
 
 /// A part of the file that the header names; empty parts may lie anywhere.
 Span read_part(const ByteReader& in, const char* name, uint64_t offset, uint64_t size, uint64_t first) {
@@ -91,7 +87,7 @@ void choose_storage(const Descriptor& descriptor, uint32_t stated_type_size, shd
                  descriptor.transfer);
   }
   const bool linear = descriptor.transfer <= kTransferLinear;
-  storage.format = choose_curve(kName, storage.format,
+  storage.format = choose_curve(kKtx2Name, storage.format,
                                 srgb_curve ? Declared::kSrgb
                                 : linear   ? Declared::kLinear
                                            : Declared::kOther,
@@ -159,7 +155,7 @@ TextureFile parse_ktx2(const unsigned char* bytes, size_t size, shd_color_encodi
     core::refuse(SHD_ERROR_CORRUPT, "KTX2: sgdByteLength %llu, but supercompressionScheme %d has no such data",
                  wide(in.u64(72)), static_cast<int>(parsed.info.supercompression));
   }
-  check_sizes(kName, limits, &parsed);
+  check_sizes(kKtx2Name, limits, &parsed);
   for (uint32_t l = 0; l < parsed.info.level_count; ++l) read_level(in, l, first, &parsed);
   check_apart(parsed, descriptor, values);
   read_key_values(in, values, &parsed);

@@ -35,14 +35,14 @@ uint32_t vulkan_of(shd_format format) {
 }
 
 /// A sample of a data format descriptor. Data Format Specification 1.3, section 5.9.
-struct Sample {
+struct DescriptorSample {
   uint32_t offset, bits, channel, low, high;
 };
 constexpr uint32_t kChannelAlpha = 15, kLinearFlag = 0x10, kExponentFlag = 0x20, kSignedFlag = 0x40, kFloatFlag = 0x80;
 constexpr uint32_t kMostUnsigned = 0xffffffff, kMostSigned = 0x7fffffff, kLeastSigned = 0x80000000;
 constexpr uint32_t kOne = 0x3f800000, kMinusOne = 0xbf800000;  // bits of 1.0 and -1.0
 
-std::vector<Sample> samples_of_blocks(shd_format format) {
+std::vector<DescriptorSample> samples_of_blocks(shd_format format) {
   const bool srgb = without_srgb(format) != format;
   const uint32_t alpha = kChannelAlpha | (srgb ? kLinearFlag : 0);
   switch (without_srgb(format)) {
@@ -62,8 +62,8 @@ std::vector<Sample> samples_of_blocks(shd_format format) {
 }
 
 /// Each channel has a sample of its number, whose value 1 is 8448, and one of the exponent, whose bias is 15.
-std::vector<Sample> samples_of_rgb9e5() {
-  std::vector<Sample> samples;
+std::vector<DescriptorSample> samples_of_rgb9e5() {
+  std::vector<DescriptorSample> samples;
   for (uint32_t c = 0; c < 3; ++c) {
     samples.push_back({9 * c, 9, c, 0, 8448});
     samples.push_back({27, 5, c | kExponentFlag, 15, 31});
@@ -71,14 +71,14 @@ std::vector<Sample> samples_of_rgb9e5() {
   return samples;
 }
 
-std::vector<Sample> samples_of(shd_format format) {
+std::vector<DescriptorSample> samples_of(shd_format format) {
   if (format == SHD_FORMAT_RGB9E5) return samples_of_rgb9e5();
   if (image::block_info(format).block_size != 0) return samples_of_blocks(format);
   const image::FormatInfo info = image::format_info(format);
   const bool floats = info.component == image::Component::kFloat16 || info.component == image::Component::kFloat32;
   const bool srgb = info.component == image::Component::kSrgb8;
   const auto bits = static_cast<uint32_t>(8 * info.channel_size);
-  std::vector<Sample> samples;
+  std::vector<DescriptorSample> samples;
   for (uint32_t c = 0; c < info.channels; ++c) {
     const uint32_t channel = c == 3 ? kChannelAlpha | (srgb ? kLinearFlag : 0) : c;
     const uint32_t low = floats ? kMinusOne : 0, high = floats ? kOne : (1u << bits) - 1;
@@ -88,7 +88,7 @@ std::vector<Sample> samples_of(shd_format format) {
 }
 
 Bytes make_descriptor(const Storage& storage) {
-  const std::vector<Sample> samples = samples_of(storage.format);
+  const std::vector<DescriptorSample> samples = samples_of(storage.format);
   const auto block = kDfdBlockHeader + static_cast<uint32_t>(samples.size()) * kDfdSample;
   const bool srgb = without_srgb(storage.format) != storage.format;
   Bytes out;
@@ -104,7 +104,7 @@ Bytes make_descriptor(const Storage& storage) {
   put(&out, storage.block_height - 1, 1);
   put(&out, 0, 2);
   put(&out, storage.unit_size, 8);
-  for (const Sample& sample : samples) {
+  for (const DescriptorSample& sample : samples) {
     put(&out, sample.offset, 2);
     put(&out, sample.bits - 1, 1);
     put(&out, sample.channel, 1);

@@ -8,14 +8,6 @@
 
 namespace shd::io {
 
-namespace {
-
-unsigned long long wide(uint64_t value) {
-  return static_cast<unsigned long long>(value);
-}
-
-}  // namespace
-
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height) {
   if (width == 0 || height == 0 || width > INT32_MAX || height > INT32_MAX) {
     core::refuse(SHD_ERROR_CORRUPT, "%s of %llu x %llu pixels", what, wide(width), wide(height));

@@ -22,6 +22,11 @@ constexpr uint64_t kRatioFloor = uint64_t{1} << 24;
 /// Largest width and height of a shd_image [pixels].
 constexpr uint64_t kMaxSide = 65536;
 
+/// A number for "%llu".
+inline unsigned long long wide(uint64_t value) {
+  return static_cast<unsigned long long>(value);
+}
+
 /// Throws Failure unless a window of this size is within the budgets. `what` names the window in the message.
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
 

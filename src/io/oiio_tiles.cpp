@@ -27,24 +27,6 @@ namespace {
 constexpr int kMaxTiledSide = 1 << 20;
 constexpr uint64_t kMaxTileBytes = uint64_t{1} << 26;
 
-struct CloseStream {
-  void operator()(std::FILE* stream) const { std::fclose(stream); }
-};
-
-/// An open file, at one of its levels.
-struct Reader {
-  Reader(size_t number, FileDescriptor&& opened) : file(number), stream(::fdopen(opened.fd, "rb")) {
-    if (!stream) throw std::bad_alloc();
-    opened.fd = -1;
-  }
-
-  size_t file;
-  int level = 0;
-  std::unique_ptr<std::FILE, CloseStream> stream;
-  OIIO::Filesystem::IOFile proxy{stream.get(), OIIO::Filesystem::IOProxy::Read};
-  Quiet<OIIO::ImageInput> input;
-};
-
 struct Component {
   OIIO::TypeDesc::BASETYPE type;
   shd_format formats[4];  // for one to four channels
@@ -61,6 +43,24 @@ constexpr shd_format kSrgb[] = {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FOR
 
 }  // namespace
 
+struct CloseStream {
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
+/// An open file, at one of its levels.
+struct TileReader {
+  TileReader(size_t number, FileDescriptor&& opened) : file(number), stream(::fdopen(opened.fd, "rb")) {
+    if (!stream) throw std::bad_alloc();
+    opened.fd = -1;
+  }
+
+  size_t file;
+  int level = 0;
+  std::unique_ptr<std::FILE, CloseStream> stream;
+  OIIO::Filesystem::IOFile proxy{stream.get(), OIIO::Filesystem::IOProxy::Read};
+  Quiet<OIIO::ImageInput> input;
+};
+
 class TiledSet {
  public:
   explicit TiledSet(const TiledPaths& paths) : paths_(paths.paths), max_readers_(paths.max_readers) {
@@ -73,7 +73,7 @@ class TiledSet {
   const TiledInfo& info() const { return info_; }
 
   void read(const TiledRead& read) {
-    std::unique_ptr<Reader> reader = take(read.file, static_cast<int>(read.level));
+    std::unique_ptr<TileReader> reader = take(read.file, static_cast<int>(read.level));
     try {
       read_with(*reader, read);
     } catch (...) {
@@ -86,8 +86,8 @@ class TiledSet {
  private:
   std::string name(size_t file) const { return "\"" + printable(paths_[file]) + "\""; }
 
-  std::unique_ptr<Reader> open(size_t file) const {
-    auto reader = std::make_unique<Reader>(file, io::open_file(paths_[file].c_str()).file);
+  std::unique_ptr<TileReader> open(size_t file) const {
+    auto reader = std::make_unique<TileReader>(file, io::open_file(paths_[file].c_str()).file);
     const core::ForkGate::Scope inside(g_image_files);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // numbers as they are stored
@@ -102,7 +102,7 @@ class TiledSet {
   }
 
   void open_file(size_t file, shd_color_encoding encoding) {
-    std::unique_ptr<Reader> reader = open(file);
+    std::unique_ptr<TileReader> reader = open(file);
     const core::ForkGate::Scope inside(g_image_files);
     const OIIO::ImageSpec base = reader->input.handle->spec();
     check_base(file, base);
@@ -203,9 +203,9 @@ class TiledSet {
   }
 
   /// A reader of a file, at `level` if there is one.
-  std::unique_ptr<Reader> take(size_t file, int level) {
-    std::unique_ptr<Reader> reader;
-    std::vector<std::unique_ptr<Reader>> of_parent;  // closed after the lock
+  std::unique_ptr<TileReader> take(size_t file, int level) {
+    std::unique_ptr<TileReader> reader;
+    std::vector<std::unique_ptr<TileReader>> of_parent;  // closed after the lock
     {
       const std::lock_guard<core::ForkMutex> lock(mutex_);
       if (generation_ != core::fork_generation()) {  // the readers share their places in the files with the parent
@@ -227,8 +227,8 @@ class TiledSet {
   }
 
   /// Keeps a reader, and closes the one that was not used for the longest time if there are too many.
-  void give(std::unique_ptr<Reader> reader) {
-    std::unique_ptr<Reader> oldest;
+  void give(std::unique_ptr<TileReader> reader) {
+    std::unique_ptr<TileReader> oldest;
     const std::lock_guard<core::ForkMutex> lock(mutex_);
     idle_.push_back(std::move(reader));
     if (idle_.size() <= max_readers_) return;
@@ -236,13 +236,13 @@ class TiledSet {
     idle_.erase(idle_.begin());
   }
 
-  [[noreturn]] void refuse_read(Reader& reader, const TiledRead& read) const {
+  [[noreturn]] void refuse_read(TileReader& reader, const TiledRead& read) const {
     core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %u, columns %u to %u, rows %u to %u: %s", name(read.file).c_str(),
                  read.level, read.x, read.x + read.width - 1, read.y, read.y + read.height - 1,
                  printable(reader.input.error()).c_str());
   }
 
-  void read_with(Reader& reader, const TiledRead& read) const {
+  void read_with(TileReader& reader, const TiledRead& read) const {
     const core::ForkGate::Scope inside(g_image_files);
     OIIO::ImageInput& input = *reader.input.handle;
     const int level = static_cast<int>(read.level);
@@ -283,7 +283,7 @@ class TiledSet {
     int x, x_end, y, y_end;
   };
 
-  void read_pixels(Reader& reader, const TiledRead& read, const Box& box, unsigned char* out, size_t stride) const {
+  void read_pixels(TileReader& reader, const TiledRead& read, const Box& box, unsigned char* out, size_t stride) const {
     const size_t row = static_cast<size_t>(box.x_end - box.x) * static_cast<size_t>(channels_) * type_.size();
     // A decoder may succeed without writing all of it.
     for (int y = 0; y < box.y_end - box.y; ++y) std::memset(out + static_cast<size_t>(y) * stride, 0, row);
@@ -317,7 +317,7 @@ class TiledSet {
   OIIO::TypeDesc type_;
   core::ForkMutex mutex_{core::ForkLevel::kTileFile};
   uint32_t generation_ = core::fork_generation();
-  std::vector<std::unique_ptr<Reader>> idle_;  // the one used last is the last
+  std::vector<std::unique_ptr<TileReader>> idle_;  // the one used last is the last
 };
 
 TiledSet* open_tiled_set(const TiledPaths& paths, TiledInfo* out) {

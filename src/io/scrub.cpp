@@ -235,9 +235,9 @@ void scrub_webp(unsigned char* bytes, size_t size) {
 void scrub_tga(unsigned char* bytes, size_t size) {
   const size_t at = find_tga_extension(bytes, size);
   if (at == size) return;
-  constexpr size_t kTexts = 2, kGamma = 478, kOffsets = 482, kAlpha = 494;
+  constexpr size_t kTexts = 2, kGamma = 478, kOffsets = 482, kAlphaOffset = 494;
   std::memset(bytes + at + kTexts, 0, kGamma - kTexts);
-  std::memset(bytes + at + kOffsets, 0, kAlpha - kOffsets);
+  std::memset(bytes + at + kOffsets, 0, kAlphaOffset - kOffsets);
 }
 
 }  // namespace

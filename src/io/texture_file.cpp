@@ -13,10 +13,6 @@ namespace {
 constexpr uint64_t kMaxLayers = 2048;
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 
-unsigned long long wide(uint64_t value) {
-  return static_cast<unsigned long long>(value);
-}
-
 void check_side(const char* file, const char* name, uint64_t value) {
   if (value > kMaxSide) {
     core::refuse(SHD_ERROR_LIMIT, "%s: %s %llu is above %llu", file, name, wide(value), wide(kMaxSide));

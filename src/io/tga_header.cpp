@@ -10,7 +10,7 @@ namespace shd::io {
 
 namespace {
 
-constexpr uint64_t kHeader = 18;
+constexpr uint64_t kTgaHeader = 18;
 constexpr uint32_t kMapped = 1;
 constexpr uint32_t kTrueColor = 2;
 constexpr uint32_t kRunLengths = 8;  // added to the kind
@@ -32,7 +32,7 @@ bool is_depth(uint32_t kind, uint32_t depth) {
   return depth == 8 || depth == 16;
 }
 
-TgaLayout read_layout(ByteReader& in) {
+TgaLayout read_tga_layout(ByteReader& in) {
   TgaLayout layout = {};
   const uint32_t kind = in.u8(2);
   const uint32_t depth = in.u8(16);
@@ -43,7 +43,7 @@ TgaLayout read_layout(ByteReader& in) {
     layout.colors = in.u16(5);
     layout.color_size = (in.u8(7) + 7) / 8;
   }
-  layout.palette = kHeader + in.u8(0);
+  layout.palette = kTgaHeader + in.u8(0);
   layout.pixels = layout.palette + layout.colors * layout.color_size;
   layout.count = uint64_t{in.u16(12)} * in.u16(14);
   layout.pixel_size = (depth + 7) / 8;
@@ -88,7 +88,7 @@ void check_extension(const ByteReader& in, uint64_t pixels_end) {
 
 void check_tga_header(const unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, false};
-  const TgaLayout layout = read_layout(in);
+  const TgaLayout layout = read_tga_layout(in);
   if (layout.kind == kMapped && in.u16(3) != 0) {
     // The format subtracts the first index from a pixel; OpenImageIO 2.4 adds it.
     core::refuse(SHD_ERROR_UNSUPPORTED, "TGA: a palette that starts at index %u", in.u16(3));

@@ -30,7 +30,7 @@ struct Temporary {
   }
 };
 
-std::string folder_of(const std::string& path) {
+std::string folder_beside(const std::string& path) {
   const size_t slash = path.rfind('/');
   return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
@@ -48,7 +48,7 @@ std::string resolve(const char* path) {
 
 /// Creates a file beside `path`, with these permissions less those that the umask takes.
 void open_temporary(const std::string& path, mode_t mode, Temporary* out) {
-  const std::string folder = folder_of(path);
+  const std::string folder = folder_beside(path);
   int error = EEXIST;
   // The process id and the address make the name unique among threads and processes; names of leftover files are
   // skipped.
@@ -97,7 +97,7 @@ void write_file(const char* path_in, const void* bytes, size_t size) {
   if (::rename(temporary.name.c_str(), path.c_str()) != 0) refuse_errno("cannot rename to", path.c_str(), errno);
   temporary.renamed = true;
   // The name is durable once its folder is flushed. Some file systems refuse this, and the file is complete either way.
-  const FileDescriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor folder(::open(folder_beside(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.fd >= 0) (void)!::fsync(folder.fd);
 }
 

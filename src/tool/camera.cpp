@@ -8,7 +8,6 @@
 
 namespace {
 
-constexpr float kDegree = 3.14159265f / 180.0f;
 constexpr float kMargin = 1.06f;
 
 float dot(const std::array<float, 3>& a, const float* b) {

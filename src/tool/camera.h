@@ -5,6 +5,9 @@
 #include "tool/model.h"
 #include "tool/options.h"
 
+/// Radians of a degree.
+constexpr float kDegree = 3.14159265f / 180.0f;
+
 /// The eye and the axes of its view.
 struct Camera {
   shd_view view;

@@ -14,6 +14,11 @@ struct Failure : std::runtime_error {
   ExitCode code;
 };
 
+/// Refuses the value of an option of the command line.
+[[noreturn]] inline void refuse(const std::string& option, const std::string& value, const char* wanted) {
+  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + " (shd-render --help)");
+}
+
 /// Turns a failed shd call into a Failure that names the attempted action.
 inline void check(shd_result result, const std::string& what, ExitCode code = kExitFailed) {
   if (result != SHD_OK) throw Failure(code, what + ": " + shd_last_error());

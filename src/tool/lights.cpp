@@ -9,8 +9,6 @@
 
 namespace {
 
-constexpr float kDegree = 3.14159265f / 180.0f;
-
 void add_light(shd_context* context, const shd_light_desc& desc, std::vector<StageLight>& out, bool casts = true) {
   StageLight light;
   check(shd_light_create(context, &desc, light.light.out()), "light");
@@ -20,7 +18,7 @@ void add_light(shd_context* context, const shd_light_desc& desc, std::vector<Sta
 }
 
 /// State that the lights of one frame share.
-struct Stage {
+struct Lighting {
   shd_context* context;
   const Options& options;
   const Bounds& bounds;
@@ -29,15 +27,15 @@ struct Stage {
 };
 
 /// Adds a light at `from` in the camera's frame: right, up, back.
-void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
-  const Camera& camera = stage.camera;
+void add_view_light(const Lighting& lighting, const float from[3], const float color[3], std::vector<StageLight>& out) {
+  const Camera& camera = lighting.camera;
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (size_t c = 0; c < 3; ++c) {
     desc.direction[c] = -(from[0] * camera.right[c] + from[1] * camera.up[c] + from[2] * camera.back[c]);
-    desc.intensity[c] = stage.exposure * color[c];
+    desc.intensity[c] = lighting.exposure * color[c];
   }
-  add_light(stage.context, desc, out);
+  add_light(lighting.context, desc, out);
 }
 
 struct PresetLight {
@@ -54,42 +52,42 @@ constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 constexpr float kCourseLights[2][3] = {{30.0f, 50.0f, 20.0f}, {-30.0f, 50.0f, 0.0f}};
 constexpr float kCourseIntensity = 500.0f;
 
-void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
-  const float unit = stage.bounds.radius / 3.0f;
+void add_course_lights(const Lighting& lighting, std::vector<StageLight>& out) {
+  const float unit = lighting.bounds.radius / 3.0f;
   for (const auto& position : kCourseLights) {
     shd_light_desc desc = shd_light_desc_default();
     for (size_t c = 0; c < 3; ++c) {
-      desc.position[c] = stage.bounds.center[c] + unit * position[c];
-      desc.intensity[c] = kCourseIntensity * (stage.exposure * unit * unit);
+      desc.position[c] = lighting.bounds.center[c] + unit * position[c];
+      desc.intensity[c] = kCourseIntensity * (lighting.exposure * unit * unit);
     }
-    add_light(stage.context, desc, out);
+    add_light(lighting.context, desc, out);
   }
 }
 
-void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie,
+void add_option_light(const Lighting& lighting, const LightOption& option, shd_texture* cookie,
                       std::vector<StageLight>& out) {
-  const Bounds& bounds = stage.bounds;
+  const Bounds& bounds = lighting.bounds;
   const float falloff = option.kind == SHD_LIGHT_KIND_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = option.kind;
   for (size_t c = 0; c < 3; ++c) {
     if (option.kind != SHD_LIGHT_KIND_POINT) desc.direction[c] = -option.place[c];
     desc.position[c] = bounds.center[c] + bounds.radius * option.place[c];
-    desc.intensity[c] = stage.exposure * falloff * option.color[c];
+    desc.intensity[c] = lighting.exposure * falloff * option.color[c];
   }
   if (option.kind == SHD_LIGHT_KIND_SPOT) {
-    desc.inner_angle = stage.options.inner_cone * kDegree;
-    desc.outer_angle = stage.options.cone * kDegree;
+    desc.inner_angle = lighting.options.inner_cone * kDegree;
+    desc.outer_angle = lighting.options.cone * kDegree;
     desc.texture = cookie;
   }
-  add_light(stage.context, desc, out);
+  add_light(lighting.context, desc, out);
 }
 
 /// Adds small lights of all colours on a spiral around the model, from the floor to its top.
-void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
-  const auto count = static_cast<float>(stage.options.lamps);
-  const Bounds& bounds = stage.bounds;
-  for (uint32_t i = 0; i < stage.options.lamps; ++i) {
+void add_lamps(const Lighting& lighting, std::vector<StageLight>& out) {
+  const auto count = static_cast<float>(lighting.options.lamps);
+  const Bounds& bounds = lighting.bounds;
+  for (uint32_t i = 0; i < lighting.options.lamps; ++i) {
     const float part = (static_cast<float>(i) + 0.5f) / count, turn = 2.39996f * static_cast<float>(i);
     const float away = bounds.radius * (0.25f + 2.5f * std::sqrt(part));
     shd_light_desc desc = shd_light_desc_default();
@@ -99,9 +97,9 @@ void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
     desc.range = 0.9f * bounds.radius;
     for (size_t c = 0; c < 3; ++c) {
       const float wave = 0.5f + 0.5f * std::cos(1.7f * turn + 2.0944f * static_cast<float>(c));
-      desc.intensity[c] = stage.exposure * 0.06f * bounds.radius * bounds.radius * wave * wave;
+      desc.intensity[c] = lighting.exposure * 0.06f * bounds.radius * bounds.radius * wave * wave;
     }
-    add_light(stage.context, desc, out, false);
+    add_light(lighting.context, desc, out, false);
   }
 }
 
@@ -111,7 +109,7 @@ Texture make_cookie(shd_context* context, const std::string& name) {
 }
 
 /// Adds the lights of the model's file, with the intensities of the file.
-void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<StageLight>& out) {
+void add_file_lights(const Lighting& lighting, const shd_scene* scene, std::vector<StageLight>& out) {
   shd_scene_info info = shd_scene_info_default();
   if (!scene || shd_scene_get_info(scene, &info) != SHD_OK || info.light_count == 0) {
     throw Failure(kExitInput, "--lights file: the model has no lights");
@@ -119,8 +117,8 @@ void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<Sta
   for (uint32_t i = 0; i < info.light_count; ++i) {
     shd_light_desc desc = shd_light_desc_default();
     check(shd_scene_get_light_desc(scene, i, &desc), "light");
-    for (float& c : desc.intensity) c *= stage.options.exposure;
-    add_light(stage.context, desc, out, desc.kind != SHD_LIGHT_KIND_AMBIENT);
+    for (float& c : desc.intensity) c *= lighting.options.exposure;
+    add_light(lighting.context, desc, out, desc.kind != SHD_LIGHT_KIND_AMBIENT);
   }
 }
 
@@ -131,19 +129,19 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
   const shd_model model = model_of(options, scene);
   // Energy-conserving models reflect E / pi where the other models reflect E.
   const bool over_pi = model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED;
-  const Stage stage{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
+  const Lighting lighting{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
   std::vector<StageLight> lights;
   if (options.preset == LightPreset::kStudio) {
-    for (const PresetLight& light : kStudio) add_view_light(stage, light.from, light.color, lights);
+    for (const PresetLight& light : kStudio) add_view_light(lighting, light.from, light.color, lights);
   } else if (options.preset == LightPreset::kHeadlight) {
-    for (const PresetLight& light : kHeadlight) add_view_light(stage, light.from, light.color, lights);
+    for (const PresetLight& light : kHeadlight) add_view_light(lighting, light.from, light.color, lights);
   } else if (options.preset == LightPreset::kCourse) {
-    add_course_lights(stage, lights);
+    add_course_lights(lighting, lights);
   }
-  if (options.preset == LightPreset::kFile) add_file_lights(stage, scene.scene.get(), lights);
+  if (options.preset == LightPreset::kFile) add_file_lights(lighting, scene.scene.get(), lights);
   const Texture cookie = make_cookie(context, options.cookie);
-  for (const LightOption& option : options.lights) add_option_light(stage, option, cookie.get(), lights);
-  add_lamps(stage, lights);
+  for (const LightOption& option : options.lights) add_option_light(lighting, option, cookie.get(), lights);
+  add_lamps(lighting, lights);
   shd_light_desc ambient = shd_light_desc_default();
   ambient.kind = SHD_LIGHT_KIND_AMBIENT;
   for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = (*options.ambient)[c];

@@ -12,10 +12,6 @@ namespace {
 
 constexpr const char* kSeeHelp = " (shd-render --help)";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value, const char* wanted) {
-  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + kSeeHelp);
-}
-
 /// Reads `count` numbers separated by commas and advances `text` behind them. Returns false if there are fewer.
 bool read_numbers(const char*& text, float* out, int count) {
   for (int i = 0; i < count; ++i) {

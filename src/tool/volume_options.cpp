@@ -9,10 +9,6 @@
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& value, const char* wanted) {
-  throw Failure(kExitUsage, name + ": \"" + value + "\" is not " + wanted + " (shd-render --help)");
-}
-
 /// Whether `text` is a number, and ends behind it.
 bool read(const char*& text, float* out) {
   int length = 0;
