@@ -123,7 +123,7 @@ struct Constant {
   std::vector<uint8_t> texels;
   std::vector<shd_image> levels;
 
-  Constant(shd_format format, uint32_t images) : texels(size_t{kSide} * kSide * 4 * kSide) {
+  Constant(shd_format format, uint32_t images) : texels(size_t{kSide} * kSide * 4 * kSide + SHD_TEXTURE_PADDING) {
     constexpr uint8_t kBlock[8] = {0x10, 0x84, 0x10, 0x84, 0, 0, 0, 0};
     const bool blocks = format == SHD_FORMAT_BC1_RGB;
     for (size_t i = 0; i < texels.size(); ++i) texels[i] = blocks ? kBlock[i % 8] : i % 4 == 1 ? 130 : kCode;
