@@ -381,7 +381,8 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 
 #endif
 /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
-/// the pictures have the same bits as without skipping. See shd_volume_create().
+/// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
+/// tile that cannot be loaded fails the call. See shd_volume_create().
 [[nodiscard]] inline shd_result volume_create(
     shd_context* context_,
     const shd_volume_desc* desc,
@@ -1199,7 +1200,8 @@ inline shd_view view_from_camera(const shd_camera* camera) {
 }
 
 /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
-/// the pictures have the same bits as without skipping. See shd_volume_create().
+/// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
+/// tile that cannot be loaded fails the call. See shd_volume_create().
 inline shd::volume volume_create(shd_context* context_, const shd_volume_desc* desc) {
   shd::volume made;
   check(volume_create(context_, desc, made));

@@ -7,6 +7,7 @@
 
 #include "core/executor.h"
 #include "texture/format/formats.h"
+#include "texture/store/reader.h"
 #include "texture/store/storage.h"
 #include "volume/volume.h"
 
@@ -40,13 +41,14 @@ Span texels_of(uint32_t block, uint32_t size) {
 /// Returns the range of stored numbers of a channel over a block.
 template <class Codec>
 Range range_of(const texture::Texture& texture, uint32_t channel, const Span& x, const Span& y, const Span& z) {
+  texture::TexelReader reader(texture);
   Range range;
   for (uint32_t k = z.first; k < z.end; ++k) {
+    const uint32_t slice = texture::first_unit(texture, k, 0);
     for (uint32_t j = y.first; j < y.end; ++j) {
-      const uint8_t* texel = texture::row_of(texture, k, 0, j) + size_t{x.first} * Codec::kSize;
-      for (uint32_t i = x.first; i < x.end; ++i, texel += Codec::kSize) {
+      for (uint32_t i = x.first; i < x.end; ++i) {
         double value[Codec::kChannels];
-        Codec::load(texel, value);
+        Codec::load(reader.at(slice, texture.width, i, j), value);
         range.add(value[channel]);
       }
     }

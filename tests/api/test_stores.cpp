@@ -277,6 +277,40 @@ void check_filter(shd_context *context, const Domain &domain, shd_texture *const
     shd_sampler_release(sampler);
 }
 
+/// Renders a volume of a 3D texture. Half of the densities have no extinction.
+std::vector<float> render_volume(shd_context *context, shd_texture *texture)
+{
+    constexpr uint32_t kWidth = 31, kHeight = 19;
+    const float density[2] = {0.5f, 1.0f}, extinction[2] = {0.0f, 9.0f};
+    shd_volume_desc desc = shd_volume_desc_default();
+    desc.texture = texture;
+    desc.point_count = 2;
+    desc.density = shd_f32_column(density, 0), desc.extinction = shd_f32_column(extinction, 0);
+    desc.box_min[0] = desc.box_min[1] = desc.box_min[2] = -1.0f;
+    desc.step = 0.05f;
+    shd_volume_draw draw = shd_volume_draw_default();
+    shd_volume *volume = nullptr;
+    shd_assert_ok(shd_volume_create(context, &desc, &volume));
+    draw.volume = volume;
+    shd_framebuffer_desc size = shd_framebuffer_desc_default();
+    size.width = kWidth, size.height = kHeight;
+    shd_framebuffer *framebuffer = nullptr;
+    shd_assert_ok(shd_framebuffer_create(context, &size, &framebuffer));
+    shd_camera camera = shd_camera_default();
+    camera.eye[0] = 1.5f, camera.eye[1] = 1.0f, camera.eye[2] = 3.2f;
+    shd_render_desc frame = shd_render_desc_default();
+    frame.framebuffer = framebuffer;
+    frame.camera = &camera;
+    frame.volumes = &draw, frame.volume_count = 1;
+    shd_assert_ok(shd_render(context, &frame));
+    std::vector<float> alpha(kWidth * kHeight);
+    const shd_f32_out column = {alpha.data(), 0};
+    shd_assert_ok(shd_framebuffer_read_plane(framebuffer, SHD_PLANE_A, &column));
+    shd_framebuffer_release(framebuffer);
+    shd_volume_release(volume);
+    return alpha;
+}
+
 void test_domain(void **state)
 {
     const auto &domain = *static_cast<const Domain *>(*state);
@@ -300,6 +334,12 @@ void test_domain(void **state)
         for (shd_filter filter : kFilters) {
             for (size_t w = 0; w < (wraps ? sizeof kWraps / sizeof *kWraps : 1); ++w)
                 check_filter(context, domain, textures, filter, kWraps[w]);
+        }
+        for (int store = kBlocks; domain.depth != 0 && store <= kTilesOfBlocks; ++store) {
+            const std::vector<float> want = render_volume(context, textures[kMemory]);
+            assert_true(*std::max_element(want.begin(), want.end()) > 0.5f);
+            if (want != render_volume(context, textures[store]))
+                fail_msg("%s, %s: another picture of the volume", domain.name, kStoreNames[store]);
         }
         for (shd_texture *texture : textures) shd_texture_release(texture);
         shd_tile_cache_release(cache);

@@ -4262,7 +4262,9 @@ export interface Raw {
   /**
    * Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without
    * extinction;
-   * the pictures have the same bits as without skipping.
+   * the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level
+   * once; a tile
+   * that cannot be loaded fails the call.
    * @param context retained
    * @param desc borrowed for the call
    * @param outVolume owned; NULL on failure
