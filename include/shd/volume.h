@@ -87,8 +87,8 @@ static inline shd_volume_desc shd_volume_desc_default(void)
 
 /**
  * Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
- * the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a tile
- * that cannot be loaded fails the call.
+ * the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
+ * tile that cannot be loaded fails the call.
  * @param context     retained
  * @param desc        borrowed for the call
  * @param out_volume  owned; NULL on failure

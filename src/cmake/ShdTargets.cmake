@@ -66,7 +66,7 @@ endfunction()
 # target. Folders of long kernels, and of those whose speed depends on what the compiler puts inline, are not joined.
 set(shd_joined_folders procedural light environment occlusion shade geometry texture/domain texture/filter)
 set(shd_kernels_apart "shade/(illuminate|surround)"
-    "texture/filter/(anisotropic|bilinear|directions|slices|stochastic|summed_area|trilinear)")
+    "texture/filter/(anisotropic|bicubic|bilinear|directions|slices|stochastic|summed_area|trilinear)")
 function(shd_join_kernels sources)
   if(NOT SHD_UNITY)
     return()
@@ -133,12 +133,13 @@ function(shd_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# A library: `name` from the objects of `objects`, exporting what `map` lists.
+# A library: `name` from the object libraries `objects`, exporting what `map` lists.
 function(shd_library name objects map export_name)
+  list(TRANSFORM objects REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
   if(SHD_BUILD_SHARED)
-    add_library(${name} SHARED $<TARGET_OBJECTS:${objects}>)
+    add_library(${name} SHARED ${objects})
   else()
-    add_library(${name} STATIC $<TARGET_OBJECTS:${objects}>)
+    add_library(${name} STATIC ${objects})
   endif()
   add_library(shd::${export_name} ALIAS ${name})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${ARGN})

@@ -81,7 +81,7 @@ size_t RunEwaDirections(const FilterCall& call) {
   return RunDirections<EwaDirections>(call);
 }
 size_t RunPickedEwaDirections(const FilterCall& call) {
-  return RunDirections<EwaDirections, PickSink<false>>(call);
+  return RunDirections<EwaDirections, PickSink>(call);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -19,17 +19,12 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
 size_t RunStochasticDirections(const FilterCall& call) {
-  const shd_filter filter = call.sampler.stochastic_filter;
-  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
-    return filter == SHD_FILTER_ANISOTROPIC ? RunDirections<Anisotropic, PickSink<true>>(call)
-                                            : RunDirections<Trilinear, PickSink<true>>(call);
-  }
-  switch (filter) {
-    case SHD_FILTER_BILINEAR: return RunDirections<Bilinear, PickSink<false>>(call);
-    case SHD_FILTER_BICUBIC: return RunDirections<CubicDirections, PickSink<false>>(call);
-    case SHD_FILTER_ANISOTROPIC: return RunDirections<Anisotropic, PickSink<false>>(call);
+  switch (call.sampler.stochastic_filter) {
+    case SHD_FILTER_BILINEAR: return RunDirections<Bilinear, PickSink>(call);
+    case SHD_FILTER_BICUBIC: return RunDirections<CubicDirections, PickSink>(call);
+    case SHD_FILTER_ANISOTROPIC: return RunDirections<Anisotropic, PickSink>(call);
     case SHD_FILTER_EWA: return RunPickedEwaDirections(call);
-    default: return RunDirections<Trilinear, PickSink<false>>(call);
+    default: return RunDirections<Trilinear, PickSink>(call);
   }
 }
 

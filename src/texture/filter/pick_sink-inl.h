@@ -21,8 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Passes the pick of each lookup to a StreamSink. kQuads: SHD_STOCHASTIC_QUAD.
-template <bool kQuads>
+/// Passes the pick of each lookup to a StreamSink.
 class PickSink {
  public:
   static constexpr bool kPicks = true;
@@ -30,7 +29,8 @@ class PickSink {
   using V = hn::Vec<D>;
   using VI = Ints<D>;
 
-  explicit PickSink(const FilterCall& call) : stream_(call), seed_(call.sampler.seed) {}
+  explicit PickSink(const FilterCall& call)
+      : stream_(call), seed_(call.sampler.seed), picks_quads_(call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {}
 
   HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
   static constexpr bool has_rates() { return false; }
@@ -80,7 +80,7 @@ class PickSink {
     const V zero = hn::Zero(d);
     Level<D> level = {};
     level.across.whole = pick.width;
-    if constexpr (kQuads) {
+    if (picks_quads_) {
       const auto is_row = hn::Gt(pick.is_row, zero);
       stream_.quad_of(d, kStart, level, pick.texel, pick.inner.s, pick.inner.t);
       if (HWY_UNLIKELY(!hn::AllFalse(d, is_row))) {
@@ -99,8 +99,8 @@ class PickSink {
     V s, t, r;
   };
   struct Pick {
-    TexelPlace<D> texel[kQuads ? 4 : 1];
-    VI width;  // width of the level
+    TexelPlace<D> texel[4];  // one, or those of a quad or row
+    VI width;                // width of the level
     Inner inner;
     V is_row;  // 1 or 0
   };
@@ -121,10 +121,10 @@ class PickSink {
     to->y = hn::IfThenElse(chosen, from.y, to->y);
     to->first = hn::IfThenElse(chosen, from.first, to->first);
   }
-  static HWY_INLINE void replace(D, MaskOf<D> lanes, const Pick& from, Pick* to) {
-    for (size_t k = 0; k < (kQuads ? 4 : 1); ++k) select(lanes, from.texel[k], &to->texel[k]);
+  HWY_INLINE void replace(D, MaskOf<D> lanes, const Pick& from, Pick* to) const {
+    for (size_t k = 0; k < (picks_quads_ ? 4 : 1); ++k) select(lanes, from.texel[k], &to->texel[k]);
     to->width = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), from.width, to->width);
-    if constexpr (kQuads) {
+    if (picks_quads_) {
       to->inner.s = hn::IfThenElse(lanes, from.inner.s, to->inner.s);
       to->inner.t = hn::IfThenElse(lanes, from.inner.t, to->inner.t);
       to->inner.r = hn::IfThenElse(lanes, from.inner.r, to->inner.r);
@@ -138,15 +138,9 @@ class PickSink {
     const size_t average = op & kSecond ? 1 : 0;
     if ((op & kHow) == kStart) share = hn::Set(d, 1.0f);
     const auto lanes = draws(d, average, share);
-    Pick element;
-    element.width = level.across.whole;
-    if constexpr (kQuads) {
-      for (size_t k = 0; k < 4; ++k) element.texel[k] = texel[k];
-      element.inner = inner;
-      element.is_row = hn::Set(d, is_row ? 1.0f : 0.0f);
-    } else {
-      element.texel[0] = pick_texel(d, average, texel, inner, is_row, lanes);
-    }
+    Pick element = {
+        {texel[0], texel[1], texel[2], texel[3]}, level.across.whole, inner, hn::Set(d, is_row ? 1.0f : 0.0f)};
+    if (!picks_quads_) element.texel[0] = pick_texel(d, average, texel, inner, is_row, lanes);
     replace(d, lanes, element, &pick_[average]);
   }
 
@@ -170,6 +164,7 @@ class PickSink {
 
   StreamSink stream_;
   const uint32_t seed_;
+  const bool picks_quads_;
   Rng<D> rng_[2];
   Pick pick_[2];
 };

@@ -83,10 +83,10 @@ struct PickOnBase : OnBaseLevel {
 };
 
 /// Emits the quad of a level at reduced coordinates, or one of its texels, picked by its weight.
-template <bool kQuad, class D, class Sink>
+template <class D, class Sink>
 HWY_INLINE void EmitPoint(D d, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, Rng<D>* rng,
                           Sink& sink) {
-  if constexpr (kQuad) {
+  if (sampler.stochastic == SHD_STOCHASTIC_QUAD) {
     sink.quad(d, kStart, level, u, v);
     sink.finish();
   } else {
@@ -97,7 +97,6 @@ HWY_INLINE void EmitPoint(D d, const Sampler& sampler, const Level<D>& level, hn
 }
 
 /// Picks one level, and then one texel of its quad, or the whole quad.
-template <bool kQuad>
 struct PickTrilinear : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<LodBlock>;
@@ -111,7 +110,7 @@ struct PickTrilinear : OnMipLevels {
     const auto first_texel = FirstTexel(d, texture, block, i);
     const auto number = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
     const Level<D> level = LevelAt(d, texture, first_texel, number);
-    EmitPoint<kQuad>(d, sampler, level, hn::Load(d, block.u + i), hn::Load(d, block.v + i), &rng, sink);
+    EmitPoint(d, sampler, level, hn::Load(d, block.u + i), hn::Load(d, block.v + i), &rng, sink);
   }
 };
 
@@ -142,7 +141,6 @@ HWY_INLINE hn::Vec<D> PickProbe(D d, const Sampler& sampler, const ProbeLine<D>&
 }
 
 /// Picks one probe, and then one texel of its trilinear lookup, or one of its two quads.
-template <bool kQuad>
 struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
@@ -155,7 +153,7 @@ struct PickAnisotropic : OnMipLevels {
     const auto first_texel = FirstTexel(d, texture, block, i);
     const auto number = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
     const Level<D> level = LevelAt(d, texture, first_texel, number);
-    EmitPoint<kQuad>(d, sampler, level, line.u_at(position), line.v_at(position), &rng, sink);
+    EmitPoint(d, sampler, level, line.u_at(position), line.v_at(position), &rng, sink);
   }
 };
 
@@ -189,10 +187,10 @@ HWY_INLINE void emit_pick(D d, const Slices<D>& slices, const Pick<D>& x, const 
 }
 
 /// EmitPoint() of a 3D texture: the two quads of a level, or one of their texels.
-template <bool kQuad, class D, class Sink>
+template <class D, class Sink>
 HWY_INLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
                           hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
-  if constexpr (kQuad) {
+  if (sampler.stochastic == SHD_STOCHASTIC_QUAD) {
     Cube<D>(d, sampler, slices, u, v, w).emit(d, 0, sink);
     sink.finish();
   } else {
@@ -223,7 +221,6 @@ struct PickOnBaseInSlices : OnSlices<RandomBlock<PlaceBlock>> {
   }
 };
 
-template <bool kQuad>
 struct PickTrilinearInSlices : OnSlices<RandomBlock<PlaceLodBlock>> {
   using OnSlices<RandomBlock<PlaceLodBlock>>::OnSlices;
 
@@ -233,12 +230,11 @@ struct PickTrilinearInSlices : OnSlices<RandomBlock<PlaceLodBlock>> {
   HWY_INLINE void emit(D d, const RandomBlock<PlaceLodBlock>& block, size_t i, Sink& sink) const {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
-    EmitPlace<kQuad>(d, sampler, SlicesAt(d, texture, level), hn::Load(d, block.u + i), hn::Load(d, block.v + i),
+    EmitPlace(d, sampler, SlicesAt(d, texture, level), hn::Load(d, block.u + i), hn::Load(d, block.v + i),
                      hn::Load(d, block.w + i), &rng, sink);
   }
 };
 
-template <bool kQuad>
 struct PickAnisotropicInSlices : OnSlices<RandomBlock<PlaceProbeBlock>> {
   using OnSlices<RandomBlock<PlaceProbeBlock>>::OnSlices;
 
@@ -250,7 +246,7 @@ struct PickAnisotropicInSlices : OnSlices<RandomBlock<PlaceProbeBlock>> {
     const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
     const auto w = ProbeLine<D>::at(sampler.wrap_w, hn::Load(d, block.w + i), position,
                                     ProbeLine<D>::Distance(d, sampler.wrap_w, hn::Load(d, block.step_w + i)));
-    EmitPlace<kQuad>(d, sampler, SlicesAt(d, texture, level), line.u_at(position), line.v_at(position), w, &rng, sink);
+    EmitPlace(d, sampler, SlicesAt(d, texture, level), line.u_at(position), line.v_at(position), w, &rng, sink);
   }
 };
 
@@ -337,30 +333,22 @@ struct PickEllipsoid : OnSlices<RandomBlock<EllipsoidBlock>> {
 }  // namespace
 
 size_t RunStochastic(const FilterCall& call) {
-  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
-    return call.sampler.stochastic_filter == SHD_FILTER_ANISOTROPIC ? Run<PickAnisotropic<true>>(call)
-                                                                    : Run<PickTrilinear<true>>(call);
-  }
   switch (call.sampler.stochastic_filter) {
     case SHD_FILTER_BILINEAR: return Run<PickOnBase<false>>(call);
     case SHD_FILTER_BICUBIC: return Run<PickOnBase<true>>(call);
-    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic<false>>(call);
+    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic>(call);
     case SHD_FILTER_EWA: return Run<PickEllipse>(call);
-    default: return Run<PickTrilinear<false>>(call);
+    default: return Run<PickTrilinear>(call);
   }
 }
 
 size_t RunStochasticInSlices(const FilterCall& call) {
-  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
-    return call.sampler.stochastic_filter == SHD_FILTER_ANISOTROPIC ? Run<PickAnisotropicInSlices<true>>(call)
-                                                                    : Run<PickTrilinearInSlices<true>>(call);
-  }
   switch (call.sampler.stochastic_filter) {
     case SHD_FILTER_BILINEAR: return Run<PickOnBaseInSlices<false>>(call);
     case SHD_FILTER_BICUBIC: return Run<PickOnBaseInSlices<true>>(call);
-    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropicInSlices<false>>(call);
+    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropicInSlices>(call);
     case SHD_FILTER_EWA: return Run<PickEllipsoid>(call);
-    default: return Run<PickTrilinearInSlices<false>>(call);
+    default: return Run<PickTrilinearInSlices>(call);
   }
 }
 
