@@ -1035,7 +1035,8 @@ inline shd_texture_info texture_get_info(const shd_texture* texture_) {
 }
 
 /// Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
-/// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. See shd_texture_read_level().
+/// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
+/// See shd_texture_read_level().
 inline void texture_read_level(
     const shd_texture* texture_,
     uint32_t layer,

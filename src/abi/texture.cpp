@@ -173,7 +173,8 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
     SHD_TRY(check_count("out.width", image.width, width, width));
     SHD_TRY(check_count("out.height", image.height, height, height));
     if (texture::has_tiles(*body)) {
-      texture::read_level(*body, layer, level, image);
+      const auto read = body->tiles->decode ? texture::read_blocks : texture::read_level;
+      read(*body, layer, level, image);
       return SHD_OK;
     }
     const image::RowLayout layout = image::row_layout(image.format, width, height);

@@ -13,8 +13,11 @@ struct ByteReader {
   size_t size;
   bool big_endian;
   bool ok = true;
+  uint64_t behind = 0;  // bytes of the file that follow and are not here
 
   bool has(uint64_t at, uint64_t count) const { return at <= size && count <= size - at; }
+  bool file_has(uint64_t at, uint64_t count) const { return at <= file_size() && count <= file_size() - at; }
+  uint64_t file_size() const { return size + behind; }
   uint64_t number(uint64_t at, size_t count) {
     if (!has(at, count)) {
       ok = false;

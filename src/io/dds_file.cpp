@@ -176,8 +176,8 @@ uint64_t level_bytes(const TextureFile& parsed, uint32_t count) {
 /// Some writers count the faces of a cube map as layers.
 void count_cubes(const ByteReader& in, uint64_t first, uint64_t image, TextureFile* parsed) {
   const shd_texture_file_info& info = parsed->info;
-  if (info.faces != 6 || info.layers % 6 != 0 || in.has(first, image * parsed->images)) return;
-  if (in.has(first, image * (parsed->images / 6))) {
+  if (info.faces != 6 || info.layers % 6 != 0 || in.file_has(first, image * parsed->images)) return;
+  if (in.file_has(first, image * (parsed->images / 6))) {
     parsed->images /= 6;
     parsed->info.layers /= 6;
     if (info.layers == 1) parsed->info.flags &= ~uint32_t{SHD_TEXTURE_FILE_ARRAY};
@@ -189,11 +189,11 @@ void place_levels(ByteReader& in, uint64_t first, uint32_t stored, bool partial,
   const uint64_t image = level_bytes(*parsed, stored);
   count_cubes(in, first, image, parsed);
   const uint64_t all = image * (parsed->images - 1) + level_bytes(*parsed, parsed->info.level_count);
-  if (!in.has(first, all)) {
+  if (!in.file_has(first, all)) {
     if (!partial || parsed->images > 1) {
-      core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes are below %llu of the header and %llu of %u levels and %u images",
-                   in.size, static_cast<unsigned long long>(first), static_cast<unsigned long long>(all),
-                   parsed->info.level_count, parsed->images);
+      core::refuse(SHD_ERROR_CORRUPT,
+                   "DDS: %llu bytes are below %llu of the header and %llu of %u levels and %u images",
+                   wide(in.file_size()), wide(first), wide(all), parsed->info.level_count, parsed->images);
     }
     uint32_t& count = parsed->info.level_count;
     while (count > 1 && !in.has(first, level_bytes(*parsed, count))) --count;
@@ -213,10 +213,8 @@ bool is_dds(const unsigned char* bytes, size_t size) {
   return size >= 4 && std::memcmp(bytes, "DDS ", 4) == 0;
 }
 
-TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
-                      const Limits& limits) {
-  ByteReader in{bytes, size, false};
-  if (!in.has(0, kDdsHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the header", size);
+TextureFile parse_dds(ByteReader in, shd_color_encoding encoding, bool partial, const Limits& limits) {
+  if (!in.has(0, kDdsHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: %zu bytes end within the header", in.size);
   const uint32_t header = in.u32(4), pixel_format = in.u32(76);
   // Writers that store 0 or 24 as the second size mean the same structure.
   if (header != 124 || (pixel_format != 32 && pixel_format != 24 && pixel_format != 0)) {
@@ -234,7 +232,7 @@ TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encodin
   if (!dx10) read_caps(in, &parsed);
   const Declared declared = dx10 ? read_dx10(in, &parsed) : code ? read_code(in, &parsed) : read_masks(in, &parsed);
   const uint32_t stored = info.level_count;
-  const bool sized = info.width <= kMaxSide && info.height <= kMaxSide && info.depth <= kMaxSide;
+  const bool sized = info.width <= limits.side && info.height <= limits.side && info.depth <= kMaxSide;
   if (sized && stored == whole_level_count(info) + 1) --info.level_count;  // one below 1 x 1
   check_sizes(kDdsName, limits, &parsed);
   place_levels(in, dx10 ? kHeaderDx10 : kDdsHeader, stored, partial, &parsed);

@@ -32,6 +32,7 @@
 /// | numbered_path.h  | paths of a numbered series of files                                  |
 /// | texture_file.h   | KTX2 and DDS files as textures: formats, parsing, unpacking           |
 /// | texture_load.h   | such a file as a bitmap, and the checks of one that a worker sends    |
+/// | texture_tiles.h  | such a file that stays open, and the texels of its tiles             |
 /// | ktx2.h           | parts of a KTX2 file (ktx2*.cpp); dds_file.cpp parses DDS            |
 /// | ktx2_write.h     | a KTX2 file from texels                                              |
 /// | inflate.h        | Zstandard and zlib                                                   |

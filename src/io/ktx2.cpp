@@ -16,9 +16,9 @@ constexpr const char* kKtx2Name = "KTX2";
 
 /// A part of the file that the header names; empty parts may lie anywhere.
 Span read_part(const ByteReader& in, const char* name, uint64_t offset, uint64_t size, uint64_t first) {
-  if (size != 0 && (offset < first || !in.has(offset, size))) {
-    core::refuse(SHD_ERROR_CORRUPT, "KTX2: %s at %llu of %llu bytes is not in %llu..%zu of the file", name,
-                 wide(offset), wide(size), wide(first), in.size);
+  if (size != 0 && (offset < first || !in.file_has(offset, size))) {
+    core::refuse(SHD_ERROR_CORRUPT, "KTX2: %s at %llu of %llu bytes is not in %llu..%llu of the file", name,
+                 wide(offset), wide(size), wide(first), wide(in.file_size()));
   }
   return {offset, size};
 }
@@ -83,7 +83,7 @@ void choose_storage(const Descriptor& descriptor, uint32_t stated_type_size, shd
   const bool srgb_format = without_srgb(storage.format) != storage.format;
   const bool srgb_curve = descriptor.transfer == kTransferSrgb;
   if (encoding == SHD_COLOR_ENCODING_AUTO && srgb_format != srgb_curve && with_srgb(storage.format)) {
-    core::refuse(SHD_ERROR_CORRUPT, "KTX2: vkFormat %u, but transfer %u in the descriptor: set load.color_space", code,
+    core::refuse(SHD_ERROR_CORRUPT, "KTX2: vkFormat %u, but transfer %u in the descriptor: set color_space", code,
                  descriptor.transfer);
   }
   const bool linear = descriptor.transfer <= kTransferLinear;
@@ -138,18 +138,21 @@ bool is_ktx2(const unsigned char* bytes, size_t size) {
   return size >= sizeof kKtx2Identifier && std::memcmp(bytes, kKtx2Identifier, sizeof kKtx2Identifier) == 0;
 }
 
-TextureFile parse_ktx2(const unsigned char* bytes, size_t size, shd_color_encoding encoding, const Limits& limits) {
-  ByteReader in{bytes, size, false};
+TextureFile parse_ktx2(ByteReader in, shd_color_encoding encoding, const Limits& limits) {
   TextureFile parsed;
   read_header(in, &parsed);
   if (parsed.info.level_count > kMaxFileLevels) {
     core::refuse(SHD_ERROR_CORRUPT, "KTX2: %u levels are above %u", parsed.info.level_count, kMaxFileLevels);
   }
   const uint64_t first = kKtx2Header + parsed.info.level_count * kKtx2Level;
-  if (!in.has(0, first)) core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu bytes end within the level index", size);
+  if (!in.has(0, first)) core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu bytes end within the level index", in.size);
   const Span descriptor = read_part(in, "the data format descriptor", in.u32(48), in.u32(52), first);
   const Span values = read_part(in, "the key/value data", in.u32(56), in.u32(60), first);
   (void)read_part(in, "the supercompression data", in.u64(64), in.u64(72), first);
+  for (const Span& part : {descriptor, values}) {
+    if (part.size == 0 || in.has(part.offset, part.size)) continue;
+    core::refuse(SHD_ERROR_LIMIT, "KTX2: data before the levels end beyond the first %zu bytes of the file", in.size);
+  }
   choose_storage(read_descriptor(in, descriptor), in.u32(16), encoding, &parsed);
   if (in.u64(72) != 0) {
     core::refuse(SHD_ERROR_CORRUPT, "KTX2: sgdByteLength %llu, but supercompressionScheme %d has no such data",

@@ -7,6 +7,9 @@
 
 namespace shd::io {
 
+/// Largest width and height of a shd_image [pixels].
+constexpr uint64_t kMaxSide = 65536;
+
 /// Budgets of a load; none of them is 0.
 struct Limits {
   uint64_t file_bytes = uint64_t{1} << 30;
@@ -14,13 +17,13 @@ struct Limits {
   uint64_t bytes = uint64_t{1} << 32;
   double ratio = 4000;  // decoded bytes per file byte
   double seconds = 60;
+  // Textures as they are stored have further limits.
+  uint64_t side = kMaxSide;
+  uint64_t texels = uint64_t{1} << 28;
 };
 
 /// Decoded sizes below this limit are exempt from limits.ratio [bytes].
 constexpr uint64_t kRatioFloor = uint64_t{1} << 24;
-
-/// Largest width and height of a shd_image [pixels].
-constexpr uint64_t kMaxSide = 65536;
 
 /// A number for "%llu".
 inline unsigned long long wide(uint64_t value) {

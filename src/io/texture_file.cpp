@@ -11,12 +11,9 @@ namespace shd::io {
 namespace {
 
 constexpr uint64_t kMaxLayers = 2048;
-constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 
-void check_side(const char* file, const char* name, uint64_t value) {
-  if (value > kMaxSide) {
-    core::refuse(SHD_ERROR_LIMIT, "%s: %s %llu is above %llu", file, name, wide(value), wide(kMaxSide));
-  }
+void check_side(const char* file, const char* name, uint64_t value, uint64_t most) {
+  if (value > most) core::refuse(SHD_ERROR_LIMIT, "%s: %s %llu is above %llu", file, name, wide(value), wide(most));
 }
 
 /// Kinds of texture that shd has.
@@ -33,11 +30,9 @@ void check_kind(const char* file, const TextureFile& parsed) {
   if (info.depth != 0 && info.layers != 1) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "%s: an array of 3D textures", file);
   }
-  const bool kept_blocks = parsed.storage.block_width > 1 && parsed.storage.unpack == Unpack::kNone;
-  if (info.depth != 0 && kept_blocks) core::refuse(SHD_ERROR_UNSUPPORTED, "%s: a 3D texture of blocks", file);
 }
 
-/// Bytes of all levels and images of the texture. Cannot overflow: at most 2^28 texels of 16 bytes in the base, and
+/// Bytes of all levels and images of the texture. Cannot overflow: at most 2^56 texels of 16 bytes in the base, and
 /// less than three times as many in all levels.
 uint64_t texture_bytes(const TextureFile& parsed) {
   uint64_t bytes = 0;
@@ -68,9 +63,9 @@ uint32_t whole_level_count(const shd_texture_file_info& info) {
 
 void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
   const shd_texture_file_info& info = parsed->info;
-  check_side(file, "width", info.width);
-  check_side(file, "height", info.height);
-  check_side(file, "depth", info.depth);
+  check_side(file, "width", info.width, limits.side);
+  check_side(file, "height", info.height, limits.side);
+  check_side(file, "depth", info.depth, kMaxSide);
   check_kind(file, *parsed);
   if (info.layers == 0) core::refuse(SHD_ERROR_CORRUPT, "%s: no layers", file);
   const uint64_t images = uint64_t{info.layers} * info.faces;
@@ -81,9 +76,9 @@ void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
   // A texture has one cube map of an array.
   const uint64_t slices = std::max(info.depth, 1u);
   const uint64_t slice = uint64_t{info.width} * info.height;
-  const uint64_t read = slice * slices * (info.faces == 6 ? 6 : info.layers);  // below 2^48 * 6, or 2^43
+  const uint64_t read = slice * slices * (info.faces == 6 ? 6 : info.layers);  // at most 2^56
   const uint64_t all = slice * slices * images;
-  if (read > kMaxTexels) core::refuse(SHD_ERROR_LIMIT, "%s: %llu texels are above 2^28", file, wide(read));
+  if (read > limits.texels) core::refuse(SHD_ERROR_LIMIT, "%s: %llu texels are above 2^28", file, wide(read));
   if (all > limits.pixels) {
     core::refuse(SHD_ERROR_LIMIT, "%s: %llu texels are above load.max_pixels %llu", file, wide(all),
                  wide(limits.pixels));
@@ -100,19 +95,20 @@ void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
 }
 
 TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
-                               const Limits& limits) {
+                               const Limits& limits, uint64_t behind) {
+  const ByteReader in{bytes, size, false, true, behind};
   TextureFile parsed;
   if (is_ktx2(bytes, size)) {
-    parsed = parse_ktx2(bytes, size, encoding, limits);
+    parsed = parse_ktx2(in, encoding, limits);
   } else if (is_dds(bytes, size)) {
-    parsed = parse_dds(bytes, size, encoding, partial, limits);
+    parsed = parse_dds(in, encoding, partial, limits);
   } else {
     core::refuse(SHD_ERROR_UNSUPPORTED, "the file is neither KTX 2.0 nor DDS");
   }
   const uint64_t unpacked = texture_bytes(parsed);
-  if (unpacked > kRatioFloor && static_cast<double>(unpacked) > limits.ratio * static_cast<double>(size)) {
-    core::refuse(SHD_ERROR_LIMIT, "%llu bytes of texels from %zu are above load.max_ratio %g", wide(unpacked), size,
-                 limits.ratio);
+  if (unpacked > kRatioFloor && static_cast<double>(unpacked) > limits.ratio * static_cast<double>(in.file_size())) {
+    core::refuse(SHD_ERROR_LIMIT, "%llu bytes of texels from %llu are above load.max_ratio %g", wide(unpacked),
+                 wide(in.file_size()), limits.ratio);
   }
   return parsed;
 }

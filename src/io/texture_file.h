@@ -6,13 +6,14 @@
 
 #include <shd/io.h>
 
+#include "io/byte_reader.h"
 #include "io/limits.h"
 #include "io/memory.h"
 
 namespace shd::io {
 
-/// Levels below a base of kMaxSide, the base included.
-constexpr uint32_t kMaxFileLevels = 17;
+/// Levels below a base of 2^20 texels, the base included.
+constexpr uint32_t kMaxFileLevels = 21;
 
 /// Conversion of the texels of a file to those of the texture.
 enum class Unpack : uint32_t {
@@ -84,16 +85,16 @@ shd_format choose_curve(const char* file, shd_format stored, Declared declared, 
 bool is_ktx2(const unsigned char* bytes, size_t size);
 bool is_dds(const unsigned char* bytes, size_t size);
 
-/// Parses the whole file (Khronos, "KTX File Format Specification 2.0", 2021). Throws Failure.
-TextureFile parse_ktx2(const unsigned char* bytes, size_t size, shd_color_encoding encoding, const Limits& limits);
+/// Parses a file (Khronos, "KTX File Format Specification 2.0", 2021). Levels may lie behind the bytes that are here.
+/// Throws Failure.
+TextureFile parse_ktx2(ByteReader in, shd_color_encoding encoding, const Limits& limits);
 
-/// Parses the whole file (Microsoft, "Programming Guide for DDS"). `partial`: levels may be cut off. Throws Failure.
-TextureFile parse_dds(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
-                      const Limits& limits);
+/// Parses a file (Microsoft, "Programming Guide for DDS"). `partial`: levels may be cut off. Throws Failure.
+TextureFile parse_dds(ByteReader in, shd_color_encoding encoding, bool partial, const Limits& limits);
 
-/// Either of both, by content.
+/// Either of both, by content. `behind`: bytes of the file behind the `size` bytes.
 TextureFile parse_texture_file(const unsigned char* bytes, size_t size, shd_color_encoding encoding, bool partial,
-                               const Limits& limits);
+                               const Limits& limits, uint64_t behind = 0);
 
 /// Where the texels of the texture are.
 struct LevelTexels {

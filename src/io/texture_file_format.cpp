@@ -186,11 +186,10 @@ shd_format choose_curve(const char* file, shd_format stored, Declared declared, 
     case Declared::kSrgb:
       if (srgb != SHD_FORMAT_NONE) return srgb;
       core::refuse(SHD_ERROR_UNSUPPORTED,
-                   "%s: the sRGB curve with format %d, which has no _SRGB format: set "
-                   "load.color_space",
-                   file, static_cast<int>(stored));
+                   "%s: the sRGB curve with format %d, which has no _SRGB format: set color_space", file,
+                   static_cast<int>(stored));
     default:
-      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: a transfer curve that is neither sRGB nor linear: set load.color_space",
+      core::refuse(SHD_ERROR_UNSUPPORTED, "%s: a transfer curve that is neither sRGB nor linear: set color_space",
                    file);
   }
 }

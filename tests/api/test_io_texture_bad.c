@@ -79,7 +79,7 @@ static const struct bad_case k_bad[] = {
     {"wider", KTX2, CORRUPT, "uncompressedByteLength of level 0 is 384, not 416", 20, 4, 13, 0, 0},
     {"texels", KTX2, SHD_ERROR_LIMIT, "4294967296 texels are above 2^28", 20, 4, 65536, 24, 65536},
     {"no_height", KTX2, CORRUPT, "pixelHeight 0, but pixelDepth 3", 24, 4, 0, 28, 3},
-    {"depth_blocks", KTX2_ZSTD, UNSUPPORTED, "a 3D texture of blocks", 28, 4, 2, 0, 0},
+    {"depth_blocks", KTX2_ZSTD, CORRUPT, "uncompressedByteLength of level 0 is 96, not 192", 28, 4, 2, 0, 0},
     {"depth_layers", KTX2, UNSUPPORTED, "an array of 3D textures", 28, 4, 2, 32, 2},
     {"layers", KTX2, SHD_ERROR_LIMIT, "2049 layers are above 2048", 32, 4, 2049, 0, 0},
     {"layers_more", KTX2, CORRUPT, "uncompressedByteLength of level 0 is 384, not 768", 32, 4, 2, 0, 0},
@@ -89,7 +89,7 @@ static const struct bad_case k_bad[] = {
     {"oblong_cube", KTX2, CORRUPT, "a cube map of 12 x 8 texels", 36, 4, 6, 0, 0},
     {"deep_cube", KTX2_CUBE, CORRUPT, "a cube map of 8 x 8 texels and 2 slices", 28, 4, 2, 0, 0},
     {"levels", KTX2, CORRUPT, "the data format descriptor at 176 of 44 bytes is not in 200..", 40, 4, 5, 0, 0},
-    {"levels_max", KTX2, CORRUPT, "4294967295 levels are above 17", 40, 4, 0xffffffff, 0, 0},
+    {"levels_max", KTX2, CORRUPT, "4294967295 levels are above 21", 40, 4, 0xffffffff, 0, 0},
     {"scheme", KTX2, UNSUPPORTED, "supercompressionScheme 4 is not in 0..3", 44, 4, 4, 0, 0},
     {"basis_lz", KTX2, UNSUPPORTED, "Basis Universal (ETC1S, BasisLZ). No package of Debian", 44, 4, 1, 0, 0},
     {"uastc", KTX2, UNSUPPORTED, "Basis Universal (UASTC)", DFD + 12, 1, 166, 0, 0},
@@ -132,7 +132,7 @@ static const struct bad_case k_bad[] = {
     {"dds_width", DDS, SHD_ERROR_LIMIT, "width 65540", 16, 4, 65540, 0, 0},
     {"dds_larger", DDS, CORRUPT, "bytes are below 128 of the header and", 16, 4, 16, 0, 0},
     {"dds_faces", DDS, UNSUPPORTED, "a cube map without all faces, dwCaps2 0x600", 112, 4, 0x600, 0, 0},
-    {"dds_volume", DDS, UNSUPPORTED, "a 3D texture of blocks", 112, 4, 0x200000, 0, 0},
+    {"dds_volume", DDS, CORRUPT, "bytes are below 128 of the header and", 24, 4, 2, 112, 0x200000},
     {"dds_pixels", DDS, UNSUPPORTED, "pixels of 0 bits", 80, 4, 0x40, 0, 0},
     {"dds_mask", DDS, UNSUPPORTED, "pixels of 8 bits, masks 0x100", 80, 8, 0x40, 88, 8},
     {"dds_palette", DDS, UNSUPPORTED, "pixels of 8 bits, masks 0x0", 80, 8, 0x21, 88, 8},
@@ -147,7 +147,7 @@ static const struct bad_case k_bad[] = {
     {"dds_one_level_too_many", DDS, SHD_OK, "", 28, 4, 5, 0, 0},
     {"dx10_layers", DDS_DX10, SHD_ERROR_LIMIT, "4294967295 layers are above 2048", 140, 4, 0xffffffff, 0, 0},
     {"dx10_more_layers", DDS_DX10, CORRUPT, "of 4 levels and 2 images", 140, 4, 2, 0, 0},
-    {"dx10_volume", DDS_DX10, UNSUPPORTED, "a 3D texture of blocks", 132, 4, 4, 0, 0},
+    {"dx10_volume", DDS_DX10, CORRUPT, "bytes are below 148 of the header and", 24, 4, 2, 132, 4},
 };
 
 static void test_bad(void **state)

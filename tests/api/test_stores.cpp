@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stores: compressed blocks, borrowed blocks, tiles, and tiles of compressed blocks have the bits of the same texels in
-// memory, for every domain, filter, wrap and target, with derivatives and explanations.
+// memory, for every domain, filter, wrap and target, with derivatives and explanations. Blocks can be copied out.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -311,6 +311,24 @@ std::vector<float> render_volume(shd_context *context, shd_texture *texture)
     return alpha;
 }
 
+/// Blocks are copied out as the callback gives them, and nothing beside them is written.
+void check_blocks(const shd_texture *texture, const Levels &levels)
+{
+    for (uint32_t l = 0; l < levels.count; ++l) {
+        for (uint32_t i = 0; i < levels.images(l); ++i) {
+            const Level &level = levels.at(i, l);
+            const size_t row = (level.width + 3) / 4 * 8, rows = (level.height + 3) / 4, stride = row + 5;
+            std::vector<unsigned char> want(rows * stride + 64, 0xcd), got = want;
+            for (size_t y = 0; y < rows; ++y) std::memcpy(&want[y * stride], &level.blocks[y * row], row);
+            shd_image image = shd_image_default();
+            image.format = SHD_FORMAT_BC1_RGBA, image.width = level.width, image.height = level.height;
+            image.pixels = got.data(), image.row_stride = stride;
+            shd_assert_ok(shd_texture_read_level(texture, i, l, &image));
+            assert_memory_equal(got.data(), want.data(), want.size());
+        }
+    }
+}
+
 void test_domain(void **state)
 {
     const auto &domain = *static_cast<const Domain *>(*state);
@@ -330,6 +348,7 @@ void test_domain(void **state)
             textures[store] =
                 create(context, store == kTilesOfBlocks ? &blocks : &levels, static_cast<Store>(store), cache);
         }
+        for (int store : {kBlocks, kBorrowedBlocks, kTilesOfBlocks}) check_blocks(textures[store], blocks);
         const bool wraps = domain.projection == SHD_PROJECTION_NONE;
         for (shd_filter filter : kFilters) {
             for (size_t w = 0; w < (wraps ? sizeof kWraps / sizeof *kWraps : 1); ++w)

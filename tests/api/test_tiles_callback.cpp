@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "support/fault_allocator.h"
 #include "support/random.h"
@@ -226,6 +227,62 @@ void test_release(void **)
     }
 }
 
+/// A texture of 32 x 16 texels in blocks of 16 bytes, whose callback looks up the texture itself.
+struct BlockSource {
+    shd_texture *texture = nullptr;
+    shd_sampler *sampler = nullptr;
+    bool endless = false, releases = false;  // looks up in every call; releases the texture
+    int depth = 0, released = 0;
+
+    static unsigned char byte(uint32_t x, uint32_t y, size_t i) { return static_cast<unsigned char>(x * 5 + y + i); }
+    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    {
+        auto &self = *static_cast<BlockSource *>(user_data);
+        for (size_t t = 0; t < count; ++t) {
+            for (uint32_t y = 0; y < tiles[t].height; y += 4) {
+                auto *to = static_cast<unsigned char *>(tiles[t].texels) + y / 4 * tiles[t].row_stride;
+                for (size_t i = 0; i < tiles[t].width * 4; ++i) to[i] = byte(tiles[t].x, tiles[t].y + y, i);
+            }
+        }
+        if (self.depth != 0 && !self.endless) return SHD_OK;
+        TileLookups at(1);
+        ++self.depth;
+        const shd_result result = at.sample(self.texture, self.sampler);
+        --self.depth;
+        if (std::exchange(self.releases, false)) shd_texture_release(self.texture);
+        return result;
+    }
+    static void release(void *user_data) { ++static_cast<BlockSource *>(user_data)->released; }
+};
+
+/// Blocks are copied out beside the cache. The callback may look up the tile that it gives, and release the texture.
+void test_read_blocks(void **)
+{
+    BlockSource source;
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_image image = shd_image_default();
+    unsigned char blocks[8 * 4 * 16];
+    source.sampler = make_sampler(SHD_FILTER_NEAREST, 0.0f);
+    desc.format = image.format = SHD_FORMAT_BC7;
+    desc.width = image.width = 32, desc.height = image.height = 16;
+    desc.tiles = {make_tile_cache(g_context, kTile, kSmallest), BlockSource::load, BlockSource::release, &source};
+    image.pixels = blocks;
+    shd_assert_ok(shd_texture_create(g_context, &desc, &source.texture));
+    source.endless = true;
+    shd_assert_result("endless", shd_texture_read_level(source.texture, 0, 0, &image), SHD_ERROR_CALLBACK,
+                      "it looks up the tile that it loads");
+    source.endless = false;
+    source.releases = true;
+    shd_assert_ok(shd_texture_read_level(source.texture, 0, 0, &image));
+    assert_int_equal(source.released, 1);
+    for (uint32_t i = 0; i < sizeof blocks; ++i) {
+        const uint32_t y = i / 128 * 4, x = i % 128 / 64 * 16;
+        assert_int_equal(blocks[i], BlockSource::byte(x, y, i % 64));
+    }
+    shd_sampler_release(source.sampler);
+    shd_tile_cache_release(desc.tiles.cache);
+}
+
 /// Threads pin and unpin their tiles while others drop them: no pin is lost, and none is left.
 void test_pins(void **)
 {
@@ -424,6 +481,7 @@ int main(void)
         cmocka_unit_test(test_dependent_tiles),
         cmocka_unit_test(test_nested_batch),
         cmocka_unit_test(test_release),
+        cmocka_unit_test(test_read_blocks),
         cmocka_unit_test(test_pins),
         cmocka_unit_test(test_no_wait),
         cmocka_unit_test(test_own_threads),

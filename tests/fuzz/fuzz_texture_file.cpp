@@ -82,6 +82,27 @@ uint64_t run(const std::vector<unsigned char>& bytes, uint8_t choice) {
   }
 }
 
+/// Parses a file of which the first bytes are here, as a file whose tiles are read. All images lie in the file.
+void check_head(const std::vector<unsigned char>& bytes, uint8_t choice) {
+  const std::vector<unsigned char> head(bytes.begin(), bytes.begin() + std::min<size_t>(bytes.size(), choice * 8));
+  Limits limits;
+  limits.pixels = limits.bytes = limits.texels = UINT64_MAX;
+  limits.side = 1 << 20;
+  const auto encoding = static_cast<shd_color_encoding>(choice % 4);
+  try {
+    const TextureFile parsed =
+        parse_texture_file(head.data(), head.size(), encoding, false, limits, bytes.size() - head.size());
+    for (uint32_t l = 0; l < parsed.info.level_count; ++l) {
+      const Span level = parsed.levels[l];
+      SHD_FUZZ_CHECK(level.offset <= bytes.size() && level.size <= bytes.size() - level.offset);
+      const uint64_t images = parsed.image_stride[l] * (parsed.images - 1) + image_size(parsed, l);
+      SHD_FUZZ_CHECK(parsed.info.supercompression != SHD_SUPERCOMPRESSION_NONE || images == level.size);
+    }
+  } catch (const core::Failure& failure) {
+    SHD_FUZZ_CHECK(failure.what()[0] != '\0');
+  }
+}
+
 void write_number(uint8_t* data, size_t size, uint32_t random) {
   const uint64_t kNumbers[] = {0,      1,       2,          3,           4,           6,    16,       17,
                                0xffff, 0x10000, 0x7fffffff, 0x80000000u, 0xffffffffu, size, size - 1, ~uint64_t{0}};
@@ -111,5 +132,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const uint64_t sum = run(bytes, data[0]);
   SHD_FUZZ_CHECK(g_live == 0);
   SHD_FUZZ_CHECK(run(bytes, data[0]) == sum);
+  check_head(bytes, data[0]);
   return 0;
 }

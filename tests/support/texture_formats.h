@@ -192,14 +192,13 @@ static inline void check_info(const shd_texture_file_info *info, shd_texture_fil
 struct kind_case {
     const char *name;
     uint32_t width, height, depth, layers, faces, levels, chosen;
-    int blocks; /* whether BC7 can have it */
 };
 static const struct kind_case k_kinds[] = {
-    {"kind/1d", 9, 0, 0, 0, 1, 4, 0, 1},           {"kind/2d", 8, 4, 0, 0, 1, 4, 0, 1},
-    {"kind/array", 10, 6, 0, 3, 1, 3, 0, 1},       {"kind/array_of_one", 5, 5, 0, 1, 1, 1, 0, 1},
-    {"kind/3d", 6, 5, 7, 0, 1, 3, 0, 0},           {"kind/3d_flat", 6, 5, 1, 0, 1, 3, 0, 0},
-    {"kind/cube", 12, 12, 0, 0, 6, 4, 0, 1},       {"kind/cubes", 8, 8, 0, 3, 6, 2, 2, 1},
-    {"kind/base_alone", 12, 12, 0, 0, 1, 1, 0, 1}, {"kind/levels_end", 64, 32, 0, 0, 1, 2, 0, 1},
+    {"kind/1d", 9, 0, 0, 0, 1, 4, 0},           {"kind/2d", 8, 4, 0, 0, 1, 4, 0},
+    {"kind/array", 10, 6, 0, 3, 1, 3, 0},       {"kind/array_of_one", 5, 5, 0, 1, 1, 1, 0},
+    {"kind/3d", 6, 5, 7, 0, 1, 3, 0},           {"kind/3d_flat", 6, 5, 1, 0, 1, 3, 0},
+    {"kind/cube", 12, 12, 0, 0, 6, 4, 0},       {"kind/cubes", 8, 8, 0, 3, 6, 2, 2},
+    {"kind/base_alone", 12, 12, 0, 0, 1, 1, 0}, {"kind/levels_end", 64, 32, 0, 0, 1, 2, 0},
 };
 
 #endif /* SHD_TESTS_SUPPORT_TEXTURE_FORMATS_H */

@@ -4082,7 +4082,8 @@ export interface Raw {
   /**
    * Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does
    * not
-   * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
+   * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read
+   * again.
    * @param layer 0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
    * @param level 0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
    * @param out image of that size, and of the format in shd_texture_info; blocks are copied as they are

@@ -40,6 +40,13 @@ void weight_by_alpha(shd_context* context, bool levels, io::Bitmap* bitmap);
 /// Multiplies r, g and b of the RGBA texels of a linear bitmap by alpha, as SHD_LOAD_PREMULTIPLY states.
 void premultiply(const io::Memory& memory, io::Bitmap* bitmap);
 
+/// The format of RGBA pixels with the numbers of a texture.
+shd_format expanded_format(shd_format stored);
+
+/// The desc of a KTX2 or DDS file with `image_count` layers or faces, without texels, levels and tables.
+shd_texture_desc describe_stored(const shd_texture_file_info& info, uint32_t image_count, const shd_channel* swizzle,
+                                 const float* fill);
+
 /// Throws Failure unless request.options.formats has the format.
 void require_format(const LoadRequest& request, shd_file_format format, const char* name);
 

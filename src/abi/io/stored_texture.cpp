@@ -54,37 +54,14 @@ std::vector<shd_image> list_levels(const io::Bitmap& bitmap) {
 
 shd_result make_texture(shd_context* context, const io::TextureLayout& layout, const void* texels,
                         const std::vector<shd_image>& levels, uint32_t tables, shd_texture** out_texture) {
-  const shd_texture_file_info& info = layout.info;
-  shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = info.format;
-  desc.width = info.width;
-  desc.height = info.height;
-  desc.depth = info.depth;
-  desc.layers = layout.image_count;
-  desc.projection = info.faces == 6 && layout.image_count == 6 ? SHD_PROJECTION_CUBE : SHD_PROJECTION_NONE;
+  shd_texture_desc desc = describe_stored(layout.info, layout.image_count, layout.swizzle, layout.fill);
   desc.texels = texels;
   desc.level_count = layout.level_count - 1;
   desc.levels = levels.empty() ? nullptr : levels.data();
   desc.tables = tables;
-  if (info.flags & SHD_TEXTURE_FILE_PREMULTIPLIED) desc.flags |= SHD_TEXTURE_PREMULTIPLIED;
   // Blocks have only the levels of the file.
-  if (is_blocks(info.format) && layout.level_count == 1) desc.tables &= ~uint32_t{SHD_TABLE_MIPMAP};
-  std::copy(layout.swizzle, layout.swizzle + 4, desc.swizzle);
-  std::copy(layout.fill, layout.fill + 4, desc.fill);
+  if (is_blocks(desc.format) && layout.level_count == 1) desc.tables &= ~uint32_t{SHD_TABLE_MIPMAP};
   return shd_texture_create(context, &desc, out_texture);
-}
-
-/// The format of RGBA pixels with the numbers of a texture.
-shd_format expanded_format(shd_format stored) {
-  const image::Component component =
-      is_blocks(stored) ? image::block_info(stored).component : image::format_info(stored).component;
-  switch (component) {
-    case image::Component::kUnorm8: return SHD_FORMAT_RGBA8;
-    case image::Component::kSrgb8: return SHD_FORMAT_RGBA8_SRGB;
-    case image::Component::kUnorm16: return SHD_FORMAT_RGBA16;
-    case image::Component::kFloat16: return SHD_FORMAT_RGBA16F;
-    default: return SHD_FORMAT_RGBA32F;
-  }
 }
 
 /// References of one expansion.
@@ -126,6 +103,33 @@ void expand_rows(const Lookup& lookup, bool flip, io::Bitmap* out) {
 }
 
 }  // namespace
+
+shd_format expanded_format(shd_format stored) {
+  const image::Component component =
+      is_blocks(stored) ? image::block_info(stored).component : image::format_info(stored).component;
+  switch (component) {
+    case image::Component::kUnorm8: return SHD_FORMAT_RGBA8;
+    case image::Component::kSrgb8: return SHD_FORMAT_RGBA8_SRGB;
+    case image::Component::kUnorm16: return SHD_FORMAT_RGBA16;
+    case image::Component::kFloat16: return SHD_FORMAT_RGBA16F;
+    default: return SHD_FORMAT_RGBA32F;
+  }
+}
+
+shd_texture_desc describe_stored(const shd_texture_file_info& info, uint32_t image_count, const shd_channel* swizzle,
+                                 const float* fill) {
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = info.format;
+  desc.width = info.width;
+  desc.height = info.height;
+  desc.depth = info.depth;
+  desc.layers = image_count;
+  desc.projection = info.faces == 6 && image_count == 6 ? SHD_PROJECTION_CUBE : SHD_PROJECTION_NONE;
+  if (info.flags & SHD_TEXTURE_FILE_PREMULTIPLIED) desc.flags = SHD_TEXTURE_PREMULTIPLIED;
+  std::copy(swizzle, swizzle + 4, desc.swizzle);
+  std::copy(fill, fill + 4, desc.fill);
+  return desc;
+}
 
 shd_result load_stored_texture(shd_context* context, const Input& input, LoadRequest request,
                                shd_texture** out_texture) {

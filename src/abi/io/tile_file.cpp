@@ -7,10 +7,13 @@
 #include <memory>
 
 #include "abi/io/common.h"
+#include "abi/io/loads.h"
 #include "core/guard.h"
 #include "image/channel.h"
 #include "io/levels.h"
 #include "io/oiio_tiles.h"
+#include "io/printable.h"
+#include "io/texture_tiles.h"
 #include "io/udim.h"
 
 namespace {
@@ -24,7 +27,7 @@ struct CloseSet {
   void operator()(io::TiledSet* set) const { io::close_tiled_set(set); }
 };
 
-/// The tiles of a texture: user_data of its callbacks.
+/// The tiles of a texture, by OpenImageIO.
 struct Provider {
   io::FileGrid grid;
   io::TiledInfo info;
@@ -78,15 +81,17 @@ void load_tile(const Provider& provider, const shd_tile& tile) {
   }
 }
 
+template <class Source>
 shd_result load_tiles(void* user_data, const shd_tile* tiles, size_t count) {
   return guard([&] {
-    for (size_t i = 0; i < count; ++i) load_tile(*static_cast<const Provider*>(user_data), tiles[i]);
+    for (size_t i = 0; i < count; ++i) load_tile(*static_cast<const Source*>(user_data), tiles[i]);
     return SHD_OK;
   });
 }
 
-void release_provider(void* user_data) {
-  delete static_cast<Provider*>(user_data);
+template <class Source>
+void release_source(void* user_data) {
+  delete static_cast<Source*>(user_data);
 }
 
 shd_tile_file_desc read_file_desc(const shd_tile_file_desc* in) {
@@ -107,10 +112,9 @@ shd_tile_file_desc read_file_desc(const shd_tile_file_desc* in) {
   return desc;
 }
 
-std::unique_ptr<Provider> open_provider(const char* path, const shd_tile_file_desc& desc) {
-  require_path(path);
+std::unique_ptr<Provider> open_provider(const io::FileGrid& grid, const shd_tile_file_desc& desc) {
   auto provider = std::make_unique<Provider>();
-  provider->grid = io::find_files(path);
+  provider->grid = grid;
   io::TiledPaths paths;
   paths.paths = provider->grid.paths;
   paths.encoding = desc.color_space;
@@ -129,7 +133,7 @@ uint32_t grid_levels(const Provider& provider) {
   return count;
 }
 
-shd_texture_desc describe(const Provider& provider, const shd_tile_file_desc& desc) {
+shd_texture_desc describe(const Provider& provider) {
   const io::FileGrid& grid = provider.grid;
   const uint64_t width = uint64_t{provider.info.width} * grid.columns;
   const uint64_t height = uint64_t{provider.info.height} * grid.rows;
@@ -147,21 +151,39 @@ shd_texture_desc describe(const Provider& provider, const shd_tile_file_desc& de
   const uint32_t full = io::full_level_count(texture.width, texture.height);
   texture.level_count = levels == full ? 0 : levels - 1;
   if (levels == 1 && full > 1) texture.tables = SHD_TABLE_NONE;
-  texture.tiles.cache = desc.cache;
-  texture.tiles.load = load_tiles;
-  texture.tiles.release = release_provider;
   return texture;
 }
 
-void write_info(const Provider& provider, shd_tile_file_info* out) {
-  if (!out) return;
+/// The first cube map of an array, as shd_texture_load() has it.
+shd_texture_desc describe(const io::StoredTiles& file) {
+  const io::TextureFile& parsed = file.parsed;
+  const shd_texture_file_info& info = parsed.info;
+  shd_texture_desc texture = describe_stored(info, info.faces == 6 ? 6 : info.layers, parsed.swizzle, parsed.fill);
+  if (image::has_three_numbers(image::format_info(info.format))) {
+    texture.format = expanded_format(info.format);
+    if (texture.swizzle[3] == SHD_CHANNEL_DEFAULT) texture.swizzle[3] = SHD_CHANNEL_FILL;
+  }
+  texture.level_count = info.level_count - 1;
+  if (info.level_count > 1 || io::whole_level_count(info) == 1) texture.tables = SHD_TABLE_MIPMAP;
+  return texture;
+}
+
+shd_tile_file_info info_of(const Provider& provider) {
   shd_tile_file_info info = shd_tile_file_info_default();
   info.columns = provider.grid.columns;
   info.rows = provider.grid.rows;
   info.files = static_cast<uint32_t>(provider.grid.paths.size());
   info.tile_width = provider.info.tile_width;
   info.tile_height = provider.info.tile_height;
-  write_desc(info, out);
+  return info;
+}
+
+shd_tile_file_info info_of(const io::StoredTiles& file) {
+  shd_tile_file_info info = shd_tile_file_info_default();
+  info.columns = info.rows = info.files = 1;
+  info.tile_width = file.parsed.storage.block_width;
+  info.tile_height = file.parsed.storage.block_height;
+  return info;
 }
 
 }  // namespace
@@ -174,13 +196,22 @@ extern "C" shd_result shd_texture_open(shd_context* context, const char* path, c
     if (out_info) require(begin_output("out_info", out_info));
     require_context(context);
     const shd_tile_file_desc desc = read_file_desc(in);
-    std::unique_ptr<Provider> provider = open_provider(path, desc);
-    shd_texture_desc texture = describe(*provider, desc);
-    texture.tiles.user_data = provider.get();
-    const shd_result result = shd_texture_create(context, &texture, out_texture);
-    if (result != SHD_OK) return result;
-    // The texture owns it now.
-    write_info(*provider.release(), out_info);
-    return SHD_OK;
+    require_path(path);
+    const io::FileGrid grid = io::find_files(path);
+    const auto open = [&](auto source) {
+      using Source = typename decltype(source)::element_type;
+      shd_texture_desc texture = describe(*source);
+      texture.tiles = {desc.cache, load_tiles<Source>, release_source<Source>, source.get()};
+      const shd_result result = shd_texture_create(context, &texture, out_texture);
+      if (result != SHD_OK) return result;
+      // The texture owns it now.
+      const Source& owned = *source.release();
+      if (out_info) write_desc(info_of(owned), out_info);
+      return result;
+    };
+    auto stored = io::open_stored_tiles(grid.paths[0], desc.color_space, memory_of(context));
+    if (!stored) return open(open_provider(grid, desc));
+    if (grid.file.size() == 1) return open(std::move(stored));
+    refuse(SHD_ERROR_UNSUPPORTED, "\"%s\": sets of KTX2 or DDS files", io::printable(path).c_str());
   });
 }

@@ -2257,7 +2257,8 @@ namespace Shd
         public TileCache Cache;
         /// <summary>
         /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
-        /// memory of OpenImageIO; more exist while more threads read
+        /// memory of OpenImageIO; more exist while more threads read. A KTX2 or DDS file
+        /// has one descriptor for all threads
         /// </summary>
         public long MaxReaders { get { return Fields.MaxReaders; } set { Fields.MaxReaders = value; } }
         /// <summary>colour of absent files of a set, linear; finite; default 0, 0, 0, 1</summary>

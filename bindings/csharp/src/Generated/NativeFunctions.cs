@@ -569,7 +569,7 @@ namespace Shd.Native
 
         /// <summary>
         /// Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
-        /// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
+        /// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_texture_read_level", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureReadLevel(IntPtr texture, uint layer, uint level, Image* @out);
@@ -970,7 +970,8 @@ namespace Shd.Native
         ///
         /// Files that are not tiled, or lack mip levels although they are larger than a tile, give Result.ErrorUnsupported:
         /// shd-maketx converts them. Files whose levels do not halve (rounded down), or differ in channels, give
-        /// Result.ErrorUnsupported or Result.ErrorCorrupt. Tiles have at most 2^26 bytes.
+        /// Result.ErrorUnsupported or Result.ErrorCorrupt. Tiles have at most 2^26 bytes. This does not apply to KTX2 and DDS files;
+        /// sets of them give Result.ErrorUnsupported.
         /// </summary>
         [DllImport("shd_io", EntryPoint = "shd_texture_open", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result TextureOpen(

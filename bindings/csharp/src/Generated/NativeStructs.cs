@@ -2350,7 +2350,8 @@ namespace Shd.Native
         public IntPtr Cache;
         /// <summary>
         /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
-        /// memory of OpenImageIO; more exist while more threads read
+        /// memory of OpenImageIO; more exist while more threads read. A KTX2 or DDS file
+        /// has one descriptor for all threads
         /// </summary>
         public long MaxReaders { get { return (long)maxReadersWord; } set { maxReadersWord = (UIntPtr)checked((ulong)value); } }
         private UIntPtr maxReadersWord;

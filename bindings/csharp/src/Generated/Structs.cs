@@ -970,7 +970,7 @@ namespace Shd
         public uint Files;
         /// <summary>
         /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
-        /// a file once
+        /// a file once. KTX2 and DDS: 4 for blocks, 1 for pixels
         /// </summary>
         public uint TileWidth;
         /// <summary>texels of a tile of a file</summary>

@@ -5288,7 +5288,8 @@ pub struct shd_tile_file_desc {
     /// retained by the texture
     pub cache: *mut shd_tile_cache,
     /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
-    /// memory of OpenImageIO; more exist while more threads read
+    /// memory of OpenImageIO; more exist while more threads read. A KTX2 or DDS file
+    /// has one descriptor for all threads
     pub max_readers: usize,
     /// colour of absent files of a set, linear; finite; default 0, 0, 0, 1
     pub fill: [f32; 4],
@@ -5312,7 +5313,7 @@ pub struct shd_tile_file_info {
     /// files that exist
     pub files: u32,
     /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
-    /// a file once
+    /// a file once. KTX2 and DDS: 4 for blocks, 1 for pixels
     pub tile_width: u32,
     /// texels of a tile of a file
     pub tile_height: u32,
@@ -6197,7 +6198,7 @@ extern "C" {
     /// - `out_info`: its struct_size is read; the rest is written, all zero on failure
     pub fn shd_texture_get_info(texture: *const shd_texture, out_info: *mut shd_texture_info) -> shd_result;
     /// Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
-    /// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
+    /// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
     ///
     /// - `layer`: 0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
     /// - `level`: 0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
@@ -6575,7 +6576,8 @@ extern "C" {
     ///
     /// Files that are not tiled, or lack mip levels although they are larger than a tile, give SHD_ERROR_UNSUPPORTED:
     /// shd-maketx converts them. Files whose levels do not halve (rounded down), or differ in channels, give
-    /// SHD_ERROR_UNSUPPORTED or SHD_ERROR_CORRUPT. Tiles have at most 2^26 bytes.
+    /// SHD_ERROR_UNSUPPORTED or SHD_ERROR_CORRUPT. Tiles have at most 2^26 bytes. This does not apply to KTX2 and DDS files;
+    /// sets of them give SHD_ERROR_UNSUPPORTED.
     ///
     /// - `path`: a file, or a set by one `<UDIM>`; used literally otherwise; borrowed for the call
     /// - `desc`: borrowed for the call

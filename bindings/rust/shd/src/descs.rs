@@ -2370,7 +2370,8 @@ pub struct TileFileDesc {
     /// declares nothing. Other numbers must be linear, or be declared so here
     pub color_space: ColorEncoding,
     /// open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
-    /// memory of OpenImageIO; more exist while more threads read
+    /// memory of OpenImageIO; more exist while more threads read. A KTX2 or DDS file
+    /// has one descriptor for all threads
     pub max_readers: usize,
     /// colour of absent files of a set, linear; finite; default 0, 0, 0, 1
     pub fill: [f32; 4],
@@ -2410,7 +2411,7 @@ pub struct TileFileInfo {
     /// files that exist
     pub files: u32,
     /// texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
-    /// a file once
+    /// a file once. KTX2 and DDS: 4 for blocks, 1 for pixels
     pub tile_width: u32,
     /// texels of a tile of a file
     pub tile_height: u32,

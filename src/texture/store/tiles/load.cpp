@@ -160,12 +160,6 @@ namespace {
 
 constexpr size_t kMaxTileBlocks = 256;  // in a row: 2^20 bytes of texels of 2 bytes
 
-/// Returns the size of a whole tile of blocks.
-size_t blocks_of_tile(const TileSet& set) {
-  const UnitShape unit = set.texture->layout.unit;
-  return (size_t{set.block_size} << unit.shift_x << unit.shift_y) / 16;
-}
-
 /// Decodes a tile of blocks, which are at the end of its memory. Texels never reach blocks that are not decoded yet: a
 /// row of blocks is copied, and the blocks take less memory than their texels.
 void decode_tile(const TileSet& set, const shd_tile& tile, uint8_t* texels) {
@@ -183,28 +177,19 @@ void decode_tile(const TileSet& set, const shd_tile& tile, uint8_t* texels) {
 /// Writes where the callback puts texels or blocks of tiles.
 void give_memory(const TileSet& set, uint8_t* memory, size_t bytes, shd_tile* tile) {
   const UnitShape unit = set.texture->layout.unit;
-  tile->texels = set.decode ? memory + bytes - blocks_of_tile(set) : memory;
-  tile->row_stride =
-      set.decode ? (size_t{set.block_size} << unit.shift_x) / 4 : texel_size(*set.texture) << unit.shift_x;
+  tile->texels = set.decode ? memory + bytes - (row_of_blocks(set) << unit.shift_y) / 4 : memory;
+  tile->row_stride = set.decode ? row_of_blocks(set) : texel_size(*set.texture) << unit.shift_x;
 }
 
 }  // namespace
 
-shd_result TileCache::call(TileLoad* load) const {
-  const TileSet& set = *load->set;
-  shd_tile tiles[kMaxTileBatch];
-  for (uint32_t i = 0; i < load->count; ++i) {
-    tiles[i] = tile_at(*set.texture, load->tile[i]);
-    give_memory(set, tile_memory(load->slot[i]), tile_bytes_, &tiles[i]);
-  }
+shd_result call_source(TileLoad* load, const shd_tile* tiles) {
   const core::CallbackScope scope(load);
   char before[core::kErrorTextSize];
   std::memcpy(before, core::last_error(), std::strlen(core::last_error()) + 1);
-  const shd_result result = set.source.load(set.source.user_data, tiles, load->count);
-  if (result == SHD_OK) {
-    for (uint32_t i = 0; set.decode && i < load->count; ++i) decode_tile(set, tiles[i], tile_memory(load->slot[i]));
-    return SHD_OK;
-  }
+  const shd_tile_source& source = load->set->source;
+  const shd_result result = source.load(source.user_data, tiles, load->count);
+  if (result == SHD_OK) return SHD_OK;
   char cause[core::kErrorTextSize];
   std::memcpy(cause, core::last_error(), std::strlen(core::last_error()) + 1);
   const bool has_cause = std::strcmp(before, cause) != 0;
@@ -213,6 +198,20 @@ shd_result TileCache::call(TileLoad* load) const {
       "texture.tiles.load returned %s for %u tiles, the first at level %u, layer %u, column %u, row %u%s%s",
       shd_result_name(result), load->count, tiles[0].level, tiles[0].layer, tiles[0].x, tiles[0].y,
       has_cause ? ": " : "", has_cause ? cause : "");
+}
+
+shd_result TileCache::call(TileLoad* load) const {
+  const TileSet& set = *load->set;
+  shd_tile tiles[kMaxTileBatch];
+  for (uint32_t i = 0; i < load->count; ++i) {
+    tiles[i] = tile_at(*set.texture, load->tile[i]);
+    give_memory(set, tile_memory(load->slot[i]), tile_bytes_, &tiles[i]);
+  }
+  const shd_result result = call_source(load, tiles);
+  for (uint32_t i = 0; set.decode && result == SHD_OK && i < load->count; ++i) {
+    decode_tile(set, tiles[i], tile_memory(load->slot[i]));
+  }
+  return result;
 }
 
 /// Calls the callback without the lock. Returns true if the tiles are loaded, and false if the call must be repeated

@@ -26,7 +26,7 @@ struct TileLoad : core::Callback {
     return false;
   }
 
-  TileCache* const cache;
+  TileCache* const cache;  // null if the tiles are for no cache
   const TileSet* const set;
   const TileLoad* const around;  // the callback that this one runs in, of any cache, or null
   uint32_t count = 0;
@@ -35,6 +35,10 @@ struct TileLoad : core::Callback {
   mutable TileAtomic<bool> starved{false};  // a call inside it got no slot
   TileLoad* next = nullptr;                 // in the list of the cache
 };
+
+/// Calls the callback of a texture for tiles that have memory. Returns SHD_OK, or the result of the lookup, whose text
+/// is stored.
+shd_result call_source(TileLoad* load, const shd_tile* tiles);
 
 /// The waits of a call.
 struct TileWait {

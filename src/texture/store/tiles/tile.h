@@ -68,6 +68,11 @@ struct TileSet {
   TileKey key_of(uint32_t tile) const { return uint64_t{number} << 32 | tile; }
 };
 
+/// Returns the bytes of a row of blocks of a whole tile.
+inline size_t row_of_blocks(const TileSet& set) {
+  return (size_t{set.block_size} << set.texture->layout.unit.shift_x) / 4;
+}
+
 /// Returns the number of tiles of all levels and layers of a desc whose sizes and format are checked.
 uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes);
 
