@@ -4264,8 +4264,8 @@ export interface Raw {
    * Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without
    * extinction;
    * the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level
-   * once; a tile
-   * that cannot be loaded fails the call.
+   * once; a
+   * tile that cannot be loaded fails the call.
    * @param context retained
    * @param desc borrowed for the call
    * @param outVolume owned; NULL on failure

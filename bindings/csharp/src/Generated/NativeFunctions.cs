@@ -705,8 +705,8 @@ namespace Shd.Native
 
         /// <summary>
         /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
-        /// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a tile
-        /// that cannot be loaded fails the call.
+        /// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
+        /// tile that cannot be loaded fails the call.
         /// </summary>
         [DllImport("shd", EntryPoint = "shd_volume_create", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Result VolumeCreate(IntPtr context, VolumeDesc* desc, IntPtr* outVolume);

@@ -6342,8 +6342,8 @@ extern "C" {
     /// - `out_view`: all zero on failure
     pub fn shd_view_from_camera(camera: *const shd_camera, out_view: *mut shd_view) -> shd_result;
     /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
-    /// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a tile
-    /// that cannot be loaded fails the call.
+    /// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
+    /// tile that cannot be loaded fails the call.
     ///
     /// - `context`: retained
     /// - `desc`: borrowed for the call
