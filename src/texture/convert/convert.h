@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// @file
+/// Contract of convert/: images of directions from one projection to another, and cubes from one layout to another.
+/// Each texel of the result is an average of the source over the texel's directions.
 #pragma once
 
 #include <cstdint>

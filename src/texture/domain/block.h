@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Blocks: the shapes of a few hundred lookups, computed before any of these lookups is filtered. The dependent
+/// Contract of domain/: coordinates to shapes. project.cpp turns directions into points of faces; lods, profile, probes
+/// and ellipses find the shapes of footprints; wrap-inl.h and fold-inl.h find the texel beyond an edge.
+///
+/// A block holds the shapes of a few hundred lookups, computed before any of these lookups is filtered. The dependent
 /// operations of one lookup then overlap with those of other lookups, and all filters share one kernel for each shape.
 /// Copies of the last lookup fill the last vector of a block.
 #pragma once

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Contract of filter/: shapes to streams. A filter is a struct that emits quads, rows and single texels of one vector
+// of lookups to a sink (emitter-inl.h); Run() and RunDirections() call it for all blocks of a batch. Its file names it,
+// and it has one row in each table of a domain: here, and in directions.cpp.
+//
 // Table of the filters: name, RunFilter, and whether the filter has derivatives (is a continuous tree of blends).
 
 #if defined(SHD_TEXTURE_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)

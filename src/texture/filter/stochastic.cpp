@@ -231,7 +231,7 @@ struct PickTrilinearInSlices : OnSlices<RandomBlock<PlaceLodBlock>> {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
     EmitPlace(d, sampler, SlicesAt(d, texture, level), hn::Load(d, block.u + i), hn::Load(d, block.v + i),
-                     hn::Load(d, block.w + i), &rng, sink);
+              hn::Load(d, block.w + i), &rng, sink);
   }
 };
 

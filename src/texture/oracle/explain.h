@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// @file
+/// Contract of oracle/: answers about lookups. explain.cpp lists the texels and weights of one lookup, as its kernels
+/// blended them. bounds/ computes what conforming implementations may return, without the kernels, in doubles.
 #pragma once
 
 #include <shd/explain.h>

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Layout of texels in memory. Levels are packed rows of texels in the caller's format. Kernels convert 8-bit and
-/// 16-bit codes to floats in registers.
+/// Contract of store/: where the texels of a texture lie.
+///
+/// A stream names the level, column and row of each texel. Memory turns them into addresses while a filter emits them
+/// (level-inl.h). Stores with a cache, bc/ and tiles/, find the places of a whole stream before it is consumed
+/// (place-inl.h). reader.h reads single texels of any store.
+///
+/// In memory, levels are packed rows of texels in the caller's format. Kernels convert 8-bit and 16-bit codes to floats
+/// in registers.
 ///
 /// Tiled layouts were measured and rejected. The table shows millions of bilinear RGBA8 lookups per second on
 /// 2048 x 2048 texels, one thread of a Zen 5, AVX-512, by the loops of bench/bench_layout.cpp. "words" is one gather

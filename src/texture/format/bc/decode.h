@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Contract of block/: textures whose memory holds compressed blocks of 4 x 4 texels.
+/// Contract of format/bc/: decoders of compressed blocks of 4 x 4 texels.
 ///
-/// Lookups read decoded texels from a cache. Filters emit indices of texels, as for any texture. Before a stream is
-/// consumed, place.cpp maps its indices to the texels of a BlockCache and decodes the blocks that are missing. The
-/// consumer of the decoded format then runs unchanged. A format of blocks therefore adds a decoder and no kernels.
+/// A decoder turns a block into texels of another format, whose consumers run unchanged. A format of blocks therefore
+/// adds a decoder and no kernels. store/bc/ and store/tiles/ keep decoded texels for lookups.
 ///
 /// | format            | decoded texel               | values                                                |
 /// |-------------------|-----------------------------|-------------------------------------------------------|
@@ -29,9 +28,6 @@
 /// | partitions.h       | subsets, anchors and weights of BC6H and BC7                         |
 /// | codes.h            | palettes of eight codes, of BC3, BC4 and BC5                         |
 /// | kernels.h, .cpp    | BC1 and BC7 with the vectors of each target                          |
-/// | levels.h, .cpp     | blocks of levels in memory; single texels                            |
-/// | cache.h, .cpp      | decoded blocks between calls                                         |
-/// | place-inl.h, .cpp  | indices of a stream to places in a cache                             |
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Decoded blocks. A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows.
+/// Contract of store/bc/: textures whose memory holds compressed blocks.
+///
+/// Filters emit the level, column and row of each texel, as for any store. Before a stream is consumed, place.cpp finds
+/// the places of its texels in a cache of decoded blocks, and decodes the blocks that are missing.
+///
+/// | file           | contents                                    |
+/// |----------------|---------------------------------------------|
+/// | levels.h, .cpp | blocks of levels in memory; single texels   |
+/// | cache.h, .cpp  | decoded blocks, kept between calls          |
+/// | place.cpp      | texels of a stream to places in a cache     |
+///
+/// A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows.
 /// Blocks that are neighbours in a row of blocks have neighbouring places. Neighbouring texels are therefore neighbours
 /// in memory, as in a level of a texture without blocks.
 ///

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Contract of tile/: textures whose texels come from a callback of the host, tile by tile, through a cache of a fixed
-/// size (shd/tile_cache.h).
+/// Contract of store/tiles/: textures whose texels come from a callback of the host, tile by tile, through a cache of a
+/// fixed size (shd/tile_cache.h).
 ///
-/// Levels consist of tiles, which are numbered: layer by layer, level by level, row by row. Texture::offset and
-/// Texture::layer_texels count tiles instead of texels. Filters emit columns, rows and the level of each texel to the
-/// lease of the call. Before a stream is consumed, place.cpp finds the places of its texels in the memory of the cache,
-/// and the consumer of the format runs unchanged. Texels whose tiles are not at hand go to resolve.cpp, which loads the
-/// missing tiles of the whole stream in one call.
+/// Levels consist of tiles, which are numbered: layer by layer, level by level, slice by slice, row by row. A tile is
+/// the unit of the Layout. Filters emit the level, column and row of each texel, as for any store. Before a stream is
+/// consumed, place.cpp finds the places of its texels in the memory of the cache, and the consumer of the format runs
+/// unchanged. Texels whose tiles are not at hand go to resolve.cpp, which loads the missing tiles of the whole stream
+/// in one call. Tiles of compressed blocks are decoded when they are loaded.
 ///
 /// Invariants: the memory of a cache is allocated once and never exceeds its budget. The table has one slot of a tile.
 /// A slot is reused only if nothing reads it. Pins belong to the tile.
@@ -31,9 +31,8 @@
 /// | lease.h, .cpp         | tiles that a call keeps, and the texels that it places              |
 /// | requests.h, .cpp      | tiles that lookups did not find                                     |
 /// | regions.h, .cpp       | rectangles of tiles: load, pin, drop, copy out                      |
-/// | place-inl.h, place.cpp | texels of a stream to places in memory                             |
+/// | place.cpp             | texels of a stream to places in memory                              |
 /// | resolve.h, .cpp       | texels whose tiles are not at hand                                  |
-/// | coarser.h, .cpp       | lookups from the finest resident levels                             |
 #pragma once
 
 #include <cstdint>
