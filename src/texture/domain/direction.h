@@ -39,6 +39,15 @@ struct ProjectedBlock {
   alignas(64) float stretch[kBlock];
 };
 
+/// The point of one direction, in doubles.
+struct DirectionPoint {
+  double u, v;
+  double step[4];  // as in ProjectedBlock
+  double stretch;
+  uint32_t face;
+  bool finite;  // all inputs are finite, and there is a direction
+};
+
 /// Derivatives of the points of a block of directions in the three components of the directions, du/dn and dv/dn. All
 /// are finite. Lookups without a direction have derivatives of 0.
 struct DirectionRates {
