@@ -89,7 +89,7 @@ void test_footprints(void **)
             const DirectionImage image = noise(projection, size);
             shd_texture *texture = image.texture(g_context);
             DirectionLookups at;
-            add_footprints(&at, 80, -std::log2(size) - 1.0, 1.0);
+            add_footprints(&at, 48, -std::log2(size) - 1.0, 1.0);
             at.sample(texture, sampler);
             assert_int_equal(0, at.nonfinite);
             compare(texels_of(image), at, "footprints");

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: MIT
-/// @file
-/// Cuts a polygon on the plane of a face of the cube into the parts that the faces show. A plane is seen from the centre
-/// of the cube, so that lines stay lines. Points are (2 u - 1, 2 v - 1).
 #pragma once
 
 #include "texture/domain/plane_pieces.h"
 
 namespace shd::texture {
 
-/// Returns the part of a polygon on the plane of face `from` whose directions lie on face `to`, as a polygon on face
-/// `to`. It has at most four corners more, and is counter-clockwise if the polygon is.
-inline Polygon part_on_face(const Polygon& polygon, uint32_t from, uint32_t to) {
+/// Returns the part of a polygon on the plane of face `from` of a cube that lies on face `to` as seen from the centre of
+/// the cube. Lines stay lines, and the order of the corners stays. Corners are points of the lattices of texel centres
+/// of both faces, which have 2 `half` texels along an edge.
+inline Polygon part_on_face(const Polygon& polygon, double half, uint32_t from, uint32_t to) {
   // Outwards, right and down on each face: 1 is x, -1 is -x, 2 is y, 3 is z.
   constexpr int kAxes[6][3] = {{1, -3, -2}, {-1, 3, -2}, {2, 1, 3}, {-2, 1, -3}, {3, 1, -2}, {-3, -1, -2}};
-  const auto product = [](int a, int b) { return a == b ? 1.0 : a == -b ? -1.0 : 0.0; };
+  const double middle = half - 0.5;
   const auto along = [&](int axis) {
-    const auto& plane = kAxes[from];
-    return Coordinate{product(axis, plane[0]), product(axis, plane[1]), product(axis, plane[2])};
+    const auto part = [&](int k) { return axis == kAxes[from][k] ? 1.0 : axis == -kAxes[from][k] ? -1.0 : 0.0; };
+    return Coordinate{part(0) * half - (part(1) + part(2)) * middle, part(1), part(2)};
   };
   const Coordinate out = along(kAxes[to][0]), across = along(kAxes[to][1]), down = along(kAxes[to][2]);
   Polygon part = polygon;
@@ -26,7 +24,7 @@ inline Polygon part_on_face(const Polygon& polygon, uint32_t from, uint32_t to) 
   }
   for (size_t i = 0; i < part.count; ++i) {
     const Vec2 p = part.corner[i];
-    part.corner[i] = {across.at(p) / out.at(p), down.at(p) / out.at(p)};
+    part.corner[i] = {across.at(p) / out.at(p) * half + middle, down.at(p) / out.at(p) * half + middle};
   }
   return part;
 }

@@ -82,7 +82,9 @@ Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& 
   const bool deep = texture.depth != 0;
   Sides s = {vector_of(load(in.dudx), load(in.dvdx), deep ? load(in.dwdx) : 0.0),
              vector_of(load(in.dudy), load(in.dvdy), deep ? load(in.dwdy) : 0.0)};
-  if (point) s = {vector_of(point->step[0], point->step[1], 0), vector_of(point->step[2], point->step[3], 0)};
+  if (point) {
+    s = {vector_of(*point->step[0], *point->step[1], 0), vector_of(*point->step[2], *point->step[3], 0)};
+  }
   widen(sampler, &s);
   const double scale = power_of_two(bias);
   return {scaled(s.a, scale), scaled(s.b, scale)};
@@ -158,7 +160,7 @@ Sides placed(shd_projection projection, const DirectionPoint& point, const Sides
     return {shortened(s.a, 0.5), shortened(s.b, 0.5)};
   if (projection != SHD_PROJECTION_LAT_LONG) return s;
   const auto along = [&](double u) {
-    const double wide = u * point.stretch;
+    const double wide = u * *point.stretch;
     return wide < -1 ? -1 : wide > 1 ? 1 : wide;
   };
   return {vector_of(along(s.a.x), s.a.y, 0), vector_of(along(s.b.x), s.b.y, 0)};
@@ -226,9 +228,9 @@ ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, c
     *texel = static_cast<int64_t>(std::floor(x));
     return x - std::floor(x);
   };
-  out.center.x = along(sampler.wrap_u, point ? point->u : zero_if_not_finite(in.u[i]), width,
+  out.center.x = along(sampler.wrap_u, point ? *point->u : zero_if_not_finite(in.u[i]), width,
                        std::fabs(s.a.x) + std::fabs(s.b.x), &out.x);
-  out.center.y = along(sampler.wrap_v, point ? point->v : zero_if_not_finite(in.v[i]), height,
+  out.center.y = along(sampler.wrap_v, point ? *point->v : zero_if_not_finite(in.v[i]), height,
                        std::fabs(s.a.y) + std::fabs(s.b.y), &out.y);
   if (deep) {
     const double extent = std::fabs(s.a.z) + std::fabs(s.b.z) + out.depth;
@@ -236,7 +238,7 @@ ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, c
   }
   const uint32_t last = texture.layers - 1;
   out.layer = in.layer ? (in.layer[i] < last ? in.layer[i] : last) : 0;
-  if (texture.projection == SHD_PROJECTION_CUBE) out.layer = point->face;
+  if (texture.projection == SHD_PROJECTION_CUBE) out.layer = static_cast<uint32_t>(*point->face);
   out.finite = point ? point->finite : is_finite(texture, in, i);
   return out;
 }

@@ -93,12 +93,11 @@ class Integral {
         sampler_(sampler),
         footprint_(footprint),
         directions_(directions),
-        origin_{footprint.x, footprint.y, footprint.layer},
         negligible_(texture.depth != 0 ? 0x1p-30
                     : footprint.thin   ? 0x1p-20
                                        : 0x1p-40),
-        first_(first_unit(texture, footprint.layer, footprint.level)),
         reader_(texture) {
+    start({footprint.x, footprint.y, footprint.layer});
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
     depth_ = level_size(texture.depth, footprint.level);
@@ -238,29 +237,20 @@ class Integral {
   Mean mean_[4];
 };
 
-Polygon moved(Polygon polygon, double scale, double x, double y) {
-  for (size_t i = 0; i < polygon.count; ++i) {
-    polygon.corner[i] = {polygon.corner[i].x * scale + x, polygon.corner[i].y * scale + y};
-  }
-  return polygon;
-}
-
 /// Integrates over the parts of a footprint on the faces of the cube, if it does not lie on one face.
-bool integrate_over_edges(const Texture& texture, const ExactFootprint& footprint, Integral* integral) {
-  const double half = static_cast<double>(level_size(texture.width, footprint.level)) / 2;
-  const auto first_of = [&](int64_t texel) { return (static_cast<double>(texel) + 0.5) / half - 1; };
-  const Polygon plane = moved(parallelogram(footprint.center, footprint.a, footprint.b), 1 / half,
-                              first_of(footprint.x), first_of(footprint.y));
-  bool inside = true;
-  for (size_t i = 0; i < plane.count; ++i) {
-    inside = inside && std::fabs(plane.corner[i].x) <= 1 && std::fabs(plane.corner[i].y) <= 1;
-  }
-  for (uint32_t face = 0; face < 6 && !inside; ++face) {
-    const Polygon part = part_on_face(plane, footprint.layer, face);
+bool integrate_over_edges(const Texture& texture, const ExactFootprint& f, Integral* integral) {
+  const double half = static_cast<double>(level_size(texture.width, f.level)) / 2;
+  const Vec2 center = {static_cast<double>(f.x) + f.center.x, static_cast<double>(f.y) + f.center.y};
+  const auto within = [&](double at, double a, double b) {
+    return std::fabs(at + 0.5 - half) + (std::fabs(a) + std::fabs(b)) / 2 <= half;
+  };
+  if (within(center.x, f.a.x, f.b.x) && within(center.y, f.a.y, f.b.y)) return false;
+  for (uint32_t face = 0; face < 6; ++face) {
+    const Polygon part = part_on_face(parallelogram(center, f.a, f.b), half, f.layer, face);
     integral->start({0, 0, face});
-    if (part.count > 2) visit_cells(moved(part, half, half - 0.5, half - 0.5), integral);
+    if (part.count > 2) visit_cells(part, integral);
   }
-  return !inside;
+  return true;
 }
 
 void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint,
