@@ -99,17 +99,16 @@ HWY_INLINE hn::Mask<D> ProjectVector(D d, const Lookups& in, bool steps_given, c
   return finite;
 }
 
-size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {
+template <class Map>
+size_t Project(const Lookups& in, ProjectedBlock* out) {
   size_t nonfinite = 0;
   const bool steps_given = HasSteps(in);
-  WithMap<BatchTag>(texture.projection, [&](auto type) {
-    ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
-      const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
-      const auto finite = ProjectVector<typename decltype(type)::Map>(BatchTag(), from, steps_given, load, to, out);
-      if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
-        nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));
-      }
-    });
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
+    const auto finite = ProjectVector<Map>(BatchTag(), from, steps_given, load, to, out);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+      nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));
+    }
   });
   Lookups& points = out->points;
   points = in;
@@ -117,7 +116,13 @@ size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock*
   points.u = out->u, points.v = out->v, points.w = points.dwdx = points.dwdy = nullptr;
   points.dudx = steps_given ? out->step[0] : nullptr, points.dvdx = steps_given ? out->step[1] : nullptr;
   points.dudy = steps_given ? out->step[2] : nullptr, points.dvdy = steps_given ? out->step[3] : nullptr;
-  if (texture.projection == SHD_PROJECTION_CUBE) points.layer = out->face;
+  return nonfinite;
+}
+
+size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {
+  size_t nonfinite = 0;
+  WithMap<BatchTag>(texture.projection, [&](auto type) { nonfinite = Project<typename decltype(type)::Map>(in, out); });
+  if (texture.projection == SHD_PROJECTION_CUBE) out->points.layer = out->face;
   return nonfinite;
 }
 
