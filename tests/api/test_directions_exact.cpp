@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // EXACT on textures of directions: footprints against many samples, inside a face against a plane, points against
-// BILINEAR, constants, hostile inputs, texels that are not finite, and the same bits on every target and in every batch.
+// BILINEAR, constants, hostile inputs, texels that are not finite, and the same bits on every target and in every
+// batch.
 #include "ref/direction_exact_ref.h"
 #include "support/directions.h"
 #include "support/simd.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SHD_FILTER_EXACT on textures of directions, by many samples in double. On CUBE a sample is a direction, whose bilinear
-// value counts by the area that it has on its own face. On the others it is a point of the lattice of texel centres.
+// SHD_FILTER_EXACT on textures of directions, by many samples in double. On CUBE a sample is a direction, and its
+// bilinear value counts by the area that it has on its own face. On the others it is a point of the lattice of texels.
 #pragma once
 
 #include "ref/direction_filter_ref.h"

@@ -5,9 +5,9 @@
 
 namespace shd::texture {
 
-/// Returns the part of a polygon on the plane of face `from` of a cube that lies on face `to` as seen from the centre of
-/// the cube. Lines stay lines, and the order of the corners stays. Corners are points of the lattices of texel centres
-/// of both faces, which have 2 `half` texels along an edge.
+/// Returns the part of a polygon on the plane of face `from` of a cube that lies on face `to`, as seen from the centre
+/// of the cube: lines stay lines, and the order of the corners stays. Corners are points of the lattices of texel
+/// centres of both faces, which have 2 `half` texels along an edge.
 inline Polygon part_on_face(const Polygon& polygon, double half, uint32_t from, uint32_t to) {
   // Outwards, right and down on each face: 1 is x, -1 is -x, 2 is y, 3 is z.
   constexpr int kAxes[6][3] = {{1, -3, -2}, {-1, 3, -2}, {2, 1, 3}, {-2, 1, -3}, {3, 1, -2}, {-3, -1, -2}};
