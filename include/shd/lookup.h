@@ -16,7 +16,7 @@
  * gives the coarsest level. Only places of probes are limited: a line of probes is at most one circle along a parallel
  * of LAT_LONG, and ends at most one image beyond OCTAHEDRAL, MIRROR_BALL and ANGULAR. Beyond an edge of an image texels
  * come from the neighbouring image, so that no filter has a seam or a pole. Wraps and borders have no effect; `layer`
- * has none for CUBE. RIPMAP, SUMMED_AREA and EXACT return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect. A
+ * has none for CUBE. RIPMAP and SUMMED_AREA return SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect. A
  * direction of length 0, or with a component that is NaN or infinite, counts as +Z; derivatives of the result are 0.
  *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or

@@ -40,7 +40,7 @@ struct Cube {
     v = half * t + half;
     const VI pair = hn::BitCast(di, hn::IfThenElse(on_z, hn::BitCast(d, hn::Set(di, 4)),
                                                    hn::IfThenElseZero(on_y, hn::BitCast(d, hn::Set(di, 2)))));
-    face = pair - hn::ShiftRight<31>(hn::BitCast(di, sign));
+    face = pair - hn::ShiftRight<8 * sizeof(hn::TFromD<D>) - 1>(hn::BitCast(di, sign));
   }
 
   /// Change of (u, v) with a change of n, on the plane of the face.

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "data/trig.h"
 #include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -17,6 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::projection::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Vec3V;
+
+/// 1 / pi, rounded once.
+template <class D>
+constexpr hn::TFromD<D> kInvPi = static_cast<hn::TFromD<D>>(1.0 / data::kPi);
 
 /// Change of a point (u, v).
 template <class V>

@@ -28,10 +28,9 @@ struct RadiusV {
 struct AngularRadius {
   template <class D, class V>
   static HWY_INLINE RadiusV<V> Of(D d, const Polar<D>& polar, V z, V) {
-    const V f = hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * simd::HWY_NAMESPACE::Atan2(d, polar.length, z);
+    const V f = hn::Set(d, kInvPi<D>) * simd::HWY_NAMESPACE::Atan2(d, polar.length, z);
     const auto centre = hn::And(polar.tiny, hn::Gt(z, hn::Zero(d)));
-    return {f, hn::Set(d, simd::HWY_NAMESPACE::kInvPi),
-            hn::IfThenElse(centre, hn::Set(d, simd::HWY_NAMESPACE::kInvPi) / z, f * polar.inverse)};
+    return {f, hn::Set(d, kInvPi<D>), hn::IfThenElse(centre, hn::Set(d, kInvPi<D>) / z, f * polar.inverse)};
   }
 
   /// Returns (cos a, sin a / f) and the solid angle per area of the disc, for f in [0, 1] and its square.

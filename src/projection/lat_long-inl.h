@@ -29,20 +29,20 @@ struct LatLong {
 
   HWY_INLINE LatLong(D d, const Vec3V<V>& n) : horizontal(d, n.z, n.x), y(n.y) {
     const V half = hn::Set(d, 0.5f);
-    u = half + hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * simd::HWY_NAMESPACE::Atan2(d, hn::Neg(n.x), n.z);
-    v = half - hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * simd::HWY_NAMESPACE::Atan2(d, y, horizontal.length);
+    u = half + hn::Set(d, kInvPi<D> / 2) * simd::HWY_NAMESPACE::Atan2(d, hn::Neg(n.x), n.z);
+    v = half - hn::Set(d, kInvPi<D>) * simd::HWY_NAMESPACE::Atan2(d, y, horizontal.length);
     face = hn::Zero(hn::RebindToSigned<D>());
     per_square = hn::Set(d, 1.0f) / (y * y + horizontal.length * horizontal.length);
   }
 
   /// Change of (u, v) with a change of n.
   HWY_INLINE StepV<V> step(D d, const Vec3V<V>& dn) const {
-    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around(dn) * horizontal.inverse), down(d, dn)};
+    return {hn::Set(d, kInvPi<D> / 2) * (around(dn) * horizontal.inverse), down(d, dn)};
   }
 
   /// The change with the length that it would have on the equator: u by the angle, not by the longitude.
   HWY_INLINE StepV<V> even_step(D d, const Vec3V<V>& dn) const {
-    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around(dn) * hn::Sqrt(per_square)), down(d, dn)};
+    return {hn::Set(d, kInvPi<D> / 2) * (around(dn) * hn::Sqrt(per_square)), down(d, dn)};
   }
 
   /// The change of u by step(), relative to even_step(): 1 / cos(latitude).
@@ -61,7 +61,7 @@ struct LatLong {
   HWY_INLINE V around(const Vec3V<V>& dn) const { return horizontal.y * dn.z - horizontal.x * dn.x; }
   HWY_INLINE V down(D d, const Vec3V<V>& dn) const {
     const V along = horizontal.x * dn.z + horizontal.y * dn.x;  // away from the axis
-    return hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * ((y * along - horizontal.length * dn.y) * per_square);
+    return hn::Set(d, kInvPi<D>) * ((y * along - horizontal.length * dn.y) * per_square);
   }
 };
 

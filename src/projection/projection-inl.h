@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps between directions and points of images. A map M<D> has
+// Maps between directions and points of images. D is a tag of floats, or of one double. A map M<D> has
 //
 //   M(d, n)                             the point of a bounded direction: u, v, and face (0 unless the map is the cube)
 //   step(d, dn)                         the change of the point with a change of n: the exact Jacobian times dn

@@ -290,6 +290,8 @@ void test_footprints(void **)
         {SHD_FILTER_ANISOTROPIC, "anisotropic 5:1", 5.0, 0.0, 0.02},
         {SHD_FILTER_EWA, "ewa", 1.0, 0.0, 0.022},
         {SHD_FILTER_EWA, "ewa 5:1", 5.0, 0.0, 0.02},
+        {SHD_FILTER_EXACT, "exact", 1.0, 0.0, 0.01},
+        {SHD_FILTER_EXACT, "exact 5:1", 5.0, 0.0, 0.02},
     };
     for (shd_projection projection : {SHD_PROJECTION_LAT_LONG, SHD_PROJECTION_CUBE, SHD_PROJECTION_OCTAHEDRAL}) {
         const bool lat_long = projection == SHD_PROJECTION_LAT_LONG;

@@ -69,8 +69,7 @@ void test_refused_calls(void **)
         shd_filter filter;
         const char *message;
     } filters[] = {{SHD_FILTER_RIPMAP, "sampler.filter: RIPMAP, but the texture has projection OCTAHEDRAL"},
-                   {SHD_FILTER_SUMMED_AREA, "sampler.filter: SUMMED_AREA, but"},
-                   {SHD_FILTER_EXACT, "sampler.filter: EXACT, but"}};
+                   {SHD_FILTER_SUMMED_AREA, "sampler.filter: SUMMED_AREA, but"}};
     for (const auto &row : filters) {
         shd_sampler *sampler = make_sampler(g_context, row.filter);
         shd_assert_result(row.message, shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,

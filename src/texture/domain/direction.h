@@ -28,15 +28,25 @@ constexpr float kMaxQuads = 32.0f;
 /// one texel; with a distance of 1 the error is the same, and lookups in random directions take 1.2 times as long.
 constexpr float kParallelStep = 1.5f;
 
-/// Points of a block of directions.
-struct ProjectedBlock {
-  Lookups points;  // at the columns below; layers are faces
-  alignas(64) float u[kBlock], v[kBlock];
+/// Points of directions. Real is float or double, and Index an unsigned integer of its size.
+template <class Real, class Index, size_t kCount>
+struct ProjectedPoints {
+  alignas(64) Real u[kCount], v[kCount];
   /// du/dx, dv/dx, du/dy, dv/dy; du of LAT_LONG as on the equator. Infinite for directions with an infinite change.
-  alignas(64) float step[4][kBlock];
-  alignas(64) uint32_t face[kBlock];
+  alignas(64) Real step[4][kCount];
+  alignas(64) Index face[kCount];
   /// Width of a parallel of LAT_LONG in (u, v), relative to the equator's: 1 or more; otherwise 1.
-  alignas(64) float stretch[kBlock];
+  alignas(64) Real stretch[kCount];
+};
+
+/// Points of a block of directions.
+struct ProjectedBlock : ProjectedPoints<float, uint32_t, kBlock> {
+  Lookups points;  // at the columns above; layers are faces
+};
+
+/// The point of one direction.
+struct DirectionPoint : ProjectedPoints<double, uint64_t, 1> {
+  bool finite;  // all inputs are finite, and there is a direction
 };
 
 /// Derivatives of the points of a block of directions in the three components of the directions, du/dn and dv/dn. All

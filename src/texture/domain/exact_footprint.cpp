@@ -70,7 +70,8 @@ void widen(const Sampler& sampler, Sides* s) {
 
 /// Returns the sides of a footprint in normalised coordinates, with width, blur and bias. A given level of detail has a
 /// square of 2^lod base texels; in a 3D texture it is the face of a box whose edge in z is `depth`.
-Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i, double* depth) {
+Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i,
+                 const DirectionPoint* point, double* depth) {
   const double bias = static_cast<double>(sampler.lod_bias);
   if (in.lod) {
     const double edge = power_of_two(zero_if_nan(in.lod[i]) + bias);
@@ -81,6 +82,9 @@ Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& 
   const bool deep = texture.depth != 0;
   Sides s = {vector_of(load(in.dudx), load(in.dvdx), deep ? load(in.dwdx) : 0.0),
              vector_of(load(in.dudy), load(in.dvdy), deep ? load(in.dwdy) : 0.0)};
+  if (point) {
+    s = {vector_of(*point->step[0], *point->step[1], 0), vector_of(*point->step[2], *point->step[3], 0)};
+  }
   widen(sampler, &s);
   const double scale = power_of_two(bias);
   return {scaled(s.a, scale), scaled(s.b, scale)};
@@ -150,6 +154,18 @@ bool give_width(Sides* s) {
   return true;
 }
 
+/// Brings the sides of a direction from the equator to its parallel, and limits their reach beyond edges.
+Sides placed(shd_projection projection, const DirectionPoint& point, const Sides& s) {
+  if (projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR)
+    return {shortened(s.a, 0.5), shortened(s.b, 0.5)};
+  if (projection != SHD_PROJECTION_LAT_LONG) return s;
+  const auto along = [&](double u) {
+    const double wide = u * *point.stretch;
+    return wide < -1 ? -1 : wide > 1 ? 1 : wide;
+  };
+  return {vector_of(along(s.a.x), s.a.y, 0), vector_of(along(s.b.x), s.b.y, 0)};
+}
+
 /// Fits the sides of a level, and the depth of a box, to the limit of cells. Returns whether they did fit; if `shorten`
 /// is set they do fit afterwards.
 bool fit(Sides* s, double* depth, double axes, double limit, bool shorten) {
@@ -181,9 +197,11 @@ double exact_cell_limit(float tolerance) {
   return limit < 0x1p10 ? 0x1p10 : limit > 0x1p24 ? 0x1p24 : limit;
 }
 
-ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
+ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i,
+                               const DirectionPoint* point) {
   double box = 0;
-  const Sides given = load_sides(texture, sampler, in, i, &box);
+  Sides given = load_sides(texture, sampler, in, i, point, &box);
+  if (point) given = placed(texture.projection, *point, given);
   const LodRange range = lod_range(texture, sampler);
   const auto lowest = static_cast<uint32_t>(-std::floor(-static_cast<double>(range.low)));
   const auto floor = static_cast<uint32_t>(range.high), highest = floor > lowest ? floor : lowest;
@@ -210,16 +228,18 @@ ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, c
     *texel = static_cast<int64_t>(std::floor(x));
     return x - std::floor(x);
   };
-  out.center.x = along(sampler.wrap_u, zero_if_not_finite(in.u[i]), width, std::fabs(s.a.x) + std::fabs(s.b.x), &out.x);
-  out.center.y =
-      along(sampler.wrap_v, zero_if_not_finite(in.v[i]), height, std::fabs(s.a.y) + std::fabs(s.b.y), &out.y);
+  out.center.x = along(sampler.wrap_u, point ? *point->u : zero_if_not_finite(in.u[i]), width,
+                       std::fabs(s.a.x) + std::fabs(s.b.x), &out.x);
+  out.center.y = along(sampler.wrap_v, point ? *point->v : zero_if_not_finite(in.v[i]), height,
+                       std::fabs(s.a.y) + std::fabs(s.b.y), &out.y);
   if (deep) {
     const double extent = std::fabs(s.a.z) + std::fabs(s.b.z) + out.depth;
     out.center.z = along(sampler.wrap_w, zero_if_not_finite(in.w[i]), depth, extent, &out.z);
   }
   const uint32_t last = texture.layers - 1;
   out.layer = in.layer ? (in.layer[i] < last ? in.layer[i] : last) : 0;
-  out.finite = is_finite(texture, in, i);
+  if (texture.projection == SHD_PROJECTION_CUBE) out.layer = static_cast<uint32_t>(*point->face);
+  out.finite = point ? point->finite : is_finite(texture, in, i);
   return out;
 }
 

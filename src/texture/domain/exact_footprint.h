@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "texture/domain/direction.h"
 #include "texture/domain/plane_pieces.h"
 #include "texture/texture.h"
 
@@ -15,14 +16,16 @@ struct ExactFootprint {
   double depth;     // edge in z of the box that a level of detail has in a 3D texture; else 0
   bool thin;        // a footprint in 2D was widened to 2^-20
   bool point;       // both sides on level 0 are shorter than 2^-20: the lookup is a point
-  uint32_t layer;
-  bool finite;  // all inputs are finite
+  uint32_t layer;   // the face of CUBE
+  bool finite;      // all inputs are finite
 };
 
 /// Returns the maximum number of cells that a lookup visits: 16 / tolerance^2, clamped to 2^10..2^24.
 double exact_cell_limit(float tolerance);
 
-/// Finds the footprint of lookup i.
-ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i);
+/// Finds the footprint of lookup i. `point`: its direction, and `sampler` is that of directions; null for other
+/// textures. Sides on LAT_LONG are at most one circle wide, and sides on a disc at most half of the image in u and v.
+ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i,
+                               const DirectionPoint* point = nullptr);
 
 }  // namespace shd::texture

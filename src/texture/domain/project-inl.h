@@ -20,6 +20,9 @@ size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock*
 /// Finds the derivatives of the points of a block (project.cpp).
 void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out);
 
+/// Projects lookup i in doubles (project.cpp).
+DirectionPoint ProjectPrecisely(const Texture& texture, const Lookups& in, size_t i);
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -17,14 +17,15 @@ namespace maps = projection::HWY_NAMESPACE;
 
 using simd::HWY_NAMESPACE::IsFinite;
 
-using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<BatchTag>>;
+template <class D>
+using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<D>>;
 
 template <class D, class Map>
-HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const Map& map, const Direction& dn) {
+HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const Map& map, const Direction<D>& dn) {
   return map.step(d, dn);
 }
 template <class D>
-HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const maps::LatLong<D>& map, const Direction& dn) {
+HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const maps::LatLong<D>& map, const Direction<D>& dn) {
   return map.even_step(d, dn);
 }
 
@@ -39,47 +40,72 @@ HWY_INLINE hn::Vec<D> StretchOf(D d, const maps::LatLong<D>& map) {
 
 /// Derivatives of a point; infinite in lanes where the change of the direction has an infinite component.
 template <class D>
-HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction& dn, const maps::StepV<hn::Vec<D>>& step) {
+HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction<D>& dn, const maps::StepV<hn::Vec<D>>& step) {
   const auto infinity = hn::Set(d, __builtin_inff());
   const auto is_infinite = [&](hn::Vec<D> x) { return hn::Eq(hn::Abs(x), infinity); };
   const auto any = hn::Or(hn::Or(is_infinite(dn.x), is_infinite(dn.y)), is_infinite(dn.z));
   return {hn::IfThenElse(any, infinity, step.du), hn::IfThenElse(any, infinity, step.dv)};
 }
 
-/// The directions of a vector of lookups.
-HWY_INLINE Direction LoadDirection(BatchTag d, const Lookups& from, size_t i) {
-  return {LoadOrZero(d, from.u, i), LoadOrZero(d, from.v, i), LoadOrZero(d, from.w, i)};
+template <class M>
+struct MapType {
+  using Map = M;
+};
+
+/// Calls body(MapType) for the map of a projection.
+template <class D, class Body>
+void WithMap(shd_projection projection, const Body& body) {
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG: return body(MapType<maps::LatLong<D>>());
+    case SHD_PROJECTION_MIRROR_BALL: return body(MapType<maps::MirrorBall<D>>());
+    case SHD_PROJECTION_ANGULAR: return body(MapType<maps::Angular<D>>());
+    case SHD_PROJECTION_OCTAHEDRAL: return body(MapType<maps::Octahedral<D>>());
+    default: return body(MapType<maps::Cube<D>>());
+  }
 }
 
-template <template <class> class Map>
+bool HasSteps(const Lookups& in) {
+  return !in.lod && (in.dudx || in.dvdx || in.dwdx || in.dudy || in.dvdy || in.dwdy);
+}
+
+/// Projects a vector of directions to the points at `to`. `load` returns the values of a column, which may be null.
+/// Returns the lanes whose inputs are finite.
+template <class Map, class D, class Load, class Points>
+HWY_INLINE hn::Mask<D> ProjectVector(D d, const Lookups& in, bool steps_given, const Load& load, size_t to,
+                                     Points* out) {
+  const hn::RebindToUnsigned<D> du;
+  const maps::BoundedDirection<D> direction(d, {load(in.u), load(in.v), load(in.w)});
+  auto finite = direction.valid;
+  const Map map(d, direction.n);
+  hn::Store(map.u, d, out->u + to);
+  hn::Store(map.v, d, out->v + to);
+  hn::Store(hn::BitCast(du, map.face), du, out->face + to);
+  hn::Store(StretchOf(d, map), d, out->stretch + to);
+  if (steps_given) {
+    const Direction<D> steps[2] = {{load(in.dudx), load(in.dvdx), load(in.dwdx)},
+                                   {load(in.dudy), load(in.dvdy), load(in.dwdy)}};
+    finite = hn::And(finite, hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])));
+    const bool all_finite = hn::AllTrue(d, finite);
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto step_of = [&](const Direction<D>& dn) SHD_INLINE_LAMBDA { return StepOf(d, map, dn); };
+      auto step = direction.derivatives(d, steps[axis], step_of);
+      if (HWY_UNLIKELY(!all_finite)) step = WithInfinity(d, steps[axis], step);
+      hn::Store(step.du, d, out->step[2 * axis] + to);
+      hn::Store(step.dv, d, out->step[2 * axis + 1] + to);
+    }
+  } else if (in.lod) {
+    finite = hn::And(finite, IsFinite(d, load(in.lod)));
+  }
+  return finite;
+}
+
+template <class Map>
 size_t Project(const Lookups& in, ProjectedBlock* out) {
   size_t nonfinite = 0;
-  const bool steps_given = !in.lod && (in.dudx || in.dvdx || in.dwdx || in.dudy || in.dvdy || in.dwdy);
+  const bool steps_given = HasSteps(in);
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
-    const hn::RebindToUnsigned<decltype(d)> du;
     const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
-    const maps::BoundedDirection<BatchTag> direction(d, LoadDirection(d, from, i));
-    auto finite = direction.valid;
-    const Map<BatchTag> map(d, direction.n);
-    hn::Store(map.u, d, out->u + to);
-    hn::Store(map.v, d, out->v + to);
-    hn::Store(hn::BitCast(du, map.face), du, out->face + to);
-    hn::Store(StretchOf(d, map), d, out->stretch + to);
-    if (steps_given) {
-      const Direction steps[2] = {{load(from.dudx), load(from.dvdx), load(from.dwdx)},
-                                  {load(from.dudy), load(from.dvdy), load(from.dwdy)}};
-      finite = hn::And(finite, hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])));
-      const bool all_finite = hn::AllTrue(d, finite);
-      for (int axis = 0; axis < 2; ++axis) {
-        const auto step_of = [&](const Direction& dn) SHD_INLINE_LAMBDA { return StepOf(d, map, dn); };
-        auto step = direction.derivatives(d, steps[axis], step_of);
-        if (HWY_UNLIKELY(!all_finite)) step = WithInfinity(d, steps[axis], step);
-        hn::Store(step.du, d, out->step[2 * axis] + to);
-        hn::Store(step.dv, d, out->step[2 * axis + 1] + to);
-      }
-    } else if (from.lod) {
-      finite = hn::And(finite, IsFinite(d, load(from.lod)));
-    }
+    const auto finite = ProjectVector<Map>(BatchTag(), from, steps_given, load, to, out);
     if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
       nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));
     }
@@ -93,47 +119,43 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
   return nonfinite;
 }
 
-template <template <class> class Map>
-void FindRates(const Lookups& in, DirectionRates* out) {
-  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
-    const maps::BoundedDirection<BatchTag> direction(d, LoadDirection(d, from, i));
-    const Map<BatchTag> map(d, direction.n);
-    const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), largest = hn::Set(d, 0x1.fffffep127f);
-    const auto bounded = [&](auto x) SHD_INLINE_LAMBDA {
-      return hn::IfThenElseZero(direction.valid, hn::Min(hn::Max(x, hn::Neg(largest)), largest));
-    };
-    for (int axis = 0; axis < 3; ++axis) {
-      const Direction unit = {axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
-      const auto step =
-          direction.derivatives(d, unit, [&](const Direction& dn) SHD_INLINE_LAMBDA { return map.step(d, dn); });
-      hn::Store(bounded(step.du), d, out->u[axis] + to);
-      hn::Store(bounded(step.dv), d, out->v[axis] + to);
-    }
+size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {
+  size_t nonfinite = 0;
+  WithMap<BatchTag>(texture.projection, [&](auto type) { nonfinite = Project<typename decltype(type)::Map>(in, out); });
+  if (texture.projection == SHD_PROJECTION_CUBE) out->points.layer = out->face;
+  return nonfinite;
+}
+
+DirectionPoint ProjectPrecisely(const Texture& texture, const Lookups& in, size_t i) {
+  using D = hn::CappedTag<double, 1>;
+  const D d;
+  const auto load = [&](const float* column) { return hn::Set(d, column ? static_cast<double>(column[i]) : 0.0); };
+  DirectionPoint out = {};
+  WithMap<D>(texture.projection, [&](auto type) {
+    out.finite = hn::AllTrue(d, ProjectVector<typename decltype(type)::Map>(d, in, HasSteps(in), load, 0, &out));
   });
+  return out;
 }
 
 void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out) {
-  switch (texture.projection) {
-    case SHD_PROJECTION_LAT_LONG: return FindRates<maps::LatLong>(in, out);
-    case SHD_PROJECTION_MIRROR_BALL: return FindRates<maps::MirrorBall>(in, out);
-    case SHD_PROJECTION_ANGULAR: return FindRates<maps::Angular>(in, out);
-    case SHD_PROJECTION_OCTAHEDRAL: return FindRates<maps::Octahedral>(in, out);
-    default: return FindRates<maps::Cube>(in, out);
-  }
-}
-
-size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {
-  out->points.count = in.count;
-  switch (texture.projection) {
-    case SHD_PROJECTION_LAT_LONG: return Project<maps::LatLong>(in, out);
-    case SHD_PROJECTION_MIRROR_BALL: return Project<maps::MirrorBall>(in, out);
-    case SHD_PROJECTION_ANGULAR: return Project<maps::Angular>(in, out);
-    case SHD_PROJECTION_OCTAHEDRAL: return Project<maps::Octahedral>(in, out);
-    default: break;
-  }
-  const size_t nonfinite = Project<maps::Cube>(in, out);
-  out->points.layer = out->face;
-  return nonfinite;
+  WithMap<BatchTag>(texture.projection, [&](auto type) {
+    ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+      const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
+      const maps::BoundedDirection<BatchTag> direction(d, {load(from.u), load(from.v), load(from.w)});
+      const typename decltype(type)::Map map(d, direction.n);
+      const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), largest = hn::Set(d, 0x1.fffffep127f);
+      const auto bounded = [&](auto x) SHD_INLINE_LAMBDA {
+        return hn::IfThenElseZero(direction.valid, hn::Min(hn::Max(x, hn::Neg(largest)), largest));
+      };
+      for (int axis = 0; axis < 3; ++axis) {
+        const Direction<BatchTag> unit = {axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
+        const auto step_of = [&](const Direction<BatchTag>& dn) SHD_INLINE_LAMBDA { return map.step(d, dn); };
+        const auto step = direction.derivatives(d, unit, step_of);
+        hn::Store(bounded(step.du), d, out->u[axis] + to);
+        hn::Store(bounded(step.dv), d, out->v[axis] + to);
+      }
+    });
+  });
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

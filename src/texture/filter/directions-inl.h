@@ -25,6 +25,7 @@ size_t RunDirectionGradient(const FilterCall& call);
 size_t RunEwaDirections(const FilterCall& call);
 size_t RunPickedEwaDirections(const FilterCall& call);
 size_t RunStochasticDirections(const FilterCall& call);
+size_t RunExactDirections(const FilterCall& call);  // exact.cpp
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -31,6 +31,7 @@ RunFilter DirectionFilterOf(shd_filter filter) {
     case SHD_FILTER_NEAREST_MIP_LINEAR: return RunDirections<NearestMipLinear>;
     case SHD_FILTER_EWA: return RunEwaDirections;
     case SHD_FILTER_STOCHASTIC: return RunStochasticDirections;
+    case SHD_FILTER_EXACT: return RunExactDirections;
     default: return nullptr;
   }
 }

@@ -2,13 +2,15 @@
 // SHD_FILTER_EXACT, scalar and in doubles: the reference for the error of other filters. The bilinear reconstruction is
 // a u + b v + c u v + d on each cell of the lattice of texel centres, so the moments of a piece of a cell give its
 // integral over the piece. In 3D textures the reconstruction has eight such terms, and the footprint is a parallelogram
-// in space, or the box of a given level of detail.
+// in space, or the box of a given level of detail. Images of directions go on beyond their edges by the texels that
+// BILINEAR and EWA read there; only on the cube a footprint is cut at the edges, and each part lies on its own face.
 #include "texture/filter/exact.h"
 
 #include <cmath>
 #include <limits>
 
 #include "texture/domain/block.h"
+#include "texture/domain/cube_pieces.h"
 #include "texture/domain/exact_footprint.h"
 #include "texture/domain/wrap.h"
 #include "texture/format/codec.h"
@@ -22,6 +24,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/domain/fold-inl.h"
+#include "texture/domain/project-inl.h"
+#include "texture/filter/directions-inl.h"
 #include "texture/filter/filters-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,6 +37,23 @@ size_t RunExact(const FilterCall& call) {
 }
 size_t RunExactInSlices(const FilterCall& call) {
   return run_exact(call, RunLinearInSlices);
+}
+
+FaceTexel FoldOne(const Texture& texture, uint32_t level, const FaceTexel& beyond) {
+  const hn::CappedTag<float, 1> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const auto texel = FoldFar(d, texture.projection, SameLevel(d, texture, hn::Zero(di), level),
+                             hn::Set(d, static_cast<float>(beyond.x)), hn::Set(d, static_cast<float>(beyond.y)),
+                             hn::Set(di, static_cast<int32_t>(beyond.face)));
+  return {static_cast<int64_t>(hn::GetLane(texel.x)), static_cast<int64_t>(hn::GetLane(texel.y)),
+          static_cast<uint32_t>(hn::GetLane(texel.face))};
+}
+
+size_t RunExactDirections(const FilterCall& call) {
+  const Sampler sampler = sampler_of_directions(call.texture, call.sampler);
+  const DirectionFunctions functions = {ProjectPrecisely, FoldOne};
+  return run_exact({call.texture, sampler, call.in, call.out, call.format, call.record, call.recording, call.placement},
+                   DirectionFilterOf(SHD_FILTER_BILINEAR), &functions);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
@@ -61,23 +83,31 @@ struct Mean {
 };
 
 /// Integrates the reconstruction of one level. A visitor of visit_cells(), and for 3D textures of
-/// visit_cells_in_space().
+/// visit_cells_in_space(). `directions`: null for other textures.
 class Integral {
  public:
-  Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
+  Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint,
+           const DirectionFunctions* directions)
       : codec_(codec_of(texture.component, texture.channels)),
         texture_(texture),
         sampler_(sampler),
         footprint_(footprint),
+        directions_(directions),
         negligible_(texture.depth != 0 ? 0x1p-30
                     : footprint.thin   ? 0x1p-20
                                        : 0x1p-40),
-        first_(first_unit(texture, footprint.layer, footprint.level)),
         reader_(texture) {
+    start({footprint.x, footprint.y, footprint.layer});
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
     depth_ = level_size(texture.depth, footprint.level);
     for (size_t c = 0; c < 4; ++c) border_[c] = static_cast<double>(sampler.border[c]) * codec_.one[c];
+  }
+
+  /// Cells from now on are relative to this texel.
+  void start(const FaceTexel& origin) {
+    origin_ = origin;
+    first_ = first_unit(texture_, origin.face, footprint_.level);
   }
 
   void cell(int64_t i, int64_t j, const Moments& m) {
@@ -122,6 +152,7 @@ class Integral {
   };
   /// Returns row j of slice k.
   Line row(int64_t j, int64_t k = 0) const {
+    if (directions_) return {first_, origin_.y + j};
     const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
     if (texture_.depth == 0) return {first_, y};
     const int64_t z = wrap_index(sampler_.wrap_w, footprint_.z + k, depth_);
@@ -145,7 +176,40 @@ class Integral {
   }
 
   void add(const Line& from, int64_t i, double weight) {
-    const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
+    if (directions_) return add_continued(origin_.x + i, from.y, weight);
+    add_texel(from, wrap_index(sampler_.wrap_u, footprint_.x + i, width_), weight);
+  }
+
+  /// Adds a texel of an image of directions, or of its continuation, as BILINEAR reads it: a corner of the cube is the
+  /// mean of the three texels around it, and beyond a pole a texel of an odd width is the mean of two.
+  void add_continued(int64_t x, int64_t y, double weight) {
+    const shd_projection projection = texture_.projection;
+    const bool lat_long = projection == SHD_PROJECTION_LAT_LONG, folds = projection == SHD_PROJECTION_OCTAHEDRAL;
+    if (lat_long || folds) {
+      x = wrap_index(SHD_WRAP_REPEAT, x, 2 * width_), y = wrap_index(SHD_WRAP_REPEAT, y, 2 * height_);
+    }
+    const int64_t in_x = wrap_index(SHD_WRAP_CLAMP, x, width_), in_y = wrap_index(SHD_WRAP_CLAMP, y, height_);
+    const bool cube = projection == SHD_PROJECTION_CUBE, inside = x == in_x && y == in_y;
+    if (inside && (lat_long || folds || cube)) {
+      add_texel({first_, y}, x, weight);
+    } else if (cube && x != in_x && y != in_y) {
+      add_folded(in_x, in_y, weight / 3);
+      add_folded(x, in_y, weight / 3);
+      add_folded(in_x, y, weight / 3);
+    } else if (lat_long && y != in_y && width_ % 2 != 0) {
+      add_folded(x - 1, y, weight / 2);
+      add_folded(x, y, weight / 2);
+    } else {
+      add_folded(x, y, weight);
+    }
+  }
+
+  void add_folded(int64_t x, int64_t y, double weight) {
+    const FaceTexel texel = directions_->fold(texture_, footprint_.level, {x, y, origin_.face});
+    add_texel({first_unit(texture_, texel.face, footprint_.level), texel.y}, texel.x, weight);
+  }
+
+  void add_texel(const Line& from, int64_t x, double weight) {
     double loaded[4];
     const double* value = border_;
     if (from.y >= 0 && x >= 0) {
@@ -161,6 +225,8 @@ class Integral {
   const Texture& texture_;
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
+  const DirectionFunctions* const directions_;
+  FaceTexel origin_;
   const double
       negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
   int64_t width_, height_, depth_;
@@ -171,11 +237,28 @@ class Integral {
   Mean mean_[4];
 };
 
-void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
-  Integral integral(texture, sampler, footprint);
+/// Integrates over the parts of a footprint on the faces of the cube, if it does not lie on one face.
+bool integrate_over_edges(const Texture& texture, const ExactFootprint& f, Integral* integral) {
+  const double half = static_cast<double>(level_size(texture.width, f.level)) / 2;
+  const Vec2 center = {static_cast<double>(f.x) + f.center.x, static_cast<double>(f.y) + f.center.y};
+  const auto within = [&](double at, double a, double b) {
+    return std::fabs(at + 0.5 - half) + (std::fabs(a) + std::fabs(b)) / 2 <= half;
+  };
+  if (within(center.x, f.a.x, f.b.x) && within(center.y, f.a.y, f.b.y)) return false;
+  for (uint32_t face = 0; face < 6; ++face) {
+    const Polygon part = part_on_face(parallelogram(center, f.a, f.b), half, f.layer, face);
+    integral->start({0, 0, face});
+    if (part.count > 2) visit_cells(part, integral);
+  }
+  return true;
+}
+
+void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint,
+               const DirectionFunctions* directions, const Texels& out) {
+  Integral integral(texture, sampler, footprint, directions);
   if (texture.depth != 0) {
     visit_cells_in_space(footprint.center, footprint.a, footprint.b, &integral);
-  } else {
+  } else if (texture.projection != SHD_PROJECTION_CUBE || !integrate_over_edges(texture, footprint, &integral)) {
     visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
   }
   for (size_t c = 0; c < texture.channels; ++c) {
@@ -184,28 +267,31 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
 }
 
 /// integrate() without the lease of a call of a texture in tiles: it may load tiles.
-void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, const Texels& out) {
+void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, const DirectionFunctions* directions,
+                     const Texels& out) {
   auto* const tiles = has_tiles(call.texture) ? static_cast<TileCall*>(call.placement.state) : nullptr;
   if (tiles) tiles->give_lease();
-  integrate(call.texture, call.sampler, footprint, out);
+  integrate(call.texture, call.sampler, footprint, directions, out);
   if (tiles) tiles->take_lease();
 }
 
 }  // namespace
 
-size_t run_exact(const FilterCall& call, RunFilter run_linear) {
+size_t run_exact(const FilterCall& call, RunFilter run_linear, const DirectionFunctions* directions) {
   Sampler bilinear = call.sampler;
   bilinear.filter = SHD_FILTER_BILINEAR;
   size_t nonfinite = 0;
   for (size_t i = 0; i < call.in.count; ++i) {
-    const ExactFootprint footprint = exact_footprint(call.texture, call.sampler, call.in, i);
+    const DirectionPoint point = directions ? directions->project(call.texture, call.in, i) : DirectionPoint();
+    const ExactFootprint footprint =
+        exact_footprint(call.texture, call.sampler, call.in, i, directions ? &point : nullptr);
     const Texels out = part_of(call.out, i);
     nonfinite += !footprint.finite;
     if (footprint.point) {
       const Lookups lookup = part_of(call.in, i, 1);
       run_linear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
     } else {
-      integrate_alone(call, footprint, out);
+      integrate_alone(call, footprint, directions, out);
     }
   }
   return nonfinite;

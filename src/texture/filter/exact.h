@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "texture/domain/direction.h"
 #include "texture/stream.h"
 
 namespace shd::texture {
 
+/// A texel of a face of an image of directions.
+struct FaceTexel {
+  int64_t x, y;
+  uint32_t face;
+};
+
+/// Functions of a target for textures of directions.
+struct DirectionFunctions {
+  DirectionPoint (*project)(const Texture& texture, const Lookups& in, size_t i);
+  FaceTexel (*fold)(const Texture& texture, uint32_t level, const FaceTexel& beyond);
+};
+
 /// Runs SHD_FILTER_EXACT: integrates over the footprint in doubles. Point lookups go to `run_linear`, the filter
 /// BILINEAR of the same target and domain. Returns the number of lookups that were not finite.
-size_t run_exact(const FilterCall& call, RunFilter run_linear);
+size_t run_exact(const FilterCall& call, RunFilter run_linear, const DirectionFunctions* directions = nullptr);
 
 }  // namespace shd::texture

@@ -56,6 +56,9 @@ struct Recording;
 /// with linear. STOCHASTIC picks a texel of these filters, or with SHD_STOCHASTIC_QUAD both quads of a level. EXACT is
 /// the average over the parallelogram in space, or over the box of 2^lod base texels.
 ///
+/// Directions: EXACT averages BILINEAR over the points of the image whose directions lie in the footprint, which is the
+/// parallelogram on the plane of the face or on the map. Its position and its sides are doubles (docs/filter-exact.md).
+///
 /// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed.h; measured 2^-12).
 ///
 /// Profiles (profile.h): levels of detail and positions of probes are within 4e-6 of the profile's, 3e-6 max_anisotropy

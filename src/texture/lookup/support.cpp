@@ -26,7 +26,6 @@ constexpr Refusal kRefusals[] = {
     {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), bits(Domain::kSlices), kAny, kAny, "its tables are 2D"},
     {bits(SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA), bits(Domain::kDirections), kAny, kAny,
      "a box of its table is no box on the other side of an edge"},
-    {bits(SHD_FILTER_EXACT), bits(Domain::kDirections), kAny, kAny, "its integral ends at the edges of the image"},
     // Uses.
     {bits(SHD_FILTER_NEAREST, SHD_FILTER_NEAREST_MIP, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_STOCHASTIC), kAny, kAny,
      bits(Use::kGradients), "its values have steps"},

@@ -4,6 +4,7 @@
 #include "filter_cases.h"
 
 #include "ref/exact_ref.h"
+#include "texture/domain/cube_pieces.h"
 #include "texture/domain/exact_footprint.h"
 
 namespace {
@@ -214,9 +215,11 @@ void test_hostile(void**) {
 }
 
 struct CellCounter {
-  double count;
-  void cell(int64_t, int64_t, const shd::texture::Moments&) { ++count; }
-  void run(int64_t, int64_t begin, int64_t end) { count += static_cast<double>(end - begin); }
+  double count, area;
+  void cell(int64_t, int64_t, const shd::texture::Moments& m) { ++count, area += m.one; }
+  void run(int64_t, int64_t begin, int64_t end) {
+    count += static_cast<double>(end - begin), area += static_cast<double>(end - begin);
+  }
 };
 
 /// The number of cells of a lookup stays below the stated bound.
@@ -229,13 +232,44 @@ void test_cost(void**) {
       const Lookups lookups = t_batch.lookups(pair % 2 == 0, pair % 2 == 1);
       for (size_t i = 0; i < lookups.count; ++i) {
         const auto f = shd::texture::exact_footprint(*texture, sampler, lookups, i);
-        CellCounter cells = {0};
+        CellCounter cells = {0, 0};
         visit_cells(shd::texture::parallelogram(f.center, f.a, f.b), &cells);
         assert_true(cells.count <= shd::texture::exact_cell_limit(sampler.tolerance) + 16);
       }
     }
     free_texture(texture);
   }
+}
+
+/// The parts of a footprint on the faces of a cube have at most twice as many cells, and an area.
+void test_cube_cost(void**) {
+  constexpr float kSides[] = {0, 1e-9f, 0.001f, 0.3f, -0.2f, 1, -3, 40, 1e10f, 3e38f, INFINITY};
+  Texture* texture = random_texture(SHD_FORMAT_R8, 64, 64, true);
+  texture->projection = SHD_PROJECTION_CUBE;
+  Random random{9};
+  for (int i = 0; i < 4000; ++i) {
+    shd_sampler_desc desc = exact_desc(6);  // clamped
+    desc.tolerance = ldexpf(1, -(i % 6));
+    desc.lod_max = i % 3 ? 32 : 0;
+    shd::texture::DirectionPoint point = {};
+    *point.u = i % 5 ? static_cast<double>(random.real(0, 1)) : 1;
+    *point.v = static_cast<double>(random.real(0, 1));
+    *point.stretch = 1;
+    *point.face = static_cast<uint64_t>(i % 6);
+    for (auto& step : point.step) *step = static_cast<double>(kSides[random.next() % 11] * random.real(0.5f, 1));
+    const auto f = shd::texture::exact_footprint(*texture, make_sampler(desc), {}, 0, &point);
+    const double half = 32.0 / (1 << f.level);
+    const shd::texture::Vec2 center = {static_cast<double>(f.x) + f.center.x, static_cast<double>(f.y) + f.center.y};
+    CellCounter cells = {0, 0};
+    for (uint32_t face = 0; face < 6; ++face) {
+      const auto part = part_on_face(shd::texture::parallelogram(center, f.a, f.b), half, f.layer, face);
+      assert_true(part.count <= 8);
+      if (part.count > 2) visit_cells(part, &cells);
+    }
+    assert_true(cells.count <= 2 * shd::texture::exact_cell_limit(desc.tolerance));
+    assert_true(cells.area > 0);
+  }
+  free_texture(texture);
 }
 
 /// Where a mip level replaces the base, the value is within the tolerance of the value from the base.
@@ -348,6 +382,7 @@ int main() {
   tests[n++] = {"points", test_points, nullptr, nullptr, nullptr};
   tests[n++] = {"hostile", test_hostile, nullptr, nullptr, nullptr};
   tests[n++] = {"cost", test_cost, nullptr, nullptr, nullptr};
+  tests[n++] = {"cube_cost", test_cube_cost, nullptr, nullptr, nullptr};
   tests[n++] = {"tolerance", test_tolerance, nullptr, nullptr, nullptr};
   tests[n++] = {"texels", test_texels, nullptr, nullptr, nullptr};
   tests[n++] = {"floor", test_floor, nullptr, nullptr, nullptr};

@@ -1129,7 +1129,7 @@ namespace Shd
         /// The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
         /// truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
         /// it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
-        /// texels, in 3D a box. Slow.
+        /// texels, in 3D a box. docs/filter-exact.md has its definition on images of directions. Slow.
         /// </summary>
         Exact = 11,
         /// <summary>

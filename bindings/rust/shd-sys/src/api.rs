@@ -1522,7 +1522,7 @@ impl shd_filter {
     /// The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
     /// truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
     /// it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
-    /// texels, in 3D a box. Slow.
+    /// texels, in 3D a box. docs/filter-exact.md has its definition on images of directions. Slow.
     pub const EXACT: Self = Self(11);
     /// The texels that contain (u, v) of the two nearest mip levels, blended by the fraction of the level of detail:
     /// VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
