@@ -156,9 +156,9 @@ shd_texture *create(shd_context *context, Levels *levels, Store store, shd_tile_
 /// Lookups near each other, anywhere, at the edges, of every footprint, and with inputs that are not finite.
 struct Batch {
     std::vector<float> column[9], out[16];
-    std::vector<uint32_t> layer;
+    std::vector<uint32_t> layer, coarser;
 
-    Batch(const Domain &domain, uint64_t seed) : layer(kCount)
+    Batch(const Domain &domain, uint64_t seed) : layer(kCount), coarser(kCount)
     {
         Random random{seed};
         const bool directions = domain.projection != SHD_PROJECTION_NONE;
@@ -197,6 +197,8 @@ struct Batch {
         const shd_lookups in = lookups();
         shd_texels to = shd_texels_default();
         for (auto &values : out) std::fill(values.begin(), values.end(), -1.0f);
+        std::fill(coarser.begin(), coarser.end(), 77u);
+        to.coarser.data = coarser.data();
         for (size_t c = 0; c < 4; ++c) {
             to.channel[c].data = out[c].data();
             if (gradient) to.du[c].data = out[4 + c].data(), to.dv[c].data = out[8 + c].data();
@@ -226,6 +228,7 @@ shd_sampler *make_sampler(shd_context *context, shd_filter filter, shd_wrap wrap
 
 void compare(const Batch &want, const Batch &got, const char *what)
 {
+    assert_true(want.coarser == std::vector<uint32_t>(kCount, 0) && got.coarser == want.coarser);
     for (size_t c = 0; c < 16; ++c) {
         for (size_t i = 0; i < kCount; ++i) {
             if (std::memcmp(&want.out[c][i], &got.out[c][i], 4) == 0) continue;

@@ -223,18 +223,17 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   };
   if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
     return sample_coarser(texture, sampler, lookups, wanted, filter);
-  if (wanted.coarser) std::fill_n(wanted.coarser, lookups.count, 0u);
   return filter(sampler, lookups, wanted, nullptr);
 }
 
 size_t sample_any(const Texture& given, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& wanted, Recording* recording) {
   const Texture& texture = HWY_LIKELY(!given.decoded) ? given : read_by(given, sampler.filter);
+  if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
   if (HWY_UNLIKELY(has_blocks(texture) || has_tiles(texture)) && !recording) {
     return has_tiles(texture) ? sample_tiles(texture, sampler, simd, lookups, wanted)
                               : sample_blocks(texture, sampler, simd, lookups, wanted);
   }
-  if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
   return in_passes(texture, wanted, [&](const Texels& columns) {
     return sample_stored(texture, sampler, simd, lookups, columns, recording, {});
   });
