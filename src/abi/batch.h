@@ -33,14 +33,14 @@ template <class Column>
 InColumn in_column(const char* name, const Column& column, Need need, int index = -1) {
   return {name, index, need == Need::kRequired, column.data, column.stride};
 }
+template <class Column>
+OutColumn out_column(const char* name, const Column& column, Need need, int index = -1) {
+  return {name, index, need == Need::kRequired, column.data, column.stride};
+}
 
 /// Describes the three columns of a vector.
 inline void set_vector(const char* name, const shd_f32_in (&columns)[3], Need need, InColumn* out) {
   for (int c = 0; c < 3; ++c) out[c] = in_column(name, columns[c], need, c);
-}
-template <class Column>
-OutColumn out_column(const char* name, const Column& column, Need need, int index = -1) {
-  return {name, index, need == Need::kRequired, column.data, column.stride};
 }
 
 /// Elements [0, count) of the columns of a call.

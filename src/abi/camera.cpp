@@ -9,7 +9,7 @@
 namespace shd::abi {
 namespace {
 
-shd_result check_product(const char* what, const float* matrix) {
+shd_result check_finite_matrix(const char* what, const float* matrix) {
   for (int i = 0; i < 16; ++i) {
     if (!std::isfinite(matrix[i])) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "camera: its %s exceeds the range of float", what);
@@ -63,8 +63,8 @@ shd_result read_camera(const shd_camera* camera, float picture_aspect, shd_view*
   SHD_TRY(make_look_at("camera", read.eye, read.target, read.up, view.world_to_view));
   const float aspect = read.aspect != 0.0f ? read.aspect : picture_aspect;
   data::perspective(read.fov_y, aspect, read.near_plane, read.far_plane, view.view_to_clip);
-  SHD_TRY(check_product("world_to_view (eye, target)", view.world_to_view));
-  SHD_TRY(check_product("view_to_clip (fov_y, aspect, near_plane, far_plane)", view.view_to_clip));
+  SHD_TRY(check_finite_matrix("world_to_view (eye, target)", view.world_to_view));
+  SHD_TRY(check_finite_matrix("view_to_clip (fov_y, aspect, near_plane, far_plane)", view.view_to_clip));
   for (int axis = 0; axis < 3; ++axis) view.eye[axis] = read.eye[axis];
   *out = view;
   return SHD_OK;

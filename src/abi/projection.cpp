@@ -15,7 +15,7 @@ using namespace shd;
 using namespace shd::abi;
 
 /// Columns of shd_directions and shd_projected_points.
-enum DirectionColumn { kToward = 0, kStepX = 3, kStepY = 6, kDirectionColumns = 9 };
+enum DirectionColumn { kDirectionX = 0, kStepX = 3, kStepY = 6, kDirectionColumns = 9 };
 enum PointColumn { kU, kV, kFace, kDudx, kDvdx, kDudy, kDvdy, kPointColumns };
 /// Columns of shd_image_points are the first three of PointColumn; those of shd_point_directions:
 enum PointDirectionColumn { kSolidAngle = 3, kPointDirectionColumns = 4 };
@@ -29,7 +29,7 @@ shd_result check_projection(const char* field, const shd_projection& projection)
 projection::Directions directions_of(const Piece<kDirectionColumns, kPointColumns>& piece) {
   projection::Directions in = {piece.count, {}, {}};
   for (size_t c = 0; c < 3; ++c) {
-    in.direction[c] = piece.floats(kToward + c);
+    in.direction[c] = piece.floats(kDirectionX + c);
     in.step[0][c] = piece.floats(kStepX + c);
     in.step[1][c] = piece.floats(kStepY + c);
   }
@@ -58,7 +58,7 @@ shd_result shd_project_directions(shd_context* context, const shd_directions* di
     SHD_TRY(check_projection("directions.projection", in.projection));
     Batch<kDirectionColumns, kPointColumns> batch;
     batch.count = in.count;
-    set_vector("directions.direction", in.direction, Need::kRequired, &batch.in[kToward]);
+    set_vector("directions.direction", in.direction, Need::kRequired, &batch.in[kDirectionX]);
     set_vector("directions.direction_dx", in.direction_dx, Need::kOptional, &batch.in[kStepX]);
     set_vector("directions.direction_dy", in.direction_dy, Need::kOptional, &batch.in[kStepY]);
     batch.out = {out_column("points.u", points.u, Need::kOptional),
