@@ -86,7 +86,7 @@ struct TextureKind {
     } else {
       const bool flat = texture.depth == 0;
       std::snprintf(text, sizeof text, "is %s%s", flat ? "in " : "",
-                    flat ? name_of(store_of(texture)) : name_of(domain_of(texture)));
+                    flat ? name_of(texture.store) : name_of(domain_of(texture)));
     }
   }
 };
@@ -116,7 +116,7 @@ shd_result check_slice_options(const texture::Sampler& sampler) {
 
 /// check_use() of the cells of support.h.
 shd_result check_cells(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
-  texture::SupportCell cell = {sampler.filter, domain_of(texture), store_of(texture), use};
+  texture::SupportCell cell = {sampler.filter, domain_of(texture), texture.store, use};
   if (const char* const reason = refusal_of(cell))
     return refuse("sampler.filter", texture::name_of(sampler.filter), texture, use, reason);
   const shd_filter near = texture::magnifier(sampler).filter;
@@ -137,7 +137,7 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
 
 shd_result check_lookups(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
   // All filters have values in 2D and in memory.
-  const bool common = use == texture::Use::kValues && !needs_w(texture) && !has_tiles(texture) && !has_blocks(texture);
+  const bool common = use == texture::Use::kValues && !needs_w(texture) && is_in_memory(texture);
   if (HWY_UNLIKELY(!common)) SHD_TRY(check_cells(texture, sampler, texture::Use::kValues));
   if (use != texture::Use::kValues) SHD_TRY(check_cells(texture, sampler, use));
   if (HWY_UNLIKELY(sampler.compares)) {

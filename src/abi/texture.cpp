@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <shd/texture.h>
 
-#include <cstring>
-
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/texture_desc.h"
 #include "image/format.h"
-#include "texture/store/bc/levels.h"
 #include "texture/store/storage.h"
-#include "texture/store/tiles/cache.h"
-#include "texture/store/tiles/regions.h"
+#include "texture/store/stores.h"
+#include "texture/store/tiles/tile.h"
+#include "texture/support.h"
 #include "texture/table/decoded.h"
 #include "texture/texture.h"
 
@@ -29,12 +27,8 @@ shd_texture_flags flags_of(const texture::Texture& texture) {
 
 /// Whether a texture has texels that an update can write.
 shd_result check_updatable(const texture::Texture& texture) {
-  if (texture::has_blocks(texture)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: format %d has compressed blocks, which cannot be updated",
-                      static_cast<int>(texture.format));
-  }
-  if (texture::has_tiles(texture)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: in tiles, which shd_texture_drop_tiles() updates");
+  if (const char* const reason = texture::functions_of(texture.store).no_update) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture: in %s, %s", name_of(texture.store), reason);
   }
   if (flags_of(texture) & SHD_TEXTURE_BORROW_LEVELS) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texture: its levels are borrowed, so they cannot be updated");
@@ -134,7 +128,7 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     info.level_count = body->level_count;
     info.tables = body->tables;
     info.flags = flags_of(*body);
-    info.byte_size = texture::has_tiles(*body) ? 0 : texture::byte_size(*body);
+    info.byte_size = texture::byte_size(*body);
     if (body->decoded) info.byte_size += texture::byte_size(body->decoded->texture);
     info.depth = body->depth;
     info.projection = body->projection;
@@ -172,18 +166,7 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
     const uint32_t width = texture::level_size(body->width, level), height = texture::level_size(body->height, level);
     SHD_TRY(check_count("out.width", image.width, width, width));
     SHD_TRY(check_count("out.height", image.height, height, height));
-    if (texture::has_tiles(*body)) {
-      const auto read = body->tiles->decode ? texture::read_blocks : texture::read_level;
-      read(*body, layer, level, image);
-      return SHD_OK;
-    }
-    const image::RowLayout layout = image::row_layout(image.format, width, height);
-    auto* pixels = static_cast<uint8_t*>(image.pixels);
-    for (uint32_t y = 0; y < layout.rows; ++y) {
-      const uint8_t* row = texture::has_blocks(*body) ? texture::block_row(*body, layer, level, y)
-                                                      : texture::row_of(*body, layer, level, y);
-      std::memcpy(pixels + y * image.row_stride, row, layout.row_size);
-    }
+    texture::functions_of(body->store).read_level(*object_of(texture)->context, *body, layer, level, image);
     return SHD_OK;
   });
 }

@@ -17,7 +17,7 @@ shd_result read_region(const shd_texture* handle, const shd_tile_region* region,
                        shd_tile_region* out) {
   SHD_TRY(read_handle("texture", handle, core::ObjectType::kTexture, texture));
   const texture::Texture& body = **texture;
-  if (!texture::has_tiles(body)) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture: not in tiles");
+  if (!body.tiles) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture: not in tiles");
   *out = shd_tile_region_default();
   SHD_TRY(read_desc("region", region, false, out));
   SHD_TRY(check_count("region.level", out->level, 0, body.level_count - 1));

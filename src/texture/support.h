@@ -9,16 +9,12 @@
 
 #include <shd/sampler.h>
 
-namespace shd::texture {
+#include "texture/texture.h"
 
-struct Texture;
-struct Sampler;
+namespace shd::texture {
 
 /// The meaning of coordinates: a point of a plane, a place between slices, or a direction.
 enum class Domain : uint32_t { kPlane, kSlices, kDirections };
-
-/// Where a texel lies.
-enum class Store : uint32_t { kMemory, kBorrowed, kBlocks, kTiles, kTilesOfBlocks };
 
 /// The output of a call: values, derivatives of values, an explanation, bounds, values in fixed point
 /// (SHD_PRECISION_FAST), or values of comparisons. A cell without fixed point is not refused: it has the values of
@@ -38,7 +34,6 @@ struct SupportCell {
 const char* refusal_of(const SupportCell& cell);
 
 Domain domain_of(const Texture& texture);
-Store store_of(const Texture& texture);
 
 /// Names of the docs and of messages: "3D", "tiles of blocks", "derivatives".
 const char* name_of(Domain domain);

@@ -20,7 +20,7 @@
 /// | room     | contents                                                                            | contract        |
 /// |----------|-------------------------------------------------------------------------------------|-----------------|
 /// | format/  | component types and blocks: fetch, decode, blend; consumers of streams              | formats.h       |
-/// | store/   | where texels lie: memory, blocks (bc/), tiles (tiles/)                              | storage.h       |
+/// | store/   | where texels lie: memory, blocks (bc/), tiles (tiles/)                              | stores.h        |
 /// | table/   | builders of mip levels, ripmap levels and sums of areas; creation and updates       | tables.h        |
 /// | domain/  | coordinates to shapes: planes, slices, directions; wraps and folds beyond edges     | block.h         |
 /// | filter/  | filters, one in each file; emitters, sinks and the loop over a batch                | filters-inl.h   |
@@ -108,8 +108,12 @@ class Owned {
   Part* part_ = nullptr;
 };
 
+/// Where texels lie. store/stores.h has what each store does.
+enum class Store : uint32_t { kMemory, kBorrowed, kBlocks, kTiles, kTilesOfBlocks };
+
 /// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
 struct Texture {
+  Store store;                           // chosen when the texture is made
   shd_format format;                     // stored format: one, two or four channels, or blocks
   shd_format given_format;               // format of the texels that the texture was made from
   image::Component component;            // component type of `format`, or of its decoded blocks
@@ -143,14 +147,9 @@ struct Texture {
   core::Array<double> sum_origins;       // [layers][channels] linear value subtracted from texels before summation
 };
 
-/// Returns whether the memory of a texture holds compressed blocks.
-inline bool has_blocks(const Texture& texture) {
-  return texture.blocks.decode != nullptr;
-}
-
-/// Returns whether the texels of a texture come from a cache of tiles.
-inline bool has_tiles(const Texture& texture) {
-  return static_cast<bool>(texture.tiles);
+/// Returns whether levels are rows of texels in memory, so that filters address texels themselves.
+inline bool is_in_memory(const Texture& texture) {
+  return texture.store == Store::kMemory || texture.store == Store::kBorrowed;
 }
 
 /// Returns whether lookups of a texture read w.
@@ -279,8 +278,8 @@ inline Texels part_of(const Texels& out, size_t first) {
   return part;
 }
 
-/// Copies or borrows the texels of a checked desc and builds its tables on the context's executor.
-/// Throws std::bad_alloc and then keeps nothing.
+/// Copies or borrows the texels of a checked desc and builds its tables on the context's executor. `out` is a new
+/// Texture. Throws std::bad_alloc; the caller then destroys `out`.
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
 /// Writes texels at (x, y) of the base of a layer and rebuilds the tables that depend on them. The texels have the

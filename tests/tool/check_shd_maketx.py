@@ -93,37 +93,45 @@ def check_same_file():
     assert read("one.tx") == read("many.tx")
 
 
+def saved_state():
+    """What tells the states that a run has saved apart, or None."""
+    try:
+        found = os.stat("killed.tx.part/state")
+    except FileNotFoundError:
+        return None
+    return found.st_ino, found.st_mtime_ns
+
+
 def check_kills():
     """A run that is killed with SIGKILL at any time continues, and gives the same file, byte for byte."""
     helper("make", "in.tif", 1500, 4001, 4, "uint16")
-    start = time.monotonic()
     done("in.tif", "-o", "whole.tx", "--linear", "--quiet", "--threads", "1")
-    seconds = time.monotonic() - start
     wanted = read("whole.tx")
     command = [TOOL, "in.tif", "-o", "killed.tx", "--linear", "--threads", "1", "--checkpoint", "0", "--memory", "4M"]
     continued, killed = 0, 0
     generator = random.Random(5)
-    for attempt in range(60):
+    for attempt in range(9):
         process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-        # The last attempts run to the end.
-        wait = seconds * (0.1 + 1.1 * generator.random()) if attempt < 8 else None
-        try:
-            errors = process.communicate(timeout=wait)[1]
-            assert process.returncode == 0, errors
-        except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGKILL)
-            errors = process.communicate()[1]
-            killed += process.returncode == -signal.SIGKILL
+        # Each run saves a few states and is then killed, somewhere in its next band. The last one runs to the end.
+        states, before = (generator.randint(0, 4) if attempt < 8 else None), saved_state()
+        while process.poll() is None and states != 0:
+            now = saved_state()
+            states = states - 1 if states and now != before else states
+            before = now
+            time.sleep(0.001)
+        time.sleep(0.02 * generator.random())
+        process.kill()
+        errors = process.communicate()[1]
+        assert process.returncode in (0, -signal.SIGKILL), errors
+        killed += process.returncode == -signal.SIGKILL
         continued += "continues" in errors
         if os.path.exists("killed.tx"):
             assert read("killed.tx") == wanted, "the file differs after a kill"
             if process.returncode == 0:
                 assert not os.path.exists("killed.tx.part")
-            if attempt >= 8:
-                break
             os.remove("killed.tx")
             shutil.rmtree("killed.tx.part", ignore_errors=True)
-    assert killed >= 3 and continued >= 2, (killed, continued)
+    assert process.returncode == 0 and killed >= 3 and continued >= 2, (process.returncode, killed, continued)
     print(f"killed {killed} runs, continued {continued}")
 
 

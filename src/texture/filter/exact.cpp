@@ -17,7 +17,7 @@
 #include "texture/format/texel_codec.h"
 #include "texture/store/reader.h"
 #include "texture/store/storage.h"
-#include "texture/store/tiles/lease.h"
+#include "texture/store/stores.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/filter/exact.cpp"
@@ -266,13 +266,13 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
   }
 }
 
-/// integrate() without the lease of a call of a texture in tiles: it may load tiles.
+/// integrate() while the call is paused: it may load texels.
 void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, const DirectionFunctions* directions,
                      const Texels& out) {
-  auto* const tiles = has_tiles(call.texture) ? static_cast<TileCall*>(call.placement.state) : nullptr;
-  if (tiles) tiles->give_lease();
+  const StoreRow& store = functions_of(call.texture.store);
+  if (store.pause) store.pause(call.placement.state);
   integrate(call.texture, call.sampler, footprint, directions, out);
-  if (tiles) tiles->take_lease();
+  if (store.resume) store.resume(call.placement.state);
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ TexelSource::TexelSource(const FilterCall& call) : TexelSource(call.texture) {
 
 TexelSource::TexelSource(const Texture& texture)
     : origin(texture.origin),
-      borrowed(has_blocks(texture) ? nullptr : texture.borrowed),
-      borrowed_texels(has_blocks(texture) ? 0 : texture.borrowed_units),
+      borrowed(is_in_memory(texture) ? texture.borrowed : nullptr),
+      borrowed_texels(is_in_memory(texture) ? texture.borrowed_units : 0),
       channels(texture.channels),
       texel_size(static_cast<uint32_t>(shd::texture::texel_size(texture))) {}
 

@@ -12,8 +12,7 @@
 #include "texture/format/record.h"
 #include "texture/lookup/coarser.h"
 #include "texture/lookup/magnify.h"
-#include "texture/store/bc/cache.h"
-#include "texture/store/tiles/lease.h"
+#include "texture/store/stores.h"
 #include "texture/table/decoded.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -70,15 +69,14 @@ RunFilter FilterOf(const Texture& texture, const Sampler& sampler, Gradient grad
 /// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
 void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
   const image::Component component = texture.component;
-  const bool is_placed = has_blocks(texture) || has_tiles(texture);
   Kernels& kernels = *out;
-  if (HWY_UNLIKELY(is_placed)) kernels.place = has_tiles(texture) ? PlaceInTiles : PlaceInBlocks;
+  if (HWY_UNLIKELY(!is_in_memory(texture))) kernels.place = PlaceOf(texture.store);
   kernels.run = FilterOf(texture, sampler, gradient);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   kernels.format.values = ConsumerOf(texture, sampler);
   if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(component);
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(component);
-  if (HWY_UNLIKELY(is_placed || needs_w(texture))) return;
+  if (HWY_UNLIKELY(!is_in_memory(texture) || needs_w(texture))) return;
   if (gradient == Gradient::kNone && !has_border(sampler) && !sampler.compares) {
     kernels.fused = FusedOf(sampler.filter, component);
   }
@@ -199,40 +197,32 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   return run(kernels.run, without_values(wanted));
 }
 
-/// sample_stored() of a compressed texture. Calls for other textures do not pay for its stack frame.
-[[gnu::noinline]] size_t sample_blocks(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+/// sample_stored() of a texture whose streams are placed. Calls for other textures do not pay for its stack frame.
+[[gnu::noinline]] size_t sample_placed(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                                        const Lookups& lookups, const Texels& wanted) {
-  CacheLease lease(texture);
-  return in_passes(texture, wanted, [&](const Texels& columns) {
-    return sample_stored(texture, sampler, simd, lookups, columns, nullptr,
-                         {nullptr, &lease, lease.cache()->texels, lease.places()});
-  });
-}
-
-/// sample_stored() of a texture in tiles.
-[[gnu::noinline]] size_t sample_tiles(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                                      const Lookups& lookups, const Texels& wanted) {
-  TileCall call(texture);
-  const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
-    call.lookup_end = in.count;
-    call.needed = needed;
-    return in_passes(texture, out, [&](const Texels& columns) {
-      call.lookup = 0;
-      return sample_stored(texture, with, simd, in, columns, nullptr, {nullptr, &call, call.origin, &call.places});
-    });
+  const StoreRow& store = functions_of(texture.store);
+  size_t nonfinite = 0;
+  const auto look_up = [&](const Placement& placement) {
+    const auto filter = [&](const Sampler& with, const Lookups& in, const Texels& out, uint8_t* needed) {
+      return in_passes(texture, out, [&](const Texels& columns) {
+        store.begin(placement.state, in.count, needed);
+        return sample_stored(texture, with, simd, in, columns, nullptr, placement);
+      });
+    };
+    const bool coarser = texture.tiles && sampler.missing_tiles == SHD_MISSING_TILES_COARSER;
+    nonfinite =
+        coarser ? sample_coarser(texture, sampler, lookups, wanted, filter) : filter(sampler, lookups, wanted, nullptr);
   };
-  if (sampler.missing_tiles == SHD_MISSING_TILES_COARSER)
-    return sample_coarser(texture, sampler, lookups, wanted, filter);
-  return filter(sampler, lookups, wanted, nullptr);
+  call(texture, look_up);
+  return nonfinite;
 }
 
 size_t sample_any(const Texture& given, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& wanted, Recording* recording) {
   const Texture& texture = HWY_LIKELY(!given.decoded) ? given : read_by(given, sampler.filter);
   if (HWY_UNLIKELY(wanted.coarser != nullptr)) std::fill_n(wanted.coarser, lookups.count, 0u);
-  if (HWY_UNLIKELY(has_blocks(texture) || has_tiles(texture)) && !recording) {
-    return has_tiles(texture) ? sample_tiles(texture, sampler, simd, lookups, wanted)
-                              : sample_blocks(texture, sampler, simd, lookups, wanted);
+  if (HWY_UNLIKELY(!is_in_memory(texture)) && !recording) {
+    return sample_placed(texture, sampler, simd, lookups, wanted);
   }
   return in_passes(texture, wanted, [&](const Texels& columns) {
     return sample_stored(texture, sampler, simd, lookups, columns, recording, {});

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "texture/support.h"
 
-#include "texture/store/tiles/tile.h"
-#include "texture/texture.h"
-
 namespace shd::texture {
 namespace {
 
@@ -57,12 +54,6 @@ const char* refusal_of(const SupportCell& cell) {
 Domain domain_of(const Texture& texture) {
   if (texture.depth != 0) return Domain::kSlices;
   return texture.projection != SHD_PROJECTION_NONE ? Domain::kDirections : Domain::kPlane;
-}
-
-Store store_of(const Texture& texture) {
-  if (has_tiles(texture)) return texture.tiles->decode ? Store::kTilesOfBlocks : Store::kTiles;
-  if (has_blocks(texture)) return Store::kBlocks;
-  return texture.borrowed ? Store::kBorrowed : Store::kMemory;
 }
 
 const char* name_of(Domain domain) {

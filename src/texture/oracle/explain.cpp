@@ -43,13 +43,8 @@ struct Place {
   uint32_t image, level_u, level_v;
 };
 
-Place mip_place(const Texture& texture, uint32_t first) {
-  const Layout& layout = texture.layout;
-  const uint32_t in_layer = first % layout.layer_units;
-  uint32_t level = 0;
-  while (level + 1 < texture.level_count && in_layer >= layout.offset[level + 1]) ++level;
-  const uint32_t slice = (in_layer - layout.offset[level]) / slice_units(texture, level);
-  return {texture.depth != 0 ? slice : first / layout.layer_units, level, level};
+Place mip_place(const UnitPlace& unit) {
+  return {unit.image, unit.level, unit.level};
 }
 
 Place ripmap_place(const Texture& texture, uint32_t first) {
@@ -66,7 +61,7 @@ shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording
                  TexelReader* reader) {
   shd_tap out = {};
   const bool ripmap = sampler.filter == SHD_FILTER_RIPMAP;
-  const Place place = ripmap ? ripmap_place(texture, tap.first) : mip_place(texture, tap.first);
+  const Place place = ripmap ? ripmap_place(texture, tap.first) : mip_place(place_of_unit(texture, tap.first));
   (texture.depth != 0 ? out.z : out.layer) = place.image;
   out.level_u = place.level_u;
   out.level_v = place.level_v;

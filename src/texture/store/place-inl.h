@@ -23,6 +23,18 @@ void PlaceInBlocks(void* lease, size_t end, size_t lanes, Stream* stream);
 /// that fails.
 void PlaceInTiles(void* call, size_t end, size_t lanes, Stream* stream);
 
+/// Returns the placement of a store; null if filters address texels themselves.
+inline PlaceStream PlaceOf(Store store) {
+  switch (store) {
+    case Store::kMemory:
+    case Store::kBorrowed: return nullptr;
+    case Store::kBlocks: return PlaceInBlocks;
+    case Store::kTiles:
+    case Store::kTilesOfBlocks: return PlaceInTiles;
+  }
+  return nullptr;
+}
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/store/bc/levels.h"
+#include "texture/store/stores.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -17,10 +17,8 @@ class TexelReader {
   const uint8_t* at(uint32_t first, uint32_t width, uint32_t x, uint32_t y);
 
  private:
-  const uint8_t* in_tile(uint32_t tile, uint32_t x, uint32_t y);
-
   const Texture& texture_;
-  DecodedBlock decoded_;
+  TexelMemory memory_;
 };
 
 }  // namespace shd::texture

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture/store/storage.h"
 
+#include <algorithm>
+
 namespace shd::texture {
 
 uint64_t lay_out(const UnitShape& unit, Texture* texture) {
@@ -15,6 +17,16 @@ uint64_t lay_out(const UnitShape& unit, Texture* texture) {
   }
   layout.layer_units = static_cast<uint32_t>(units);
   return units;
+}
+
+UnitPlace place_of_unit(const Texture& texture, uint32_t unit) {
+  const Layout& layout = texture.layout;
+  const uint32_t in_layer = unit % layout.layer_units;
+  const uint32_t* const end = layout.offset + texture.level_count;
+  const auto level = static_cast<uint32_t>(std::upper_bound(layout.offset, end, in_layer) - layout.offset) - 1;
+  const uint32_t in_level = in_layer - layout.offset[level], slice = slice_units(texture, level);
+  if (texture.depth != 0) return {in_level / slice, level, in_level % slice};
+  return {unit / layout.layer_units, level, in_level};
 }
 
 }  // namespace shd::texture

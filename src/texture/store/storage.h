@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Contract of store/: where the texels of a texture lie.
+/// Levels of textures, units of stores, and texels in memory. The contract of store/ is in stores.h.
 ///
 /// A stream names the level, column and row of each texel. Memory turns them into addresses while a filter emits them
 /// (level-inl.h). Stores with a cache, bc/ and tiles/, find the places of a whole stream before it is consumed
-/// (place-inl.h). reader.h reads single texels of any store.
+/// (place-inl.h).
 ///
 /// In memory, levels are packed rows of texels in the caller's format. Kernels convert 8-bit and 16-bit codes to floats
 /// in registers.
@@ -65,6 +65,14 @@ inline uint32_t first_unit(const Texture& texture, uint32_t image, uint32_t leve
 /// Numbers the units of a texture whose sizes and levels are set. Returns the units of one layer.
 uint64_t lay_out(const UnitShape& unit, Texture* texture);
 
+/// The place of a unit: the level of an image, and the unit's number within the level of the image.
+struct UnitPlace {
+  uint32_t image, level, in_level;
+};
+
+/// Returns the place of a unit; the inverse of first_unit().
+UnitPlace place_of_unit(const Texture& texture, uint32_t unit);
+
 /// Returns the number of levels down to one texel: floor(log2(max(width, height, depth))) + 1.
 uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth = 1);
 
@@ -73,9 +81,11 @@ inline size_t texel_size(const Texture& texture) {
   return image::format_info(texture.channels, texture.component).pixel_size;
 }
 
-/// Returns the size of all tables that are not borrowed, and of the sums that updates keep [bytes].
+/// Returns the size of all tables that are not borrowed, and of the sums that updates keep [bytes]. Tiles are the
+/// cache's.
 inline size_t byte_size(const Texture& texture) {
-  return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double) + texture.sums.size() +
+  const size_t texels = texture.texels.size() ? texture.texels.size() - kPadding : 0;
+  return texels + texture.mip_sums.size() * sizeof(double) + texture.sums.size() +
          texture.nonfinite_sums.size() * sizeof(uint32_t) + texture.sum_origins.size() * sizeof(double);
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/table/decoded.h"
 
-#include "core/executor.h"
-#include "texture/store/bc/levels.h"
-#include "texture/store/storage.h"
-#include "texture/store/tiles/regions.h"
+#include "texture/store/stores.h"
 
 namespace shd::texture {
 namespace {
@@ -18,24 +15,6 @@ shd_format decoded_format(const Texture& texture) {
     ++format;
   }
   return static_cast<shd_format>(format);
-}
-
-/// Decodes a level of a layer of blocks.
-void decode_level(const core::Context& context, const Texture& texture, uint32_t layer, const shd_image& out,
-                  uint32_t level) {
-  const size_t size = texel_size(texture);
-  core::parallel_for(context, units_along(out.height, 2), [&](uint32_t row, uint32_t) {
-    const uint8_t* block = block_row(texture, layer, level, row);
-    for (uint32_t x = 0; x < out.width; x += 4, block += texture.blocks.size) {
-      uint8_t texels[16 * 8];
-      texture.blocks.decode(block, texels, 4 * size);
-      const size_t columns = out.width - x < 4 ? out.width - x : 4;
-      for (uint32_t y = 4 * row; y < 4 * row + 4 && y < out.height; ++y) {
-        std::memcpy(static_cast<uint8_t*>(out.pixels) + y * out.row_stride + x * size, texels + y % 4 * 4 * size,
-                    columns * size);
-      }
-    }
-  });
 }
 
 /// The levels of a texture in memory.
@@ -64,11 +43,7 @@ Levels read_levels(const core::Context& context, const Texture& texture) {
         level == 0 ? layer * base : texture.layers * base + layer * rest + plain.layout.offset[level] - base;
     image.pixels = levels.texels.data() + first * size;
     levels.images[level == 0 ? layer : texture.layers + layer * (texture.level_count - 1) + level - 1] = image;
-    if (has_tiles(texture)) {
-      read_level(texture, layer, level, image);
-    } else {
-      decode_level(context, texture, layer, image, level);
-    }
+    functions_of(texture.store).decode_level(context, texture, layer, level, image);
   }
   return levels;
 }

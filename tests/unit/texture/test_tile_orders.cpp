@@ -89,6 +89,7 @@ struct World {
     desc.tile_bytes = kTileBytes;
     desc.budget_bytes = uint64_t{slots} * kTileBytes + 65536;
     cache = TileCache::create(allocator, desc);
+    texture.store = Store::kTiles;
     texture.format = SHD_FORMAT_R8;
     texture.component = image::Component::kUnorm8;
     texture.channels = texture.layers = 1;

@@ -7,7 +7,7 @@
 ///
 /// | file           | contents                                    |
 /// |----------------|---------------------------------------------|
-/// | levels.h, .cpp | blocks of levels in memory; single texels   |
+/// | levels.h, .cpp | blocks of levels in memory, and as a store  |
 /// | cache.h, .cpp  | decoded blocks, kept between calls          |
 /// | place.cpp      | texels of a stream to places in a cache     |
 ///

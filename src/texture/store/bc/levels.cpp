@@ -3,20 +3,13 @@
 
 #include <cstring>
 
-#include "core/cache_pool.h"
 #include "core/executor.h"
 #include "texture/format/bc/decode.h"
+#include "texture/store/bc/cache.h"
 #include "texture/store/image_list.h"
+#include "texture/store/stores.h"
 
 namespace shd::texture {
-
-const uint8_t* decoded_texel(const Texture& texture, uint32_t block, uint32_t x, uint32_t y, DecodedBlock* buffer) {
-  const size_t size = texel_size(texture);
-  if (buffer->block != block) texture.blocks.decode(block_at(texture, block), buffer->texels, 4 * size);
-  buffer->block = block;
-  return buffer->texels + (y * 4 + x) * size;
-}
-
 namespace {
 
 /// The rows of blocks of an image of the caller.
@@ -50,8 +43,6 @@ void allocate_blocks(const core::Context& context, const shd_texture_desc& desc,
   texture->origin = reinterpret_cast<const uint8_t*>(reinterpret_cast<uintptr_t>(texture->texels.data()) - borrowed);
 }
 
-}  // namespace
-
 void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   texture->blocks.decode = decoder_of(desc.format);
   texture->blocks.size = static_cast<uint32_t>(image::block_info(desc.format).block_size);
@@ -71,5 +62,51 @@ void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Tex
     copy_blocks_of({given.pixels, given.row_stride}, image, level, texture);
   });
 }
+
+void read_blocks(const core::Context&, const Texture& texture, uint32_t image, uint32_t level, const shd_image& out) {
+  const image::RowLayout layout = image::row_layout(out.format, out.width, out.height);
+  for (uint32_t y = 0; y < layout.rows; ++y) {
+    std::memcpy(static_cast<uint8_t*>(out.pixels) + y * out.row_stride, block_row(texture, image, level, y),
+                layout.row_size);
+  }
+}
+
+void decode_blocks(const core::Context& context, const Texture& texture, uint32_t image, uint32_t level,
+                   const shd_image& out) {
+  const size_t size = texel_size(texture);
+  core::parallel_for(context, units_along(out.height, 2), [&](uint32_t row, uint32_t) {
+    const uint8_t* block = block_row(texture, image, level, row);
+    for (uint32_t x = 0; x < out.width; x += 4, block += texture.blocks.size) {
+      uint8_t texels[16 * 8];
+      texture.blocks.decode(block, texels, 4 * size);
+      const size_t columns = out.width - x < 4 ? out.width - x : 4;
+      for (uint32_t y = 4 * row; y < 4 * row + 4 && y < out.height; ++y) {
+        std::memcpy(static_cast<uint8_t*>(out.pixels) + y * out.row_stride + x * size, texels + y % 4 * 4 * size,
+                    columns * size);
+      }
+    }
+  });
+}
+
+/// Runs a call with a cache of decoded blocks.
+void call_blocks(const Texture& texture, const CallBody& body) {
+  CacheLease lease(texture);
+  body.run(body.body, {nullptr, &lease, lease.cache()->texels, lease.places()});
+}
+
+void begin_blocks(void*, size_t, uint8_t*) {}
+void pause_blocks(void*) {}
+
+}  // namespace
+
+const uint8_t* texel_of_block(const Texture& texture, uint32_t block, uint32_t x, uint32_t y, TexelMemory* memory) {
+  const size_t size = texel_size(texture);
+  if (memory->unit != block) texture.blocks.decode(block_at(texture, block), memory->texels, 4 * size);
+  memory->unit = block;
+  return memory->texels + (y * 4 + x) * size;
+}
+
+const StoreRow kBlockStore = {copy_blocks, texel_of_block, read_blocks,  decode_blocks, "which cannot be updated",
+                              call_blocks, begin_blocks,   pause_blocks, pause_blocks};
 
 }  // namespace shd::texture

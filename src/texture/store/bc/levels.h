@@ -5,6 +5,7 @@
 #pragma once
 
 #include "texture/store/storage.h"
+#include "texture/store/stores.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -14,17 +15,8 @@ inline const uint8_t* block_at(const Texture& texture, uint32_t block) {
   return (block < texture.borrowed_units ? texture.borrowed : texture.origin) + size_t{block} * texture.blocks.size;
 }
 
-/// The latest block that decoded_texel() decoded.
-struct DecodedBlock {
-  uint32_t block = UINT32_MAX;
-  alignas(16) uint8_t texels[16 * 8];  // [4][4]
-};
-
-/// Returns the first byte of texel (x, y) of a block, 0..3, decoded in `buffer`.
-const uint8_t* decoded_texel(const Texture& texture, uint32_t block, uint32_t x, uint32_t y, DecodedBlock* buffer);
-
-/// Copies or borrows the blocks of a checked desc. The sizes, the levels and the format of `texture` are set.
-void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture);
+/// Returns the first byte of texel (x, y) of a block, decoded in `memory` (StoreRow::texel).
+const uint8_t* texel_of_block(const Texture& texture, uint32_t block, uint32_t x, uint32_t y, TexelMemory* memory);
 
 /// Returns the first byte of row y of the blocks of a level of an image.
 inline const uint8_t* block_row(const Texture& texture, uint32_t image, uint32_t level, uint32_t y) {

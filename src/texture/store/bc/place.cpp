@@ -308,7 +308,7 @@ class Placer {
       return static_cast<int32_t>(y % 4 * cache_.pitch + 4 * place + x % 4);
     }
     const auto copy = static_cast<uint32_t>(cache_.spare + spare);
-    std::memcpy(cache_.texels + size_t{copy} * size_, decoded_texel(texture_, block, x % 4, y % 4, &decoded_), size_);
+    std::memcpy(cache_.texels + size_t{copy} * size_, texel_of_block(texture_, block, x % 4, y % 4, &memory_), size_);
     return static_cast<int32_t>(copy);
   }
 
@@ -321,7 +321,7 @@ class Placer {
   const uint32_t size_;
   Window windows_[2][2];  // windows of elements in turn, in even and in odd rows of blocks
   uint32_t latest_ = 0;
-  DecodedBlock decoded_;
+  TexelMemory memory_;
 };
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "texture/store/tiles/regions.h"
 
-#include <cstring>
-
-#include "core/status.h"
 #include "texture/store/storage.h"
 #include "texture/store/tiles/cache.h"
 
@@ -31,11 +28,6 @@ TileRange range_of(const Texture& texture, const shd_tile_region& region) {
   return {first_unit(texture, region.layer, region.level),
           units_along(level_size(texture.width, region.level), unit.shift_x),
           range(region.x, region.width, unit.shift_x), range(region.y, region.height, unit.shift_y)};
-}
-
-TileRange range_of(const Texture& texture, uint32_t layer, uint32_t level) {
-  const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
-  return range_of(texture, {sizeof(shd_tile_region), layer, level, 0, 0, width, height});
 }
 
 /// Returns whether the slice of a tile averages the slice of a region.
@@ -101,43 +93,6 @@ void drop_region(const Texture& texture, const shd_tile_region& region) {
     const AxisRange y = level_range({region.y, region.y + region.height}, height, level_size(texture.height, at.level));
     return overlap(x, at.x, at.width) && overlap(y, at.y, at.height);
   });
-}
-
-void read_level(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out) {
-  TileCache& cache = *texture.tiles->cache;
-  const TileRange range = range_of(texture, layer, level);
-  const size_t size = texel_size(texture), pitch = size << texture.layout.unit.shift_x;
-  for (uint64_t i = 0; i < range.size(); ++i) {
-    const uint32_t tile = range.tile(i);
-    const shd_tile at = tile_at(texture, tile);
-    TileHold held[kMaxTileBatch];
-    uint32_t loaded = 0;
-    cache.fetch(*texture.tiles, &tile, 1, held, &loaded);
-    for (uint32_t y = 0; y < at.height; ++y) {
-      std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y + y) * out.row_stride + at.x * size,
-                  cache.tile_memory(held[0].slot) + y * pitch, at.width * size);
-    }
-    cache.stop_reading(held[0].slot);
-  }
-}
-
-void read_blocks(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out) {
-  const TileSet& set = *texture.tiles;
-  const TileRange range = range_of(texture, layer, level);
-  core::Array<uint8_t> blocks(*set.allocator, (row_of_blocks(set) << texture.layout.unit.shift_y) / 4);
-  for (uint64_t i = 0; i < range.size(); ++i) {
-    TileLoad load(nullptr, set);
-    load.count = 1;
-    load.tile[0] = range.tile(i);
-    shd_tile at = tile_at(texture, load.tile[0]);
-    at.texels = blocks.data();
-    at.row_stride = row_of_blocks(set);
-    if (const shd_result result = call_source(&load, &at)) throw core::Failure(result, core::last_error());
-    for (uint32_t y = 0; y < units_along(at.height, 2); ++y) {
-      std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y / 4 + y) * out.row_stride + at.x / 4 * set.block_size,
-                  blocks.data() + y * at.row_stride, units_along(at.width, 2) * set.block_size);
-    }
-  }
 }
 
 }  // namespace shd::texture

@@ -20,10 +20,4 @@ bool unpin_region(const Texture& texture, const shd_tile_region& region);
 
 void drop_region(const Texture& texture, const shd_tile_region& region);
 
-/// Copies a level of a layer to an image of its size and of the format of decoded texels.
-void read_level(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out);
-
-/// Copies the blocks of a level of a layer, which the callback gives again because the cache keeps them decoded.
-void read_blocks(const Texture& texture, uint32_t layer, uint32_t level, const shd_image& out);
-
 }  // namespace shd::texture

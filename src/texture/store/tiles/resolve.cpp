@@ -108,7 +108,7 @@ class Resolver {
     size_t lookup = call_.lookup + at % lanes_;
     for (size_t e = 0; e < element; ++e) lookup += stream_.op[e] & kLast ? lanes_ : 0;
     if (lookup >= call_.lookup_end) return;  // lanes behind the last lookup
-    const auto level = static_cast<uint8_t>(level_of_tile(call_.texture, tile) + 1);
+    const auto level = static_cast<uint8_t>(place_of_unit(call_.texture, tile).level + 1);
     call_.needed[lookup] = std::max(call_.needed[lookup], level);
   }
 

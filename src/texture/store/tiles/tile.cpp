@@ -44,7 +44,7 @@ uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes) {
   return lay_out(tile_shape(tile_bytes, decoded_texel_size(desc.format)), &texture) * desc.layers;
 }
 
-void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
+void add_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
   auto* const handle = reinterpret_cast<core::Object*>(desc.tiles.cache);
   constexpr auto kType = static_cast<uint32_t>(core::ObjectType::kTileCache);
   auto* const set = core::create<TileSet>(context.allocator);
@@ -67,32 +67,23 @@ void build_tiles(const core::Context& context, const shd_texture_desc& desc, Tex
   out->tiles = Owned<TileSet>(set);
 }
 
-uint32_t level_of_tile(const Texture& texture, uint32_t tile) {
-  const Layout& layout = texture.layout;
-  const uint32_t* const end = layout.offset + texture.level_count;
-  return static_cast<uint32_t>(std::upper_bound(layout.offset, end, tile % layout.layer_units) - layout.offset) - 1;
-}
-
 bool is_same_level(const Texture& texture, uint32_t a, uint32_t b) {
   const uint32_t layer_units = texture.layout.layer_units;
-  return a / layer_units == b / layer_units && level_of_tile(texture, a) == level_of_tile(texture, b);
+  return a / layer_units == b / layer_units && place_of_unit(texture, a).level == place_of_unit(texture, b).level;
 }
 
 shd_tile tile_at(const Texture& texture, uint32_t tile) {
-  const Layout& layout = texture.layout;
+  const UnitPlace place = place_of_unit(texture, tile);
+  const UnitShape unit = texture.layout.unit;
+  const uint32_t width = level_size(texture.width, place.level), height = level_size(texture.height, place.level);
+  const uint32_t across = units_along(width, unit.shift_x);
   shd_tile at = {};
-  at.layer = tile / layout.layer_units;
-  at.level = level_of_tile(texture, tile);
-  const uint32_t width = level_size(texture.width, at.level), height = level_size(texture.height, at.level);
-  const uint32_t in_level = tile % layout.layer_units - layout.offset[at.level];
-  const uint32_t in_slice = in_level % slice_units(texture, at.level),
-                 slice = in_level / slice_units(texture, at.level);
-  if (texture.depth != 0) at.layer = slice;
-  const uint32_t across = units_along(width, layout.unit.shift_x);
-  at.x = in_slice % across << layout.unit.shift_x;
-  at.y = in_slice / across << layout.unit.shift_y;
-  at.width = std::min(1u << layout.unit.shift_x, width - at.x);
-  at.height = std::min(1u << layout.unit.shift_y, height - at.y);
+  at.layer = place.image;
+  at.level = place.level;
+  at.x = place.in_level % across << unit.shift_x;
+  at.y = place.in_level / across << unit.shift_y;
+  at.width = std::min(1u << unit.shift_x, width - at.x);
+  at.height = std::min(1u << unit.shift_y, height - at.y);
   return at;
 }
 

@@ -30,7 +30,8 @@
 /// | budget.h, .cpp        | sizes of the parts of a cache                                       |
 /// | lease.h, .cpp         | tiles that a call keeps, and the texels that it places              |
 /// | requests.h, .cpp      | tiles that lookups did not find                                     |
-/// | regions.h, .cpp       | rectangles of tiles: load, pin, drop, copy out                      |
+/// | regions.h, .cpp       | rectangles of tiles: load, pin, drop                                |
+/// | store.cpp             | tiles as a store: single texels, levels, calls of lookups           |
 /// | place.cpp             | texels of a stream to places in memory                              |
 /// | resolve.h, .cpp       | texels whose tiles are not at hand                                  |
 #pragma once
@@ -75,16 +76,12 @@ inline size_t row_of_blocks(const TileSet& set) {
 /// Returns the number of tiles of all levels and layers of a desc whose sizes and format are checked.
 uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes);
 
-/// Gives tiles to a texture, whose size, levels and format are set. The caller then sets TileSet::handle, and
-/// TileSet::source.release, which is called with the texture. Throws std::bad_alloc, or Failure, and then keeps
-/// nothing.
-void build_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out);
+/// Gives tiles to a texture (StoreRow::fill). The caller then sets TileSet::handle, and TileSet::source.release, which
+/// is called with the texture.
+void add_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
 /// A tile as the callback gets it, without memory.
 shd_tile tile_at(const Texture& texture, uint32_t tile);
-
-/// Returns the level of a tile.
-uint32_t level_of_tile(const Texture& texture, uint32_t tile);
 
 /// Returns whether two tiles are of the same level of the same layer.
 bool is_same_level(const Texture& texture, uint32_t a, uint32_t b);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "texture/store/stores.h"
+
+#include "image/format.h"
+
+namespace shd::texture {
+
+const StoreRow& functions_of(Store store) {
+  switch (store) {
+    case Store::kMemory:
+    case Store::kBorrowed: return kMemoryStore;
+    case Store::kBlocks: return kBlockStore;
+    case Store::kTiles: return kTileStore;
+    case Store::kTilesOfBlocks: return kBlockTileStore;
+  }
+  __builtin_unreachable();
+}
+
+Store store_of(const shd_texture_desc& desc) {
+  const bool blocks = image::is_block_format(static_cast<uint32_t>(desc.format));
+  if (desc.tiles.cache) return blocks ? Store::kTilesOfBlocks : Store::kTiles;
+  if (blocks) return Store::kBlocks;
+  return desc.flags & SHD_TEXTURE_BORROW ? Store::kBorrowed : Store::kMemory;
+}
+
+}  // namespace shd::texture
