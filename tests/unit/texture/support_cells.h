@@ -49,17 +49,17 @@ inline std::string text_of(const SupportCell& cell) {
 
 // ---- Textures ----
 
-/// A shape of a domain. A level has several tiles of 16 x 16 texels.
+/// A shape of a domain. Tiles have 32 x 16 texels.
 struct Shape {
   Domain domain;
   shd::tests::TextureShape stored;
 };
 constexpr Shape kShapes[] = {
     {Domain::kPlane, {"2D", 37, 21, 1, 0, SHD_PROJECTION_NONE}},
-    {Domain::kPlane, {"array", 21, 18, 3, 0, SHD_PROJECTION_NONE}},
-    {Domain::kSlices, {"3D", 19, 34, 1, 7, SHD_PROJECTION_NONE}},
+    {Domain::kPlane, {"array", 35, 18, 3, 0, SHD_PROJECTION_NONE}},
+    {Domain::kSlices, {"3D", 34, 19, 1, 7, SHD_PROJECTION_NONE}},
     {Domain::kDirections, {"CUBE", 23, 23, 6, 0, SHD_PROJECTION_CUBE}},
-    {Domain::kDirections, {"OCTAHEDRAL", 19, 19, 1, 0, SHD_PROJECTION_OCTAHEDRAL}},
+    {Domain::kDirections, {"OCTAHEDRAL", 37, 37, 1, 0, SHD_PROJECTION_OCTAHEDRAL}},
 };
 constexpr size_t kShapeCount = sizeof kShapes / sizeof *kShapes;
 
@@ -80,7 +80,7 @@ class Textures {
  public:
   explicit Textures(shd_context* context) : context_(context) {
     shd_tile_cache_desc desc = shd_tile_cache_desc_default();
-    desc.tile_bytes = 1024;
+    desc.tile_bytes = 2048;
     desc.budget_bytes = 1 << 20;
     shd_assert_ok(shd_tile_cache_create(context, &desc, &cache_));
     for (size_t shape = 0; shape < kShapeCount; ++shape) {
