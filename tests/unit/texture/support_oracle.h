@@ -64,9 +64,13 @@ inline bool is_known(const ref::Value& value) {
   return !std::isnan(value[0]);
 }
 
+/// The largest difference of a channel; infinite if one is NaN.
 inline double difference(const ref::Value& a, const ref::Value& b) {
   double largest = 0.0;
-  for (size_t c = 0; c < 4; ++c) largest = std::fmax(largest, std::fabs(a[c] - b[c]));
+  for (size_t c = 0; c < 4; ++c) {
+    const double distance = std::fabs(a[c] - b[c]);
+    largest = std::isnan(distance) ? HUGE_VAL : std::fmax(largest, distance);
+  }
   return largest;
 }
 
