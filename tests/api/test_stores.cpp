@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ref/block_ref.h"
-#include "support/random.h"
+#include "support/stored_textures.h"
 #include "support/tiles.h"
 
 namespace shd::tests
@@ -14,13 +13,7 @@ namespace shd::tests
 namespace
 {
 
-/// The sizes of a texture of a domain.
-struct Domain {
-    const char *name;
-    uint32_t width, height, layers, depth;
-    shd_projection projection;
-};
-const Domain kDomains[] = {
+const TextureShape kDomains[] = {
     {"2D", 37, 21, 3, 0, SHD_PROJECTION_NONE},
     {"1x1", 1, 1, 1, 0, SHD_PROJECTION_NONE},
     {"3D", 19, 34, 1, 13, SHD_PROJECTION_NONE},
@@ -35,133 +28,22 @@ const Domain kDomains[] = {
 };
 constexpr size_t kCount = 197;
 
-/// A level of a layer, face or slice: its blocks, and the same texels.
-struct Level {
-    uint32_t width, height;
-    std::vector<unsigned char> blocks, texels;
-};
-
-/// All levels: layer by layer, or slice by slice of each level.
-struct Levels {
-    const Domain &domain;
-    uint32_t count;
-    std::vector<Level> level;
-    std::vector<unsigned char> base_blocks, base_texels;
-    bool gives_blocks = false;  // tiles
-
-    explicit Levels(const Domain &of) : domain(of), count(1)
-    {
-        const uint32_t largest = std::max(std::max(of.width, of.height), of.depth);
-        while (largest >> count) ++count;
-        Random random{of.width * 131u + of.height};
-        for (uint32_t l = 0; l < count; ++l) {
-            for (uint32_t i = 0; i < images(l); ++i) add(l, &random);
-        }
-    }
-
-    uint32_t images(uint32_t l) const { return domain.depth ? std::max(1u, domain.depth >> l) : domain.layers; }
-    const Level &at(uint32_t image, uint32_t l) const
-    {
-        size_t first = 0;
-        for (uint32_t k = 0; k < l; ++k) first += images(k);
-        return level[first + image];
-    }
-    void add(uint32_t l, Random *random)
-    {
-        Level next = {std::max(1u, domain.width >> l), std::max(1u, domain.height >> l), {}, {}};
-        const size_t across = (next.width + 3) / 4, down = (next.height + 3) / 4;
-        next.blocks.resize(across * down * 8);
-        for (unsigned char &byte : next.blocks) byte = static_cast<unsigned char>(random->bits());
-        next.texels.resize(size_t{4} * next.width * next.height);
-        for (size_t y = 0; y < next.height; ++y) {
-            for (size_t x = 0; x < next.width; ++x) {
-                ref::BlockTexels block;
-                ref::color_block(&next.blocks[(y / 4 * across + x / 4) * 8], false, false, &block);
-                for (size_t c = 0; c < 4; ++c) {
-                    next.texels[(y * next.width + x) * 4 + c] =
-                        static_cast<unsigned char>(block.value[y % 4][x % 4][c]);
-                }
-            }
-        }
-        if (l == 0) {
-            base_blocks.insert(base_blocks.end(), next.blocks.begin(), next.blocks.end());
-            base_texels.insert(base_texels.end(), next.texels.begin(), next.texels.end());
-        }
-        level.push_back(next);
-    }
-
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t tile_count)
-    {
-        const auto &self = *static_cast<Levels *>(user_data);
-        for (size_t i = 0; i < tile_count; ++i) {
-            const shd_tile &tile = tiles[i];
-            if (tile.level >= self.count || tile.layer >= self.images(tile.level)) return SHD_ERROR_INTERNAL;
-            const Level &from = self.at(tile.layer, tile.level);
-            const uint32_t side = self.gives_blocks ? 4 : 1;
-            const size_t size = self.gives_blocks ? 8 : 4, across = (from.width + side - 1) / side;
-            const std::vector<unsigned char> &bytes = self.gives_blocks ? from.blocks : from.texels;
-            for (size_t y = 0; y < (tile.height + side - 1) / side; ++y) {
-                std::memcpy(static_cast<unsigned char *>(tile.texels) + y * tile.row_stride,
-                            &bytes[((tile.y / side + y) * across + tile.x / side) * size],
-                            (tile.width + side - 1) / side * size);
-            }
-        }
-        return SHD_OK;
-    }
-};
-
 enum Store { kMemory, kBlocks, kBorrowedBlocks, kTiles, kTilesOfBlocks };
-const char *const kStoreNames[] = {"memory", "blocks", "borrowed blocks", "tiles", "tiles of blocks"};
-
-shd_texture *create(shd_context *context, Levels *levels, Store store, shd_tile_cache *cache)
-{
-    const Domain &domain = levels->domain;
-    const bool blocks = store != kMemory && store != kTiles;
-    shd_texture_desc desc = shd_texture_desc_default();
-    desc.format = blocks ? SHD_FORMAT_BC1_RGBA : SHD_FORMAT_RGBA8;
-    desc.width = domain.width, desc.height = domain.height, desc.layers = domain.layers, desc.depth = domain.depth;
-    desc.projection = domain.projection;
-    desc.tables = SHD_TABLE_MIPMAP;
-    desc.level_count = levels->count - 1;
-    std::vector<shd_image> images;
-    if (store == kTiles || store == kTilesOfBlocks) {
-        levels->gives_blocks = blocks;
-        desc.tiles = {cache, Levels::load, nullptr, levels};
-    } else {
-        desc.texels = blocks ? levels->base_blocks.data() : levels->base_texels.data();
-        const auto add = [&](uint32_t image, uint32_t l) {
-            const Level &level = levels->at(image, l);
-            shd_image given = shd_image_default();
-            given.format = desc.format, given.width = level.width, given.height = level.height;
-            given.pixels = const_cast<unsigned char *>((blocks ? level.blocks : level.texels).data());
-            images.push_back(given);
-        };
-        if (domain.depth) {
-            for (uint32_t l = 1; l < levels->count; ++l) {
-                for (uint32_t i = 0; i < levels->images(l); ++i) add(i, l);
-            }
-        } else {
-            for (uint32_t i = 0; i < domain.layers; ++i) {
-                for (uint32_t l = 1; l < levels->count; ++l) add(i, l);
-            }
-        }
-        desc.levels = images.data();
-        if (store == kBorrowedBlocks && domain.layers == 1) desc.flags = SHD_TEXTURE_BORROW;
-    }
-    shd_texture *texture = nullptr;
-    shd_assert_ok(shd_texture_create(context, &desc, &texture));
-    return texture;
-}
+const StoredForm kForms[] = {{"memory", false, false, false},
+                             {"blocks", true, false, false},
+                             {"borrowed blocks", true, true, false},
+                             {"tiles", false, false, true},
+                             {"tiles of blocks", true, false, true}};
 
 /// Lookups near each other, anywhere, at the edges, of every footprint, and with inputs that are not finite.
 struct Batch {
     std::vector<float> column[9], out[16];
     std::vector<uint32_t> layer, coarser;
 
-    Batch(const Domain &domain, uint64_t seed) : layer(kCount), coarser(kCount)
+    Batch(const TextureShape &shape, uint64_t seed) : layer(kCount), coarser(kCount)
     {
         Random random{seed};
-        const bool directions = domain.projection != SHD_PROJECTION_NONE;
+        const bool directions = shape.projection != SHD_PROJECTION_NONE;
         for (auto &values : column) values.resize(kCount);
         for (auto &values : out) values.resize(kCount);
         float at[3] = {};
@@ -172,7 +54,7 @@ struct Batch {
                 column[c][i] = at[c];
             }
             for (int c = 3; c < 9; ++c) column[c][i] = random.scaled(-9.0, i < 160 ? -3.0 : 3.0);
-            layer[i] = i / 23 % (domain.layers + 1);
+            layer[i] = i / 23 % (shape.layers + 1);
         }
         column[0][5] = NAN, column[1][6] = INFINITY, column[4][7] = INFINITY, column[3][8] = NAN;
         column[0][9] = 1e30f, column[5][10] = 1e30f;
@@ -260,16 +142,16 @@ void compare_explanations(Batch *batch, const shd_texture *memory, const shd_tex
     }
 }
 
-void check_filter(shd_context *context, const Domain &domain, shd_texture *const *textures, shd_filter filter,
+void check_filter(shd_context *context, const TextureShape &shape, shd_texture *const *textures, shd_filter filter,
                   shd_wrap wrap)
 {
     shd_sampler *const sampler = make_sampler(context, filter, wrap);
-    Batch want(domain, 7), got(domain, 7);
+    Batch want(shape, 7), got(shape, 7);
     const bool gradient = want.sample(textures[kMemory], sampler, true) == SHD_OK;
     const shd_result result = want.sample(textures[kMemory], sampler, gradient);
     for (int store = kBlocks; store <= kTilesOfBlocks; ++store) {
         char what[96];
-        std::snprintf(what, sizeof what, "%s, %s, filter %d, wrap %d", domain.name, kStoreNames[store], filter, wrap);
+        std::snprintf(what, sizeof what, "%s, %s, filter %d, wrap %d", shape.name, kForms[store].name, filter, wrap);
         const shd_result other = got.sample(textures[store], sampler, gradient);
         if (other != result) fail_msg("%s: %s, not %s", what, shd_result_name(other), shd_result_name(result));
         if (result != SHD_OK) continue;
@@ -315,11 +197,11 @@ std::vector<float> render_volume(shd_context *context, shd_texture *texture)
 }
 
 /// Blocks are copied out as the callback gives them, and nothing beside them is written.
-void check_blocks(const shd_texture *texture, const Levels &levels)
+void check_blocks(const shd_texture *texture, const StoredLevels &levels)
 {
     for (uint32_t l = 0; l < levels.count; ++l) {
         for (uint32_t i = 0; i < levels.images(l); ++i) {
-            const Level &level = levels.at(i, l);
+            const StoredLevel &level = levels.at(i, l);
             const size_t row = (level.width + 3) / 4 * 8, rows = (level.height + 3) / 4, stride = row + 5;
             std::vector<unsigned char> want(rows * stride + 64, 0xcd), got = want;
             for (size_t y = 0; y < rows; ++y) std::memcpy(&want[y * stride], &level.blocks[y * row], row);
@@ -334,13 +216,13 @@ void check_blocks(const shd_texture *texture, const Levels &levels)
 
 void test_domain(void **state)
 {
-    const auto &domain = *static_cast<const Domain *>(*state);
+    const auto &shape = *static_cast<const TextureShape *>(*state);
     for (int simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
         shd_context_desc desc = shd_context_desc_default();
         desc.simd = static_cast<shd_simd>(simd);
         shd_context *context = nullptr;
         if (shd_context_create(&desc, &context) != SHD_OK) continue;
-        Levels levels(domain), blocks(domain);
+        StoredLevels levels(shape), blocks(shape);
         shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
         cache_desc.tile_bytes = 1024;
         cache_desc.budget_bytes = 1 << 20;
@@ -349,19 +231,19 @@ void test_domain(void **state)
         shd_texture *textures[5];
         for (int store = kMemory; store <= kTilesOfBlocks; ++store) {
             textures[store] =
-                create(context, store == kTilesOfBlocks ? &blocks : &levels, static_cast<Store>(store), cache);
+                create(context, store == kTilesOfBlocks ? &blocks : &levels, kForms[store], SHD_TABLE_MIPMAP, cache);
         }
         for (int store : {kBlocks, kBorrowedBlocks, kTilesOfBlocks}) check_blocks(textures[store], blocks);
-        const bool wraps = domain.projection == SHD_PROJECTION_NONE;
+        const bool wraps = shape.projection == SHD_PROJECTION_NONE;
         for (shd_filter filter : kFilters) {
             for (size_t w = 0; w < (wraps ? sizeof kWraps / sizeof *kWraps : 1); ++w)
-                check_filter(context, domain, textures, filter, kWraps[w]);
+                check_filter(context, shape, textures, filter, kWraps[w]);
         }
-        for (int store = kBlocks; domain.depth != 0 && store <= kTilesOfBlocks; ++store) {
+        for (int store = kBlocks; shape.depth != 0 && store <= kTilesOfBlocks; ++store) {
             const std::vector<float> want = render_volume(context, textures[kMemory]);
             assert_true(*std::max_element(want.begin(), want.end()) > 0.5f);
             if (want != render_volume(context, textures[store]))
-                fail_msg("%s, %s: another picture of the volume", domain.name, kStoreNames[store]);
+                fail_msg("%s, %s: another picture of the volume", shape.name, kForms[store].name);
         }
         for (shd_texture *texture : textures) shd_texture_release(texture);
         shd_tile_cache_release(cache);
@@ -377,6 +259,6 @@ int main(void)
     using namespace shd::tests;
     CMUnitTest tests[sizeof kDomains / sizeof *kDomains];
     for (size_t i = 0; i < sizeof kDomains / sizeof *kDomains; ++i)
-        tests[i] = {kDomains[i].name, test_domain, nullptr, nullptr, const_cast<Domain *>(&kDomains[i])};
+        tests[i] = {kDomains[i].name, test_domain, nullptr, nullptr, const_cast<TextureShape *>(&kDomains[i])};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

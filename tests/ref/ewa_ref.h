@@ -39,34 +39,42 @@ inline double ewa_bilinear_share(const Image& image, const Ellipse& e) {
   return 2 - fmin(fmax(e.a * exp2(static_cast<double>(image.sampler->lod_bias) - low), 1), 2);
 }
 
-/// All channels on one level, at a point moved by (du, dv).
-inline void ewa(const Image& image, const Ellipse& e, int level, double u, double v, double du, double dv,
-                double out[4]) {
-  const Level& l = image.levels[level];
-  const Ellipse2 axes = ewa_axes(image, e, level);
-  const double share = ewa_bilinear_share(image, e);
-  const double x0 = ewa_centre(image.sampler->wrap_u, u, du, static_cast<double>(l.width));
-  const double y0 = ewa_centre(image.sampler->wrap_v, v, dv, static_cast<double>(l.height));
+/// The average of texels inside an ellipse around (x0, y0) in texels of a level. `texel_at`: (x, y, channel).
+template <class TexelAt>
+void ellipse_average(const Ellipse2& axes, const Ellipse& e, double x0, double y0, const TexelAt& texel_at,
+                     double (&out)[4]) {
   const double wide = sqrt(axes.aa * e.u * e.u + axes.bb * e.v * e.v);
   const double high = sqrt(axes.aa * e.v * e.v + axes.bb * e.u * e.u);
   double sum[4] = {0, 0, 0, 0}, total = 0;
-  for (auto y = static_cast<int64_t>(ceil(y0 - high)); share < 1 && static_cast<double>(y) <= y0 + high; ++y) {
+  for (auto y = static_cast<int64_t>(ceil(y0 - high)); static_cast<double>(y) <= y0 + high; ++y) {
     for (auto x = static_cast<int64_t>(ceil(x0 - wide)); static_cast<double>(x) <= x0 + wide; ++x) {
       const double dx = static_cast<double>(x) - x0, dy = static_cast<double>(y) - y0;
       const double along = dx * e.u + dy * e.v, across = dy * e.u - dx * e.v;
       const double square = along * along / axes.aa + across * across / axes.bb;
       if (square >= 1) continue;
       const double weight = exp(-2 * square) - exp(-2.0);
-      for (int c = 0; c < 4; ++c) sum[c] += weight * texel(image, level, x, y, c);
+      for (int c = 0; c < 4; ++c) sum[c] += weight * texel_at(x, y, c);
       total += weight;
     }
   }
+  for (int c = 0; c < 4; ++c) out[c] = sum[c] / total;
+}
+
+/// All channels on one level, at a point moved by (du, dv).
+inline void ewa(const Image& image, const Ellipse& e, int level, double u, double v, double du, double dv,
+                double out[4]) {
+  const Level& l = image.levels[level];
+  const double share = ewa_bilinear_share(image, e);
+  const double x0 = ewa_centre(image.sampler->wrap_u, u, du, static_cast<double>(l.width));
+  const double y0 = ewa_centre(image.sampler->wrap_v, v, dv, static_cast<double>(l.height));
+  const auto texel_at = [&](int64_t x, int64_t y, int c) { return texel(image, level, x, y, c); };
+  double average[4] = {0, 0, 0, 0};
+  if (share < 1) ellipse_average(ewa_axes(image, e, level), e, x0, y0, texel_at, average);
   for (int c = 0; c < 4; ++c) {
-    const double average = share < 1 ? sum[c] / total : 0;
     const double point = share > 0 ? bilinear(image, level, reduce(image.sampler->wrap_u, u) + du,
                                               reduce(image.sampler->wrap_v, v) + dv, c)
                                    : 0;
-    out[c] = mix(average, point, share);
+    out[c] = mix(average[c], point, share);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ref/footprint_ref.h"
+#include "ref/slices_ref.h"
 
 namespace ref {
 
@@ -42,6 +43,16 @@ inline double parallelogram_average(const Image& image, double u, double v, cons
     }
   }
   return sum / (static_cast<double>(n) * n);
+}
+
+/// Average of n x n samples of level 0 of a 3D texture over the parallelogram of the derivatives x and y.
+inline double parallelogram_average(const Solid& solid, const Place& p, const Place& x, const Place& y, int n, int c) {
+  double sum = 0;
+  for (int k = 0; k < n * n; ++k) {
+    const double s = (k % n + 0.5) / n - 0.5, t = (k / n + 0.5) / n - 0.5;
+    sum += linear(solid, 0, {p.u + s * x.u + t * y.u, p.v + s * x.v + t * y.v, p.w + s * x.w + t * y.w}, c);
+  }
+  return sum / (n * n);
 }
 
 }  // namespace ref

@@ -2,12 +2,14 @@
 // Averages over boxes of wrapped texels in doubles, texel by texel: the oracle of summed-area lookups.
 #pragma once
 
+#include <vector>
+
 #include "ref/footprint_ref.h"
 
 namespace ref {
 
 /// Level 0 as linear values, and the sampler for the area outside.
-struct Texels {
+struct SummedTexels {
   const double* values;  // [height][width][4]
   int64_t width, height;
   int channels;  // other channels have no border either
@@ -41,7 +43,7 @@ struct BoxSum {
 };
 
 /// @param lengths_u,lengths_v  room for width + 1 and height + 1 numbers
-inline void add_box(const Texels& t, const Box& box, double* lengths_u, double* lengths_v, BoxSum* out) {
+inline void add_box(const SummedTexels& t, const Box& box, double* lengths_u, double* lengths_v, BoxSum* out) {
   const shd_sampler_desc& s = *t.sampler;
   axis_lengths(s.wrap_u, box.x - box.width / 2, box.x + box.width / 2, t.width, lengths_u);
   axis_lengths(s.wrap_v, box.y - box.height / 2, box.y + box.height / 2, t.height, lengths_v);
@@ -93,6 +95,28 @@ inline Box box_part(const Jacobian& j, const shd_sampler_desc& s, int k, int cou
 /// Number of parts, before rounding, into which the first and longer side is divided.
 inline double box_ratio(const Jacobian& j) {
   return hypot(j.ux, j.vx) / fmax(hypot(j.uy, j.vy), 1);
+}
+
+/// The average over the boxes of a footprint, and the tolerance for the positions of the edges.
+struct BoxesAverage {
+  double value[4], edges;
+};
+
+/// The average over `count` boxes along the first side of a footprint.
+inline BoxesAverage boxes_average(const SummedTexels& t, double u, double v, const Jacobian& j, int count) {
+  std::vector<double> lengths_u(static_cast<size_t>(t.width) + 1), lengths_v(static_cast<size_t>(t.height) + 1);
+  BoxSum sum = {};
+  BoxesAverage out = {};
+  for (int k = 0; k < count; ++k) {
+    Box box = box_part(j, *t.sampler, k, count);
+    const double w = static_cast<double>(t.width), h = static_cast<double>(t.height);
+    out.edges = (w + fabs(j.ux)) / box.width + (h + fabs(j.vx)) / box.height;
+    box.x += near_coordinate(t.sampler->wrap_u, u, box.width + fabs(j.ux), t.width);
+    box.y += near_coordinate(t.sampler->wrap_v, v, box.height + fabs(j.vx), t.height);
+    add_box(t, box, lengths_u.data(), lengths_v.data(), &sum);
+  }
+  for (int c = 0; c < 4; ++c) out.value[c] = sum.sum[c] / sum.area;
+  return out;
 }
 
 }  // namespace ref

@@ -45,7 +45,8 @@ inline UnitAxes ellipse_axes(const UnitPoint& x, const UnitPoint& y) {
   const double part = dot(up, right);
   for (size_t c = 0; c < 3; ++c) up[c] -= part * right[c];
   const double height = length(up);
-  for (double& c : up) c = height > 0 ? c / height : 0;
+  const bool is_parallel = height <= 1e-12 * length(along);  // the rest is rounding errors in any direction
+  for (double& c : up) c = is_parallel ? 0 : c / height;
   const double xu = dot(x, right), xv = dot(x, up), yu = dot(y, right), yv = dot(y, up);
   const double sum = hypot(xu + yv, xv - yu), difference = hypot(xu - yv, yu + xv);
   const double angle = (atan2(xv + yu, xu - yv) + atan2(xv - yu, xu + yv)) / 2;

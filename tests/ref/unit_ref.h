@@ -9,6 +9,8 @@
 #include <array>
 #include <vector>
 
+#include <shd/bounds.h>
+
 #include "ref/projection_ref.h"
 #include "ref/texture_ref.h"
 

@@ -52,25 +52,4 @@ inline const double* oracle_values(const Texture& texture, uint32_t layer) {
   return values;
 }
 
-/// The oracle's result of a lookup, and the tolerance for the positions of the edges.
-struct Expected {
-  double value[4], edges;
-};
-
-inline Expected expected_parts(const ref::Texels& t, double u, double v, const ref::Jacobian& j, int count) {
-  static double lengths_u[4097], lengths_v[4097];
-  ref::BoxSum sum = {};
-  Expected out = {};
-  for (int k = 0; k < count; ++k) {
-    ref::Box box = ref::box_part(j, *t.sampler, k, count);
-    const double w = static_cast<double>(t.width), h = static_cast<double>(t.height);
-    out.edges = (w + fabs(j.ux)) / box.width + (h + fabs(j.vx)) / box.height;
-    box.x += ref::near_coordinate(t.sampler->wrap_u, u, box.width + fabs(j.ux), t.width);
-    box.y += ref::near_coordinate(t.sampler->wrap_v, v, box.height + fabs(j.vx), t.height);
-    ref::add_box(t, box, lengths_u, lengths_v, &sum);
-  }
-  for (int c = 0; c < 4; ++c) out.value[c] = sum.sum[c] / sum.area;
-  return out;
-}
-
 }  // namespace fixture

@@ -3,10 +3,12 @@
 // they estimate, by Hoeffding's inequality; means on several levels; bits of all targets and tails.
 #include "filter_cases.h"
 #include "solids.h"
+#include "support/statistics.h"
 
 namespace {
 
 using namespace fixture;
+using shd::tests::hoeffding;
 
 SolidBatch t_batch, t_other;
 uint32_t t_random[kMaxPoints];
@@ -31,11 +33,6 @@ Lookups randomized() {
   Lookups lookups = t_batch.places(true, false);
   lookups.random = t_random;
   return lookups;
-}
-
-/// The error that the mean of n samples from a range exceeds with a probability of at most 1e-12.
-double hoeffding(double range, double n) {
-  return range * sqrt(log(2e12) / (2 * n));
 }
 
 /// Samples of one lookup with the random words first, first + 1, ...

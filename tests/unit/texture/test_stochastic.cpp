@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Stochastic filtering: means of many samples against their expectation, by Hoeffding's inequality ("Probability
-// Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and properties of single samples.
+// Stochastic filtering: means of many samples against their expectation, by Hoeffding's inequality, and
+// properties of single samples.
 #include "points.h"
 
 #include "ref/ewa_ref.h"
+#include "support/statistics.h"
 
 namespace {
 
 using namespace fixture;
+using shd::tests::hoeffding;
 
 struct stochastic_case {
   const char* name;
@@ -141,11 +143,6 @@ double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j
   }
   const double ratio = ref::aspect(e, static_cast<double>(image.sampler->max_anisotropy));
   return ref::anisotropic(image, e, static_cast<int>(ceil(ratio - 0.125)), u, v, channel);
-}
-
-/// The error that the mean of n samples from a range exceeds with a probability of at most 1e-12.
-double hoeffding(double range, double n) {
-  return range * sqrt(log(2e12) / (2 * n));
 }
 
 void check_mean(const stochastic_case& c, const Texture& texture, const shd_sampler_desc& desc, const Place& at) {

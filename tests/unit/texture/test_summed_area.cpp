@@ -61,17 +61,17 @@ size_t choices(const ref::Jacobian& j, const shd_sampler_desc& s, bool lod, ref:
 
 void check_points(const Texture& texture, const double* values, const shd_sampler_desc& desc, bool lod) {
   const double m = fmax(magnitude(texture.format), 2);
-  const ref::Texels t = {values, texture.width, texture.height, ref::layout(texture.format).channels, &desc};
+  const ref::SummedTexels t = {values, texture.width, texture.height, ref::layout(texture.format).channels, &desc};
   for (size_t i = 0; i < t_batch.count; ++i) {
     ref::Jacobian sides[4];
     int counts[4];
     const ref::Jacobian j = jacobian_at(t_batch, i, desc, lod, texture.width, texture.height);
     const size_t n = choices(j, desc, lod, sides, counts);
     bool ok = false;
-    Expected want = {};
+    ref::BoxesAverage want = {};
     for (size_t k = 0; k < n && !ok; ++k) {
-      want =
-          expected_parts(t, static_cast<double>(t_batch.u[i]), static_cast<double>(t_batch.v[i]), sides[k], counts[k]);
+      want = ref::boxes_average(t, static_cast<double>(t_batch.u[i]), static_cast<double>(t_batch.v[i]), sides[k],
+                                counts[k]);
       ok = true;
       for (int c = 0; c < 4; ++c) {
         const double got = static_cast<double>(t_batch.out[c][i]);
