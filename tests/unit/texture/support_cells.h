@@ -113,7 +113,7 @@ class Textures {
     const auto* const object = reinterpret_cast<const shd::core::Object*>(at(shape, store));
     const auto* const texture =
         static_cast<const Texture*>(shd::core::body_of(object, static_cast<uint32_t>(shd::core::ObjectType::kTexture)));
-    assert_true(store_of(*texture) == store && domain_of(*texture) == kShapes[shape].domain);
+    assert_true(texture->store == store && domain_of(*texture) == kShapes[shape].domain);
   }
 
   shd_context* context_;
