@@ -66,7 +66,4 @@ struct FoldTraits {
   bool has_planes;      // points outside lie on the plane of a face of the cube
 };
 
-/// Returns a sampler with the wraps of a projection, without border and without rounded weights.
-Sampler sampler_of_directions(const FoldTraits& traits, const Sampler& sampler);
-
 }  // namespace shd::texture

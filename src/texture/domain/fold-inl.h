@@ -27,7 +27,6 @@
 
 #include "core/status.h"
 #include "simd/kernel_part.h"
-#include "texture/domain/direction.h"
 #include "texture/domain/folds/cube-inl.h"
 #include "texture/domain/folds/disc-inl.h"
 #include "texture/domain/folds/folded-inl.h"
@@ -53,20 +52,15 @@ HWY_INLINE auto WithFold(shd_projection projection, const Body& body) {
   SHD_UNREACHABLE();
 }
 
-/// Returns the constants of a fold.
-HWY_INLINE FoldTraits TraitsOf(shd_projection projection) {
-  return WithFold(projection, [](auto fold) {
-    using F = decltype(fold);
-    return FoldTraits{F::kIsDisc, F::kRepeatsAcross, F::kTurnsAtPoles, F::kLacksCorners, F::kIsPeriodic, F::kHasPlanes};
-  });
-}
+/// The fold of a projection that is known at run time.
+struct AnyFold {
+  shd_projection projection;
 
-/// The texel that continues the image at (x, y).
-template <class D>
-HWY_INLINE FoldedTexel<D> Fold(D d, shd_projection projection, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y,
-                               Ints<D> face) {
-  return WithFold(projection, [&](auto fold) SHD_INLINE_LAMBDA { return decltype(fold)::texel(d, level, x, y, face); });
-}
+  template <class D>
+  HWY_INLINE FoldedTexel<D> texel(D d, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y, Ints<D> face) const {
+    return WithFold(projection, [&](auto fold) SHD_INLINE_LAMBDA { return fold.texel(d, level, x, y, face); });
+  }
+};
 
 /// The texel that continues the grid of the image at (x, y), at most two texels beyond an edge.
 template <class D>

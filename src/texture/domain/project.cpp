@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "projection/projection-inl.h"
+#include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"
 #include "texture/domain/shapes-inl.h"
 
@@ -123,20 +124,22 @@ void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out
   });
 }
 
-}  // namespace shd::texture::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+FoldTraits TraitsOf(shd_projection projection) {
+  return WithFold(projection, [](auto fold) {
+    using F = decltype(fold);
+    return FoldTraits{F::kIsDisc,       F::kRepeatsAcross, F::kTurnsAtPoles,
+                      F::kLacksCorners, F::kIsPeriodic,    F::kHasPlanes};
+  });
+}
 
-#if HWY_ONCE
-namespace shd::texture {
-
-Sampler sampler_of_directions(const FoldTraits& traits, const Sampler& sampler) {
+Sampler SamplerOfDirections(const Texture& texture, const Sampler& sampler) {
   Sampler inside = sampler;
-  inside.wrap_u = traits.repeats_across ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
+  inside.wrap_u = TraitsOf(texture.projection).repeats_across ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
   inside.wrap_v = SHD_WRAP_CLAMP;
   inside.rounded_weights = false;
   inside.precision = SHD_PRECISION_FULL;
   return inside;
 }
 
-}  // namespace shd::texture
-#endif
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -13,7 +13,9 @@
 #include "simd/round-inl.h"
 #include "texture/domain/direction.h"
 #include "texture/domain/fold-inl.h"
+#include "texture/domain/project-inl.h"
 #include "texture/filter/edge_weights-inl.h"
+#include "texture/filter/random-inl.h"
 #include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -192,11 +194,15 @@ class DirectionSink {
       const auto inside = are_inside(d, level, TapsAt(d, level, u, v, face_));
       return rated_at_edge(d, op, level, at.u, taps, rates_at(d, u, v, outside), inside, share);
     }
-    if (traits_.turns_at_poles) return at_pole(d, op, level, at.u, taps, share);
-    if (traits_.lacks_corners) return at_corner(d, op, level, taps, share);
     TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
-    stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
+    const bool is_plain = WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      using F = decltype(fold);
+      fold_quad(d, fold, level, taps, quad);
+      if constexpr (F::kTurnsAtPoles) at_pole(d, fold, op, level, at.u, taps, quad, share);
+      if constexpr (F::kLacksCorners) at_corner(d, op, level, taps, quad, share);
+      return !F::kTurnsAtPoles && !F::kLacksCorners;
+    });
+    if (is_plain) stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
   }
 
   /// Derivatives of the point of a quad after the fold.
@@ -216,7 +222,7 @@ class DirectionSink {
     const QuadFractions<D> at(level, rates, taps.s, taps.t);
     const Share<D> all = {one, zero, zero}, none = {zero, zero, zero};
     TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
+    fold_quad(d, AnyFold{projection_}, level, taps, quad);
     const bool starts = (op & kHow) == kStart;
     const V last_x = level.across.real - one, last_y = level.down.real - one;
     const VI x = ToInt(hn::Min(hn::Max(taps.x, zero), last_x)), y = ToInt(hn::Min(hn::Max(taps.y, zero), last_y));
@@ -225,16 +231,18 @@ class DirectionSink {
     const LinearTaps<D> down = {taps.t, level.down.real, y, next_y, inside, inside};
     stream_.quad(d, op, level, across, down, starts ? share : hn::IfThenElseZero(inside, share));
     WeightedTexels<D> texels;
-    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, level.down.real - one);
-    if (traits_.turns_at_poles) {
-      const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
-      texels.add(d, quad, at.s, at.t, Complement(d, beyond));
-      const Taps other = opposite_of(d, level, u, taps);
-      fold_quad(d, level, other, quad);
-      texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
-    } else {
-      texels.add(d, quad, at.s, at.t, all);
-    }
+    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last_y);
+    WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      using F = decltype(fold);
+      if constexpr (F::kTurnsAtPoles) {
+        const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
+        texels.add(d, quad, at.s, at.t, Complement(d, beyond));
+        const Taps other = opposite_of(d, level, u, taps);
+        fold_quad(d, fold, level, other, quad);
+        texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
+      }
+    });
+    if (!traits_.turns_at_poles) texels.add(d, quad, at.s, at.t, all);
     if (traits_.lacks_corners) {
       const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, level.across.real - one);
       texels.share_out(d, 0, hn::And(left, top));
@@ -252,11 +260,14 @@ class DirectionSink {
       row[k] = place_of(d, level, FoldFar(d, projection_, level, x + hn::Set(d, kOrder[k]), y, face_));
   }
 
-  HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, TexelPlace<D> (&quad)[4]) const {
+  /// The texels of a quad by the fold F.
+  template <class F>
+  HWY_INLINE void fold_quad(D d, const F& fold, const Level<D>& level, const Taps& taps,
+                            TexelPlace<D> (&quad)[4]) const {
     const V one = hn::Set(d, 1.0f);
     for (int k = 0; k < 4; ++k) {
       const V x = k % 2 ? taps.x + one : taps.x, y = k / 2 ? taps.y + one : taps.y;
-      quad[k] = place_of(d, level, Fold(d, projection_, level, x, y, taps.face));
+      quad[k] = place_of(d, level, fold.texel(d, level, x, y, taps.face));
     }
   }
 
@@ -271,13 +282,13 @@ class DirectionSink {
     return other;
   }
 
-  /// A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its
-  /// columns lie between those of the row.
-  HWY_INLINE void at_pole(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps, V share) {
+  /// A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its columns lie
+  /// between those of the row. `quad`: the folded texels.
+  template <class F>
+  HWY_INLINE void at_pole(D d, const F& fold, uint32_t op, const Level<D>& level, V u, const Taps& taps,
+                          TexelPlace<D> (&quad)[4], V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.down.real - one;
     const auto north = hn::Lt(taps.y, zero), pole = hn::Or(north, hn::Ge(taps.y, last));
-    TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
     if (hn::AllFalse(d, pole)) return stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
     // Both rows of the quad are the row beside the pole: first with this meridian, then with the opposite one.
     const V opposite = hn::IfThenElseZero(pole, hn::IfThenElse(north, one - taps.t, taps.t));
@@ -286,16 +297,16 @@ class DirectionSink {
     const V first = plain * (one - opposite) / (one - plain * opposite);
     stream_.quad_of(d, op, level, quad, taps.s, taps.t, hn::IfThenElse(whole, share, first));
     const Taps other = opposite_of(d, level, u, taps);
-    fold_quad(d, level, other, quad);
+    fold_quad(d, fold, level, other, quad);
     stream_.quad_of(d, kBlend | (op & kSecond), level, quad, other.s, taps.t, plain * opposite);
   }
 
   /// The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
-  /// functional specification, 7.18.12): the average of the three is a row in place of the quad.
-  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, V share) {
+  /// functional specification, 7.18.12): the average of the three is a row in place of the quad. `quad`: the folded
+  /// texels.
+  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, const TexelPlace<D> (&quad)[4],
+                            V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.across.real - one;
-    TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
     const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, last);
     const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last);
     const auto corner = hn::And(hn::Or(left, right), hn::Or(top, bottom));

@@ -50,9 +50,8 @@ FaceTexel FoldOne(const Texture& texture, uint32_t level, const FaceTexel& beyon
 }
 
 size_t RunExactDirections(const FilterCall& call) {
-  const FoldTraits traits = TraitsOf(call.texture.projection);
-  const Sampler sampler = sampler_of_directions(traits, call.sampler);
-  const DirectionFunctions functions = {traits, ProjectPrecisely, FoldOne};
+  const Sampler sampler = SamplerOfDirections(call.texture, call.sampler);
+  const DirectionFunctions functions = {TraitsOf(call.texture.projection), ProjectPrecisely, FoldOne};
   return run_exact({call.texture, sampler, call.in, call.out, call.format, call.record, call.recording, call.placement},
                    DirectionFilterOf(SHD_FILTER_BILINEAR), &functions);
 }

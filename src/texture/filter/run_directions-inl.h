@@ -14,7 +14,6 @@
 
 #include "simd/round-inl.h"
 #include "texture/domain/direction.h"
-#include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"
 #include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/random-inl.h"
@@ -77,7 +76,7 @@ inline void FindRandom(const Lookups& in, uint32_t* random) {
 template <class Filter, class Stream = StreamSink>
 HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
   const BatchTag d;
-  const Sampler sampler = sampler_of_directions(TraitsOf(given.texture.projection), given.sampler);
+  const Sampler sampler = SamplerOfDirections(given.texture, given.sampler);
   const FilterCall call = {given.texture, sampler,      given.in,        given.out,
                            given.format,  given.record, given.recording, given.placement};
   const Filter filter(call.texture, call.sampler);
