@@ -127,8 +127,7 @@ void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out
 FoldTraits TraitsOf(shd_projection projection) {
   return WithFold(projection, [](auto fold) {
     using F = decltype(fold);
-    return FoldTraits{F::kIsDisc,       F::kRepeatsAcross, F::kTurnsAtPoles,
-                      F::kLacksCorners, F::kIsPeriodic,    F::kHasPlanes};
+    return FoldTraits{F::kIsDisc, F::kRepeatsAcross, F::kTurnsAtPoles, F::kLacksCorners, F::kIsPeriodic, F::kHasPlanes};
   });
 }
 
