@@ -52,16 +52,6 @@ HWY_INLINE auto WithFold(shd_projection projection, const Body& body) {
   SHD_UNREACHABLE();
 }
 
-/// The fold of a projection that is known at run time.
-struct AnyFold {
-  shd_projection projection;
-
-  template <class D>
-  HWY_INLINE FoldedTexel<D> texel(D d, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y, Ints<D> face) const {
-    return WithFold(projection, [&](auto fold) SHD_INLINE_LAMBDA { return fold.texel(d, level, x, y, face); });
-  }
-};
-
 /// The texel that continues the grid of the image at (x, y), at most two texels beyond an edge.
 template <class D>
 HWY_INLINE FoldedTexel<D> FoldFar(D d, shd_projection projection, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y,

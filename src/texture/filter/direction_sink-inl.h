@@ -221,8 +221,6 @@ class DirectionSink {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     const QuadFractions<D> at(level, rates, taps.s, taps.t);
     const Share<D> all = {one, zero, zero}, none = {zero, zero, zero};
-    TexelPlace<D> quad[4];
-    fold_quad(d, AnyFold{projection_}, level, taps, quad);
     const bool starts = (op & kHow) == kStart;
     const V last_x = level.across.real - one, last_y = level.down.real - one;
     const VI x = ToInt(hn::Min(hn::Max(taps.x, zero), last_x)), y = ToInt(hn::Min(hn::Max(taps.y, zero), last_y));
@@ -230,11 +228,12 @@ class DirectionSink {
     const LinearTaps<D> across = {taps.s, level.across.real, x, next_x, inside, inside};
     const LinearTaps<D> down = {taps.t, level.down.real, y, next_y, inside, inside};
     stream_.quad(d, op, level, across, down, starts ? share : hn::IfThenElseZero(inside, share));
+    TexelPlace<D> quad[4];
     WeightedTexels<D> texels;
     const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last_y);
     WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
-      using F = decltype(fold);
-      if constexpr (F::kTurnsAtPoles) {
+      fold_quad(d, fold, level, taps, quad);
+      if constexpr (decltype(fold)::kTurnsAtPoles) {
         const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
         texels.add(d, quad, at.s, at.t, Complement(d, beyond));
         const Taps other = opposite_of(d, level, u, taps);
@@ -256,8 +255,11 @@ class DirectionSink {
 
   HWY_NOINLINE void fold_row(D d, const Level<D>& level, V x, V y, TexelPlace<D> (&row)[4]) const {
     constexpr float kOrder[4] = {0, 1, -1, 2};
-    for (int k = 0; k < 4; ++k)
-      row[k] = place_of(d, level, FoldFar(d, projection_, level, x + hn::Set(d, kOrder[k]), y, face_));
+    WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      for (int k = 0; k < 4; ++k) {
+        row[k] = place_of(d, level, fold.far_texel(d, level, x + hn::Set(d, kOrder[k]), y, face_));
+      }
+    });
   }
 
   /// The texels of a quad by the fold F.
