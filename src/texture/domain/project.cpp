@@ -16,8 +16,6 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace maps = projection::HWY_NAMESPACE;
 
-using simd::HWY_NAMESPACE::IsFinite;
-
 template <class D>
 using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<D>>;
 
@@ -50,7 +48,8 @@ HWY_INLINE hn::Mask<D> ProjectVector(D d, const Lookups& in, bool steps_given, c
   if (steps_given) {
     const Direction<D> steps[2] = {{load(in.dudx), load(in.dvdx), load(in.dwdx)},
                                    {load(in.dudy), load(in.dvdy), load(in.dwdy)}};
-    finite = hn::And(finite, hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])));
+    finite = hn::And(finite,
+                     hn::And(simd::HWY_NAMESPACE::IsFinite(d, steps[0]), simd::HWY_NAMESPACE::IsFinite(d, steps[1])));
     const bool all_finite = hn::AllTrue(d, finite);
     for (int axis = 0; axis < 2; ++axis) {
       const auto step_of = [&](const Direction<D>& dn) SHD_INLINE_LAMBDA { return map.even_step(d, dn); };
@@ -60,7 +59,7 @@ HWY_INLINE hn::Mask<D> ProjectVector(D d, const Lookups& in, bool steps_given, c
       hn::Store(step.dv, d, out->step[2 * axis + 1] + to);
     }
   } else if (in.lod) {
-    finite = hn::And(finite, IsFinite(d, load(in.lod)));
+    finite = hn::And(finite, simd::HWY_NAMESPACE::IsFinite(d, load(in.lod)));
   }
   return finite;
 }

@@ -37,8 +37,8 @@ struct PointRates {
   hn::Vec<D> u_u, u_v, v_u, v_v;
 };
 
-/// Base of the folds: members that a fold does not replace. `Fold` is the class of the fold.
-template <class Fold>
+/// Base of the folds: members that a fold does not replace. `F` is the class of the fold.
+template <class F>
 struct FoldBase {
   static constexpr bool kIsDisc = false;
   static constexpr bool kRepeatsAcross = false;
@@ -49,7 +49,7 @@ struct FoldBase {
 
   template <class D>
   static HWY_INLINE FoldedTexel<D> far_texel(D d, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y, Ints<D> face) {
-    return Fold::texel(d, level, x, y, face);
+    return F::texel(d, level, x, y, face);
   }
 };
 

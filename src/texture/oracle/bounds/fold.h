@@ -15,7 +15,7 @@
 namespace shd::texture {
 
 /// Returns the values of texel (i, j) of an image of directions. i and j are -1..size, or -size - 1..2 size if
-/// folds_far(). LAT_LONG has no bounds (shd_explain_bounds()).
+/// folds_far(). LAT_LONG has no bounds (shd_texture_bounds()).
 Color folded_range(const Plane& plane, int64_t i, int64_t j);
 
 /// Returns whether folded_range() takes texels as far as one image beyond an edge.
