@@ -12,6 +12,9 @@
 #define SHD_ASSERT(condition) assert(condition)
 #endif
 
+/// Ends a path that no call takes: the values that lead to it are refused when an object is created.
+#define SHD_UNREACHABLE() (SHD_ASSERT(false), __builtin_unreachable())
+
 namespace shd::core {
 
 /// Stores the text for shd_last_error() on this thread and returns `code`.

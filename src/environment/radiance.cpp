@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/executor.h"
+#include "core/status.h"
 #include "data/trig.h"
 #include "projection/projection.h"
 #include "texture/lookup/sample.h"
@@ -58,17 +59,27 @@ double narrow_radius(const texture::DirectionFloats& image, double distance) {
 /// Finds the texels narrower than `distance`. Texels of CUBE and OCTAHEDRAL are wider.
 NarrowTexels find_narrow(const texture::DirectionFloats& image, double distance) {
   NarrowTexels narrow;
-  if (image.projection == SHD_PROJECTION_LAT_LONG) {
-    narrow.rows = narrow_rows(image, distance);
-    narrow.includes_all = 2 * narrow.rows >= image.height;
-    narrow.height =
-        narrow.includes_all ? -1.0f : static_cast<float>(cosine_pi(static_cast<double>(narrow.rows) / image.height));
-  } else if (image.projection == SHD_PROJECTION_MIRROR_BALL || image.projection == SHD_PROJECTION_ANGULAR) {
-    const double r = narrow_radius(image, distance);
-    narrow.radius = r;
-    narrow.depth = static_cast<float>(image.projection == SHD_PROJECTION_ANGULAR ? cosine_pi(r) : 1.0 - 2.0 * r * r);
+  switch (image.projection) {
+    case SHD_PROJECTION_LAT_LONG:
+      narrow.rows = narrow_rows(image, distance);
+      narrow.includes_all = 2 * narrow.rows >= image.height;
+      narrow.height =
+          narrow.includes_all ? -1.0f : static_cast<float>(cosine_pi(static_cast<double>(narrow.rows) / image.height));
+      return narrow;
+    case SHD_PROJECTION_MIRROR_BALL:
+      narrow.radius = narrow_radius(image, distance);
+      narrow.depth = static_cast<float>(1.0 - 2.0 * narrow.radius * narrow.radius);
+      return narrow;
+    case SHD_PROJECTION_ANGULAR:
+      narrow.radius = narrow_radius(image, distance);
+      narrow.depth = static_cast<float>(cosine_pi(narrow.radius));
+      return narrow;
+    case SHD_PROJECTION_CUBE:
+    case SHD_PROJECTION_OCTAHEDRAL: return narrow;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
-  return narrow;
+  SHD_UNREACHABLE();
 }
 
 /// A batch of directions and their radiance.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/executor.h"
+#include "core/status.h"
 #include "data/trig.h"
 #include "image/pixels.h"
 #include "projection/projection.h"
@@ -100,19 +101,28 @@ uint32_t parts_of(double wanted, uint32_t size) {
   return static_cast<uint32_t>(std::max(1.0, std::ceil(wanted / size)));
 }
 
+/// Size of an image whose texels are no larger than those of an octahedral map of `cells` rows.
+struct ImageSize {
+  double columns, rows;
+};
+ImageSize size_like(shd_projection projection, double cells) {
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG: return {1.4 * cells, 0.7 * cells};
+    case SHD_PROJECTION_ANGULAR: return {1.4 * cells, 1.4 * cells};
+    case SHD_PROJECTION_CUBE: return {0.5 * cells, 0.5 * cells};
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_OCTAHEDRAL: return {cells, cells};
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  SHD_UNREACHABLE();
+}
+
 /// Divides texels that are larger than cells.
 void divide(Source* source) {
-  const double cells = cell_size(*source);
-  const uint32_t width = source->image.width, height = source->image.height;
-  double rows = cells;
-  switch (source->image.projection) {
-    case SHD_PROJECTION_LAT_LONG: rows = 0.7 * cells; break;
-    case SHD_PROJECTION_ANGULAR: rows = 1.4 * cells; break;
-    case SHD_PROJECTION_CUBE: rows = 0.5 * cells; break;
-    default: break;
-  }
-  source->down = parts_of(rows, height);
-  source->across = source->image.projection == SHD_PROJECTION_LAT_LONG ? parts_of(2.0 * rows, width) : source->down;
+  const ImageSize size = size_like(source->image.projection, cell_size(*source));
+  source->across = parts_of(size.columns, source->image.width);
+  source->down = parts_of(size.rows, source->image.height);
 }
 
 /// MIRROR_BALL and ANGULAR: sets the texels with their centres outside the disc, if a part of them lies inside.
@@ -240,8 +250,7 @@ void read_source(const core::Context& context, shd_projection projection, const 
   });
   out->replaced = 0;
   for (uint32_t y = 0; y < image.height; ++y) out->replaced += replaced[y];
-  const bool disc = projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR;
-  if (disc) continue_disc(context, out);
+  if (projection::is_disc(projection)) continue_disc(context, out);
   integrate(context, out);
 }
 

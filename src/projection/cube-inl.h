@@ -8,6 +8,8 @@
 #define SHD_PROJECTION_CUBE_INL_H_
 #endif
 
+#include <cstdint>
+
 #include <hwy/highway.h>
 
 #include "projection/direction-inl.h"
@@ -20,6 +22,9 @@ template <class D>
 struct Cube {
   using V = hn::Vec<D>;
   using VI = hn::Vec<hn::RebindToSigned<D>>;
+  static constexpr uint32_t kFaces = 6;
+  static constexpr bool kRepeats = false, kStretches = false;
+
   V u, v;
   VI face;
   hn::Mask<D> on_z, on_y;  // axis of the face; X where neither is set
@@ -49,6 +54,9 @@ struct Cube {
     const V outwards = hn::Xor(sign, hn::IfThenElse(on_z, dn.z, hn::IfThenElse(on_y, dn.y, dn.x)));
     return {half * (across(dn) - s * outwards), half * (down(dn) - t * outwards)};
   }
+
+  HWY_INLINE StepV<V> even_step(D d, const Vec3V<V>& dn) const { return step(d, dn); }
+  HWY_INLINE V stretch(D d) const { return hn::Set(d, 1.0f); }
 
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
   static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI face, V* solid_angle) {

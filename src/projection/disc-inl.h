@@ -9,6 +9,8 @@
 #define SHD_PROJECTION_DISC_INL_H_
 #endif
 
+#include <cstdint>
+
 #include <hwy/highway.h>
 
 #include "projection/direction-inl.h"
@@ -70,6 +72,9 @@ template <class D, class Radius>
 struct Disc {
   using V = hn::Vec<D>;
   using VI = hn::Vec<hn::RebindToSigned<D>>;
+  static constexpr uint32_t kFaces = 1;
+  static constexpr bool kRepeats = false, kStretches = false;
+
   V u, v;
   VI face;
   Polar<D> polar;  // (x, y)
@@ -93,6 +98,9 @@ struct Disc {
     const V along = half * (radius.slope * angle), across = half * (radius.per_rho * around);
     return {along * polar.x - across * polar.y, hn::Neg(along * polar.y + across * polar.x)};
   }
+
+  HWY_INLINE StepV<V> even_step(D d, const Vec3V<V>& dn) const { return step(d, dn); }
+  HWY_INLINE V stretch(D d) const { return hn::Set(d, 1.0f); }
 
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v). Outside the disc -Z and
   /// 0.

@@ -8,6 +8,8 @@
 #define SHD_PROJECTION_LAT_LONG_INL_H_
 #endif
 
+#include <cstdint>
+
 #include <hwy/highway.h>
 
 #include "projection/direction-inl.h"
@@ -22,6 +24,9 @@ template <class D>
 struct LatLong {
   using V = hn::Vec<D>;
   using VI = hn::Vec<hn::RebindToSigned<D>>;
+  static constexpr uint32_t kFaces = 1;
+  static constexpr bool kRepeats = true, kStretches = true;
+
   V u, v;
   VI face;
   Polar<D> horizontal;  // (z, x): the projection onto the ground
@@ -45,8 +50,11 @@ struct LatLong {
     return {hn::Set(d, kInvPi<D> / 2) * (around(dn) * hn::Sqrt(per_square)), down(d, dn)};
   }
 
-  /// The change of u by step(), relative to even_step(): 1 / cos(latitude).
-  HWY_INLINE V stretch(D d) const { return hn::Max(horizontal.inverse / hn::Sqrt(per_square), hn::Set(d, 1.0f)); }
+  /// The change of u by step(), relative to even_step(): 1 / cos(latitude), at most 65536.
+  HWY_INLINE V stretch(D d) const {
+    const V stretch = hn::Max(horizontal.inverse / hn::Sqrt(per_square), hn::Set(d, 1.0f));
+    return hn::Min(stretch, hn::Set(d, 65536.0f));
+  }
 
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
   static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI, V* solid_angle) {

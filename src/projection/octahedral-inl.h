@@ -9,6 +9,8 @@
 #define SHD_PROJECTION_OCTAHEDRAL_INL_H_
 #endif
 
+#include <cstdint>
+
 #include <hwy/highway.h>
 
 #include "projection/direction-inl.h"
@@ -21,6 +23,9 @@ template <class D>
 struct Octahedral {
   using V = hn::Vec<D>;
   using VI = hn::Vec<hn::RebindToSigned<D>>;
+  static constexpr uint32_t kFaces = 1;
+  static constexpr bool kRepeats = false, kStretches = false;
+
   V a, b;  // on the square, -1..1: a points right and b up
   V u, v;
   VI face;
@@ -52,6 +57,9 @@ struct Octahedral {
     const V db = hn::IfThenElse(behind, hn::Neg(hn::Xor(dp, both)), dq);
     return {half * da, hn::Neg(half * db)};
   }
+
+  HWY_INLINE StepV<V> even_step(D d, const Vec3V<V>& dn) const { return step(d, dn); }
+  HWY_INLINE V stretch(D d) const { return hn::Set(d, 1.0f); }
 
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
   static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI, V* solid_angle) {

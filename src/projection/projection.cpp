@@ -41,7 +41,7 @@ HWY_INLINE void StoreColumn(D d, V value, size_t i, size_t count, hn::TFromD<D>*
   if (column) StoreFirst(d, value, count, column + i);
 }
 
-template <template <class> class Map>
+template <class Map>
 size_t ProjectBatch(const Directions& in, const Points& out) {
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
@@ -51,7 +51,7 @@ size_t ProjectBatch(const Directions& in, const Points& out) {
     const size_t count = in.count - i < hn::Lanes(d) ? in.count - i : hn::Lanes(d);
     const BoundedDirection<Tag> direction(d, LoadVector(in.direction, i, count));
     nonfinite += hn::CountTrue(d, hn::AndNot(direction.valid, hn::FirstN(d, count)));
-    const Map<Tag> map(d, direction.n);
+    const Map map(d, direction.n);
     StoreColumn(d, hn::Min(hn::Max(map.u, zero), one), i, count, out.u);
     StoreColumn(d, hn::Min(hn::Max(map.v, zero), one), i, count, out.v);
     StoreColumn(du, hn::BitCast(du, map.face), i, count, out.face);
@@ -66,8 +66,8 @@ size_t ProjectBatch(const Directions& in, const Points& out) {
   return nonfinite;
 }
 
-template <template <class> class Map>
-size_t UnprojectBatch(const ImagePoints& in, const PointDirections& out, bool repeats) {
+template <class Map>
+size_t UnprojectBatch(const ImagePoints& in, const PointDirections& out) {
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -78,12 +78,13 @@ size_t UnprojectBatch(const ImagePoints& in, const PointDirections& out, bool re
     const auto u_finite = IsFinite(d, u), v_finite = IsFinite(d, v);
     nonfinite += hn::CountTrue(d, hn::AndNot(hn::And(u_finite, v_finite), hn::FirstN(d, count)));
     u = hn::IfThenElseZero(u_finite, u);
-    if (repeats) u = hn::IfThenElse(hn::Gt(hn::Abs(u), one), u - RoundDown(u), u);
-    u = hn::Min(hn::Max(u, repeats ? hn::Neg(one) : zero), one);
+    if (Map::kRepeats) u = hn::IfThenElse(hn::Gt(hn::Abs(u), one), u - RoundDown(u), u);
+    u = hn::Min(hn::Max(u, Map::kRepeats ? hn::Neg(one) : zero), one);
     v = hn::Min(hn::Max(hn::IfThenElseZero(v_finite, v), zero), one);
-    const auto face = in.face ? hn::Min(Load(du, in.face + i, count), hn::Set(du, 5)) : hn::Zero(du);
+    const auto last = hn::Set(du, Map::kFaces - 1);
+    const auto face = in.face ? hn::Min(Load(du, in.face + i, count), last) : hn::Zero(du);
     auto solid_angle = zero;
-    const auto n = Map<Tag>::direction(d, u, v, hn::BitCast(hn::RebindToSigned<Tag>(), face), &solid_angle);
+    const auto n = Map::direction(d, u, v, hn::BitCast(hn::RebindToSigned<Tag>(), face), &solid_angle);
     StoreColumn(d, n.x, i, count, out.direction[0]);
     StoreColumn(d, n.y, i, count, out.direction[1]);
     StoreColumn(d, n.z, i, count, out.direction[2]);
@@ -93,23 +94,11 @@ size_t UnprojectBatch(const ImagePoints& in, const PointDirections& out, bool re
 }
 
 size_t ProjectAll(shd_projection projection, const Directions& in, const Points& out) {
-  switch (projection) {
-    case SHD_PROJECTION_LAT_LONG: return ProjectBatch<LatLong>(in, out);
-    case SHD_PROJECTION_MIRROR_BALL: return ProjectBatch<MirrorBall>(in, out);
-    case SHD_PROJECTION_ANGULAR: return ProjectBatch<Angular>(in, out);
-    case SHD_PROJECTION_OCTAHEDRAL: return ProjectBatch<Octahedral>(in, out);
-    default: return ProjectBatch<Cube>(in, out);
-  }
+  return WithMap<Tag>(projection, [&](auto type) { return ProjectBatch<typename decltype(type)::Map>(in, out); });
 }
 
 size_t UnprojectAll(shd_projection projection, const ImagePoints& in, const PointDirections& out) {
-  switch (projection) {
-    case SHD_PROJECTION_LAT_LONG: return UnprojectBatch<LatLong>(in, out, true);
-    case SHD_PROJECTION_MIRROR_BALL: return UnprojectBatch<MirrorBall>(in, out, false);
-    case SHD_PROJECTION_ANGULAR: return UnprojectBatch<Angular>(in, out, false);
-    case SHD_PROJECTION_OCTAHEDRAL: return UnprojectBatch<Octahedral>(in, out, false);
-    default: return UnprojectBatch<Cube>(in, out, false);
-  }
+  return WithMap<Tag>(projection, [&](auto type) { return UnprojectBatch<typename decltype(type)::Map>(in, out); });
 }
 
 }  // namespace shd::projection::HWY_NAMESPACE

@@ -11,7 +11,7 @@
 ///
 /// | file                  | contents                                                        |
 /// |-----------------------|-----------------------------------------------------------------|
-/// | projection-inl.h      | the maps, one class for each projection                         |
+/// | projection-inl.h      | the table of the maps, one class for each projection            |
 /// | direction-inl.h       | directions scaled to components up to 1                         |
 /// | lat_long-inl.h        | SHD_PROJECTION_LAT_LONG                                         |
 /// | disc-inl.h            | SHD_PROJECTION_MIRROR_BALL and ANGULAR: maps onto a disc        |
@@ -65,9 +65,32 @@ struct PointDirections {
 size_t unproject(shd_projection projection, const core::SimdTarget& simd, const ImagePoints& in,
                  const PointDirections& out);
 
-/// Number of square images of a projection: 6 for CUBE, otherwise 1.
+/// Number of images of a projection: 6 square ones for CUBE, otherwise 1.
 constexpr uint32_t face_count(shd_projection projection) {
-  return projection == SHD_PROJECTION_CUBE ? 6 : 1;
+  switch (projection) {
+    case SHD_PROJECTION_CUBE: return 6;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR:
+    case SHD_PROJECTION_OCTAHEDRAL:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  return 1;
+}
+
+/// Returns whether the directions fill a disc in the image. Texels outside the disc have no direction.
+constexpr bool is_disc(shd_projection projection) {
+  switch (projection) {
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return true;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_CUBE:
+    case SHD_PROJECTION_OCTAHEDRAL:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  return false;
 }
 
 /// Solid angle of texel (x, y) of an image, or of a face, of width x height texels [sr]. The sum over all texels and

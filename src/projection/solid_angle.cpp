@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/status.h"
 #include "data/trig.h"
 #include "projection/projection.h"
 
@@ -166,8 +167,11 @@ double texel_solid_angle(shd_projection projection, uint32_t width, uint32_t hei
     case SHD_PROJECTION_MIRROR_BALL: return sum_of_quadrants(r, on_mirror_ball);
     case SHD_PROJECTION_ANGULAR: return sum_of_quadrants(r, on_angular_map);
     case SHD_PROJECTION_OCTAHEDRAL: return sum_of_quadrants(r, on_octahedron);
-    default: return on_cube(r);
+    case SHD_PROJECTION_CUBE: return on_cube(r);
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
 }
 
 }  // namespace shd::projection

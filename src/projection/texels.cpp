@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/status.h"
 #include "data/trig.h"
 #include "projection/projection.h"
 
@@ -9,10 +10,6 @@ namespace shd::projection {
 namespace {
 
 constexpr size_t kPart = 256;
-
-bool is_disc(shd_projection projection) {
-  return projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR;
-}
 
 /// Nearest and farthest number to 0 in an interval of the length 2 / n.
 struct Distance {
@@ -37,10 +34,19 @@ void move_into_disc(float half, float* u, float* v) {
 
 /// Returns whether the density is not smooth in a texel: it holds a fold of the octahedron, or a part of the rim.
 bool is_cut(shd_projection projection, const Distance& p, const Distance& q) {
-  if (is_disc(projection)) return p.most * p.most + q.most * q.most > 1.0;
-  if (projection != SHD_PROJECTION_OCTAHEDRAL) return false;
-  const bool on_axis = (p.least == 0.0 && p.most < 1.0) || (q.least == 0.0 && q.most < 1.0);
-  return on_axis || (p.least + q.least < 1.0 && p.most + q.most > 1.0);
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_CUBE: return false;
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return p.most * p.most + q.most * q.most > 1.0;
+    case SHD_PROJECTION_OCTAHEDRAL: {
+      const bool on_axis = (p.least == 0.0 && p.most < 1.0) || (q.least == 0.0 && q.most < 1.0);
+      return on_axis || (p.least + q.least < 1.0 && p.most + q.most > 1.0);
+    }
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  SHD_UNREACHABLE();
 }
 
 /// Points of a part of a row.
@@ -158,8 +164,12 @@ TexelExtent texel_extent(shd_projection projection, uint32_t width, uint32_t hei
       const double length = side * octahedral_speed(p, q);
       return {length, length};
     }
-    default: return on_disc(projection, p, q, side);
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return on_disc(projection, p, q, side);
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
 }
 
 }  // namespace shd::projection

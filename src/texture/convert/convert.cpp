@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/executor.h"
+#include "core/status.h"
 #include "data/trig.h"
 #include "image/pixels.h"
 #include "projection/projection.h"
@@ -72,8 +73,11 @@ double texel_size(const DirectionFaces& image) {
     case SHD_PROJECTION_MIRROR_BALL: return 16.0 / square;
     case SHD_PROJECTION_ANGULAR: return 4.0 * data::kPi * data::kPi / square;
     case SHD_PROJECTION_CUBE: return 4.0 / square;
-    default: return 24.0 / square;
+    case SHD_PROJECTION_OCTAHEDRAL: return 24.0 / square;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
 }
 
 /// Angle between texels of the source, so that at most about 64 samples are taken for each texel of the target and 16
@@ -129,8 +133,12 @@ double texel_angle(const Texture& source) {
     case SHD_PROJECTION_LAT_LONG: return std::min(data::kPi / source.height, 2.0 * data::kPi / source.width);
     case SHD_PROJECTION_ANGULAR: return 3.0 / source.width;
     case SHD_PROJECTION_CUBE: return 1.0 / source.width;
-    default: return 2.0 / source.width;
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_OCTAHEDRAL: return 2.0 / source.width;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
 }
 
 /// The samples of one batch.
@@ -244,8 +252,7 @@ void convert(const core::Context& context, const DirectionFaces& from, const Dir
   Texture source;
   borrow(context, decoded, &source);
   const Sampler sampler = sampler_of(SHD_FILTER_BILINEAR);
-  const bool disc = to.projection == SHD_PROJECTION_MIRROR_BALL || to.projection == SHD_PROJECTION_ANGULAR;
-  const Conversion conversion = {context, source, sampler, to, disc};
+  const Conversion conversion = {context, source, sampler, to, projection::is_disc(to.projection)};
   for_rows(context, {0, projection::face_count(to.projection) * to.height},
            [&](uint32_t row, uint32_t) { conversion.convert_row(row / to.height, row % to.height); });
 }

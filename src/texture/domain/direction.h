@@ -42,6 +42,7 @@ struct ProjectedPoints {
 /// Points of a block of directions.
 struct ProjectedBlock : ProjectedPoints<float, uint32_t, kBlock> {
   Lookups points;  // at the columns above; layers are faces
+  bool stretches;  // the projection has a stretch
 };
 
 /// The point of one direction.
@@ -55,7 +56,14 @@ struct DirectionRates {
   alignas(64) float u[3][kBlock], v[3][kBlock];
 };
 
-/// Returns a sampler with the wraps of a projection, without border and without rounded weights.
-Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler);
+/// Properties of the fold of a projection (fold-inl.h).
+struct FoldTraits {
+  bool is_disc;         // the directions fill a disc
+  bool repeats_across;  // u has a period of 1
+  bool turns_at_poles;  // beyond the first and the last row lies this row at u + 1/2
+  bool lacks_corners;   // the texel beyond a corner does not exist
+  bool is_periodic;     // texels far beyond edges have a period of two images
+  bool has_planes;      // points outside lie on the plane of a face of the cube
+};
 
 }  // namespace shd::texture

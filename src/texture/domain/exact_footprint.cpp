@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/status.h"
+#include "projection/projection.h"
 #include "texture/domain/lod.h"
 #include "texture/store/storage.h"
 
@@ -156,14 +158,20 @@ bool give_width(Sides* s) {
 
 /// Brings the sides of a direction from the equator to its parallel, and limits their reach beyond edges.
 Sides placed(shd_projection projection, const DirectionPoint& point, const Sides& s) {
-  if (projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR)
-    return {shortened(s.a, 0.5), shortened(s.b, 0.5)};
-  if (projection != SHD_PROJECTION_LAT_LONG) return s;
   const auto along = [&](double u) {
     const double wide = u * *point.stretch;
     return wide < -1 ? -1 : wide > 1 ? 1 : wide;
   };
-  return {vector_of(along(s.a.x), s.a.y, 0), vector_of(along(s.b.x), s.b.y, 0)};
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG: return {vector_of(along(s.a.x), s.a.y, 0), vector_of(along(s.b.x), s.b.y, 0)};
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return {shortened(s.a, 0.5), shortened(s.b, 0.5)};
+    case SHD_PROJECTION_CUBE:
+    case SHD_PROJECTION_OCTAHEDRAL: return s;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  SHD_UNREACHABLE();
 }
 
 /// Fits the sides of a level, and the depth of a box, to the limit of cells. Returns whether they did fit; if `shorten`
@@ -238,7 +246,7 @@ ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, c
   }
   const uint32_t last = texture.layers - 1;
   out.layer = in.layer ? (in.layer[i] < last ? in.layer[i] : last) : 0;
-  if (texture.projection == SHD_PROJECTION_CUBE) out.layer = static_cast<uint32_t>(*point->face);
+  if (projection::face_count(texture.projection) > 1) out.layer = static_cast<uint32_t>(*point->face);
   out.finite = point ? point->finite : is_finite(texture, in, i);
   return out;
 }

@@ -20,6 +20,12 @@ size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock*
 /// Finds the derivatives of the points of a block (project.cpp).
 void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out);
 
+/// Returns the properties of the fold of a projection (project.cpp).
+FoldTraits TraitsOf(shd_projection projection);
+
+/// Returns a sampler with the wraps of a projection, without border and without rounded weights (project.cpp).
+Sampler SamplerOfDirections(const Texture& texture, const Sampler& sampler);
+
 /// Projects lookup i in doubles (project.cpp).
 DirectionPoint ProjectPrecisely(const Texture& texture, const Lookups& in, size_t i);
 

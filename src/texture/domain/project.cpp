@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "projection/projection-inl.h"
+#include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"
 #include "texture/domain/shapes-inl.h"
 
@@ -15,28 +16,8 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace maps = projection::HWY_NAMESPACE;
 
-using simd::HWY_NAMESPACE::IsFinite;
-
 template <class D>
 using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<D>>;
-
-template <class D, class Map>
-HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const Map& map, const Direction<D>& dn) {
-  return map.step(d, dn);
-}
-template <class D>
-HWY_INLINE maps::StepV<hn::Vec<D>> StepOf(D d, const maps::LatLong<D>& map, const Direction<D>& dn) {
-  return map.even_step(d, dn);
-}
-
-template <class D, class Map>
-HWY_INLINE hn::Vec<D> StretchOf(D d, const Map&) {
-  return hn::Set(d, 1.0f);
-}
-template <class D>
-HWY_INLINE hn::Vec<D> StretchOf(D d, const maps::LatLong<D>& map) {
-  return hn::Min(map.stretch(d), hn::Set(d, 65536.0f));
-}
 
 /// Derivatives of a point; infinite in lanes where the change of the direction has an infinite component.
 template <class D>
@@ -45,23 +26,6 @@ HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction<D>& dn, con
   const auto is_infinite = [&](hn::Vec<D> x) { return hn::Eq(hn::Abs(x), infinity); };
   const auto any = hn::Or(hn::Or(is_infinite(dn.x), is_infinite(dn.y)), is_infinite(dn.z));
   return {hn::IfThenElse(any, infinity, step.du), hn::IfThenElse(any, infinity, step.dv)};
-}
-
-template <class M>
-struct MapType {
-  using Map = M;
-};
-
-/// Calls body(MapType) for the map of a projection.
-template <class D, class Body>
-void WithMap(shd_projection projection, const Body& body) {
-  switch (projection) {
-    case SHD_PROJECTION_LAT_LONG: return body(MapType<maps::LatLong<D>>());
-    case SHD_PROJECTION_MIRROR_BALL: return body(MapType<maps::MirrorBall<D>>());
-    case SHD_PROJECTION_ANGULAR: return body(MapType<maps::Angular<D>>());
-    case SHD_PROJECTION_OCTAHEDRAL: return body(MapType<maps::Octahedral<D>>());
-    default: return body(MapType<maps::Cube<D>>());
-  }
 }
 
 bool HasSteps(const Lookups& in) {
@@ -80,21 +44,22 @@ HWY_INLINE hn::Mask<D> ProjectVector(D d, const Lookups& in, bool steps_given, c
   hn::Store(map.u, d, out->u + to);
   hn::Store(map.v, d, out->v + to);
   hn::Store(hn::BitCast(du, map.face), du, out->face + to);
-  hn::Store(StretchOf(d, map), d, out->stretch + to);
+  hn::Store(map.stretch(d), d, out->stretch + to);
   if (steps_given) {
     const Direction<D> steps[2] = {{load(in.dudx), load(in.dvdx), load(in.dwdx)},
                                    {load(in.dudy), load(in.dvdy), load(in.dwdy)}};
-    finite = hn::And(finite, hn::And(IsFinite(d, steps[0]), IsFinite(d, steps[1])));
+    finite = hn::And(finite,
+                     hn::And(simd::HWY_NAMESPACE::IsFinite(d, steps[0]), simd::HWY_NAMESPACE::IsFinite(d, steps[1])));
     const bool all_finite = hn::AllTrue(d, finite);
     for (int axis = 0; axis < 2; ++axis) {
-      const auto step_of = [&](const Direction<D>& dn) SHD_INLINE_LAMBDA { return StepOf(d, map, dn); };
+      const auto step_of = [&](const Direction<D>& dn) SHD_INLINE_LAMBDA { return map.even_step(d, dn); };
       auto step = direction.derivatives(d, steps[axis], step_of);
       if (HWY_UNLIKELY(!all_finite)) step = WithInfinity(d, steps[axis], step);
       hn::Store(step.du, d, out->step[2 * axis] + to);
       hn::Store(step.dv, d, out->step[2 * axis + 1] + to);
     }
   } else if (in.lod) {
-    finite = hn::And(finite, IsFinite(d, load(in.lod)));
+    finite = hn::And(finite, simd::HWY_NAMESPACE::IsFinite(d, load(in.lod)));
   }
   return finite;
 }
@@ -116,14 +81,14 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
   points.u = out->u, points.v = out->v, points.w = points.dwdx = points.dwdy = nullptr;
   points.dudx = steps_given ? out->step[0] : nullptr, points.dvdx = steps_given ? out->step[1] : nullptr;
   points.dudy = steps_given ? out->step[2] : nullptr, points.dvdy = steps_given ? out->step[3] : nullptr;
+  if (Map::kFaces > 1) points.layer = out->face;
+  out->stretches = Map::kStretches;
   return nonfinite;
 }
 
 size_t ProjectLookups(const Texture& texture, const Lookups& in, ProjectedBlock* out) {
-  size_t nonfinite = 0;
-  WithMap<BatchTag>(texture.projection, [&](auto type) { nonfinite = Project<typename decltype(type)::Map>(in, out); });
-  if (texture.projection == SHD_PROJECTION_CUBE) out->points.layer = out->face;
-  return nonfinite;
+  return maps::WithMap<BatchTag>(texture.projection,
+                                 [&](auto type) { return Project<typename decltype(type)::Map>(in, out); });
 }
 
 DirectionPoint ProjectPrecisely(const Texture& texture, const Lookups& in, size_t i) {
@@ -131,14 +96,14 @@ DirectionPoint ProjectPrecisely(const Texture& texture, const Lookups& in, size_
   const D d;
   const auto load = [&](const float* column) { return hn::Set(d, column ? static_cast<double>(column[i]) : 0.0); };
   DirectionPoint out = {};
-  WithMap<D>(texture.projection, [&](auto type) {
+  maps::WithMap<D>(texture.projection, [&](auto type) {
     out.finite = hn::AllTrue(d, ProjectVector<typename decltype(type)::Map>(d, in, HasSteps(in), load, 0, &out));
   });
   return out;
 }
 
 void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out) {
-  WithMap<BatchTag>(texture.projection, [&](auto type) {
+  maps::WithMap<BatchTag>(texture.projection, [&](auto type) {
     ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
       const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return LoadOrZero(d, column, i); };
       const maps::BoundedDirection<BatchTag> direction(d, {load(from.u), load(from.v), load(from.w)});
@@ -158,20 +123,21 @@ void ProjectRates(const Texture& texture, const Lookups& in, DirectionRates* out
   });
 }
 
-}  // namespace shd::texture::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+FoldTraits TraitsOf(shd_projection projection) {
+  return WithFold(projection, [](auto fold) {
+    using F = decltype(fold);
+    return FoldTraits{F::kIsDisc, F::kRepeatsAcross, F::kTurnsAtPoles, F::kLacksCorners, F::kIsPeriodic, F::kHasPlanes};
+  });
+}
 
-#if HWY_ONCE
-namespace shd::texture {
-
-Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler) {
+Sampler SamplerOfDirections(const Texture& texture, const Sampler& sampler) {
   Sampler inside = sampler;
-  inside.wrap_u = texture.projection == SHD_PROJECTION_LAT_LONG ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
+  inside.wrap_u = TraitsOf(texture.projection).repeats_across ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
   inside.wrap_v = SHD_WRAP_CLAMP;
   inside.rounded_weights = false;
   inside.precision = SHD_PRECISION_FULL;
   return inside;
 }
 
-}  // namespace shd::texture
-#endif
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -8,8 +8,6 @@
 #define SHD_TEXTURE_DIRECTION_SINK_INL_H_
 #endif
 
-#include <type_traits>
-
 #include <hwy/highway.h>
 
 #include "simd/round-inl.h"
@@ -39,7 +37,7 @@ class DirectionSink {
       : stream_(call),
         projection_(call.texture.projection),
         layer_units_(static_cast<int32_t>(call.texture.layout.layer_units)),
-        is_disc_(projection_ == SHD_PROJECTION_MIRROR_BALL || projection_ == SHD_PROJECTION_ANGULAR) {}
+        traits_(TraitsOf(projection_)) {}
 
   HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
   /// Calls with rates compute no values: their elements at edges differ.
@@ -87,7 +85,7 @@ class DirectionSink {
     const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d);
     const auto across = hn::And(hn::Ge(x, one), hn::Lt(x + two, level.across.real));
     auto inside = hn::And(across, hn::And(hn::Ge(y, zero), hn::Lt(y, level.down.real)));
-    if (is_disc_) {
+    if (traits_.is_disc) {
       const V last = level.across.real - one, q = y + y - last;
       const V p = hn::Max(last - (x + x) + two, (x + x) + two + two - last);
       inside = hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
@@ -114,7 +112,7 @@ class DirectionSink {
     const V zero = hn::Zero(d);
     auto inside = hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, level.across.real)),
                           hn::And(hn::Ge(y, zero), hn::Lt(y, level.down.real)));
-    if (is_disc_) {
+    if (traits_.is_disc) {
       const V last = level.across.real - hn::Set(d, 1.0f), p = x + x - last, q = y + y - last;
       inside = hn::And(inside, hn::Le(p * p + q * q, level.across.real * level.across.real));
     }
@@ -143,7 +141,7 @@ class DirectionSink {
     const auto across = hn::And(hn::Ge(taps.x, zero), hn::Le(taps.x, level.across.real - two));
     const auto down = hn::And(hn::Ge(taps.y, zero), hn::Le(taps.y, level.down.real - two));
     const auto inside = hn::And(across, down);
-    if (HWY_LIKELY(!is_disc_)) return inside;
+    if (HWY_LIKELY(!traits_.is_disc)) return inside;
     // The texel farthest from the centre lies in the disc.
     const V last = level.across.real - hn::Set(d, 1.0f);
     const V p = hn::Max(last - (taps.x + taps.x), (taps.x + taps.x) + two - last);
@@ -173,7 +171,7 @@ class DirectionSink {
     const FoldedPoint<D> point = FoldPoint(d, projection_, (x + half) / width, (y + half) / height, face_);
     FoldedTexel<D> texel = {hn::Min(RoundDown(point.u * width), width - one),
                             hn::Min(RoundDown(point.v * height), height - one), point.face};
-    if (is_disc_) texel = FoldDisc(d, x, y, width, face_);
+    if (traits_.is_disc) texel = DiscFold::texel(d, level, x, y, face_);
     return place_of(
         d, level,
         {hn::IfThenElse(inside, x, hn::Max(texel.x, zero)), hn::IfThenElse(inside, y, hn::Max(texel.y, zero)),
@@ -185,7 +183,7 @@ class DirectionSink {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     FoldedPoint<D> at = {u, v, face_};
     const auto beside = hn::Or(hn::Or(hn::Lt(u, zero), hn::Gt(u, one)), hn::Or(hn::Lt(v, zero), hn::Gt(v, one)));
-    const auto outside = is_disc_ ? hn::Eq(u, u) : beside;  // FoldPoint() keeps points inside the disc
+    const auto outside = traits_.is_disc ? hn::Eq(u, u) : beside;  // FoldPoint() keeps points inside the disc
     if (!hn::AllFalse(d, outside)) {
       const FoldedPoint<D> inner = FoldPoint(d, projection_, u, v, face_);
       at = {hn::IfThenElse(outside, inner.u, u), hn::IfThenElse(outside, inner.v, v),
@@ -196,11 +194,15 @@ class DirectionSink {
       const auto inside = are_inside(d, level, TapsAt(d, level, u, v, face_));
       return rated_at_edge(d, op, level, at.u, taps, rates_at(d, u, v, outside), inside, share);
     }
-    if (projection_ == SHD_PROJECTION_LAT_LONG) return at_pole(d, op, level, at.u, taps, share);
-    if (projection_ == SHD_PROJECTION_CUBE) return at_corner(d, op, level, taps, share);
     TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
-    stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
+    const bool is_plain = WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      using F = decltype(fold);
+      fold_quad(d, fold, level, taps, quad);
+      if constexpr (F::kTurnsAtPoles) at_pole(d, fold, op, level, at.u, taps, quad, share);
+      if constexpr (F::kLacksCorners) at_corner(d, op, level, taps, quad, share);
+      return !F::kTurnsAtPoles && !F::kLacksCorners;
+    });
+    if (is_plain) stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
   }
 
   /// Derivatives of the point of a quad after the fold.
@@ -219,8 +221,6 @@ class DirectionSink {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     const QuadFractions<D> at(level, rates, taps.s, taps.t);
     const Share<D> all = {one, zero, zero}, none = {zero, zero, zero};
-    TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
     const bool starts = (op & kHow) == kStart;
     const V last_x = level.across.real - one, last_y = level.down.real - one;
     const VI x = ToInt(hn::Min(hn::Max(taps.x, zero), last_x)), y = ToInt(hn::Min(hn::Max(taps.y, zero), last_y));
@@ -228,18 +228,21 @@ class DirectionSink {
     const LinearTaps<D> across = {taps.s, level.across.real, x, next_x, inside, inside};
     const LinearTaps<D> down = {taps.t, level.down.real, y, next_y, inside, inside};
     stream_.quad(d, op, level, across, down, starts ? share : hn::IfThenElseZero(inside, share));
+    TexelPlace<D> quad[4];
     WeightedTexels<D> texels;
-    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, level.down.real - one);
-    if (projection_ == SHD_PROJECTION_LAT_LONG) {
-      const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
-      texels.add(d, quad, at.s, at.t, Complement(d, beyond));
-      const Taps other = opposite_of(d, level, u, taps);
-      fold_quad(d, level, other, quad);
-      texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
-    } else {
-      texels.add(d, quad, at.s, at.t, all);
-    }
-    if (projection_ == SHD_PROJECTION_CUBE) {
+    const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last_y);
+    WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      fold_quad(d, fold, level, taps, quad);
+      if constexpr (decltype(fold)::kTurnsAtPoles) {
+        const Share<D> beyond = SelectShare<D>(top, Complement(d, at.t), SelectShare<D>(bottom, at.t, none));
+        texels.add(d, quad, at.s, at.t, Complement(d, beyond));
+        const Taps other = opposite_of(d, level, u, taps);
+        fold_quad(d, fold, level, other, quad);
+        texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
+      }
+    });
+    if (!traits_.turns_at_poles) texels.add(d, quad, at.s, at.t, all);
+    if (traits_.lacks_corners) {
       const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, level.across.real - one);
       texels.share_out(d, 0, hn::And(left, top));
       texels.share_out(d, 1, hn::And(right, top));
@@ -252,15 +255,21 @@ class DirectionSink {
 
   HWY_NOINLINE void fold_row(D d, const Level<D>& level, V x, V y, TexelPlace<D> (&row)[4]) const {
     constexpr float kOrder[4] = {0, 1, -1, 2};
-    for (int k = 0; k < 4; ++k)
-      row[k] = place_of(d, level, FoldFar(d, projection_, level, x + hn::Set(d, kOrder[k]), y, face_));
+    WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+      for (int k = 0; k < 4; ++k) {
+        row[k] = place_of(d, level, fold.far_texel(d, level, x + hn::Set(d, kOrder[k]), y, face_));
+      }
+    });
   }
 
-  HWY_INLINE void fold_quad(D d, const Level<D>& level, const Taps& taps, TexelPlace<D> (&quad)[4]) const {
+  /// The texels of a quad by the fold F.
+  template <class F>
+  HWY_INLINE void fold_quad(D d, const F& fold, const Level<D>& level, const Taps& taps,
+                            TexelPlace<D> (&quad)[4]) const {
     const V one = hn::Set(d, 1.0f);
     for (int k = 0; k < 4; ++k) {
       const V x = k % 2 ? taps.x + one : taps.x, y = k / 2 ? taps.y + one : taps.y;
-      quad[k] = place_of(d, level, Fold(d, projection_, level, x, y, taps.face));
+      quad[k] = place_of(d, level, fold.texel(d, level, x, y, taps.face));
     }
   }
 
@@ -275,13 +284,13 @@ class DirectionSink {
     return other;
   }
 
-  /// LAT_LONG. A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its
-  /// columns lie between those of the row.
-  HWY_INLINE void at_pole(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps, V share) {
+  /// A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its columns lie
+  /// between those of the row. `quad`: the folded texels.
+  template <class F>
+  HWY_INLINE void at_pole(D d, const F& fold, uint32_t op, const Level<D>& level, V u, const Taps& taps,
+                          TexelPlace<D> (&quad)[4], V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.down.real - one;
     const auto north = hn::Lt(taps.y, zero), pole = hn::Or(north, hn::Ge(taps.y, last));
-    TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
     if (hn::AllFalse(d, pole)) return stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
     // Both rows of the quad are the row beside the pole: first with this meridian, then with the opposite one.
     const V opposite = hn::IfThenElseZero(pole, hn::IfThenElse(north, one - taps.t, taps.t));
@@ -290,16 +299,16 @@ class DirectionSink {
     const V first = plain * (one - opposite) / (one - plain * opposite);
     stream_.quad_of(d, op, level, quad, taps.s, taps.t, hn::IfThenElse(whole, share, first));
     const Taps other = opposite_of(d, level, u, taps);
-    fold_quad(d, level, other, quad);
+    fold_quad(d, fold, level, other, quad);
     stream_.quad_of(d, kBlend | (op & kSecond), level, quad, other.s, taps.t, plain * opposite);
   }
 
-  /// CUBE. The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
-  /// functional specification, 7.18.12): the average of the three is a row in place of the quad.
-  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, V share) {
+  /// The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
+  /// functional specification, 7.18.12): the average of the three is a row in place of the quad. `quad`: the folded
+  /// texels.
+  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, const TexelPlace<D> (&quad)[4],
+                            V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.across.real - one;
-    TexelPlace<D> quad[4];
-    fold_quad(d, level, taps, quad);
     const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, last);
     const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last);
     const auto corner = hn::And(hn::Or(left, right), hn::Or(top, bottom));
@@ -352,90 +361,11 @@ class DirectionSink {
   Stream stream_;
   const shd_projection projection_;
   const int32_t layer_units_;
-  const bool is_disc_;
+  const FoldTraits traits_;
   bool stretched_ = false;
   VI face_ = hn::Zero(hn::RebindToSigned<D>());
   V stretch_ = hn::Zero(D()), most_ = hn::Zero(D());
 };
-
-/// Part of the footprint that is stretched along the parallel: none where the lookup is not minified.
-template <class D>
-HWY_INLINE hn::Vec<D> BlurOf(D d, const PointBlock&, size_t) {
-  return hn::Zero(d);
-}
-template <class D>
-HWY_INLINE hn::Vec<D> BlurOf(D d, const LodBlock& block, size_t i) {
-  return hn::Min(hn::Max(hn::Load(d, block.lod + i), hn::Zero(d)), hn::Set(d, 1.0f));
-}
-
-/// Quads along a parallel in place of one: fewer for each probe of a line.
-template <class D>
-HWY_INLINE hn::Vec<D> MostOf(D d, const PointBlock&, size_t) {
-  return hn::Set(d, kMaxParallel);
-}
-template <class D>
-HWY_INLINE hn::Vec<D> MostOf(D d, const ProbeBlock& block, size_t i) {
-  return hn::Min(RoundDown(hn::Set(d, kMaxQuads) / hn::Load(d, block.probes + i)), hn::Set(d, kMaxParallel));
-}
-
-/// The block that FindShapes() fills.
-template <class Block>
-HWY_INLINE auto ShapesOf(Block* block) {
-  using Shapes = std::conditional_t<std::is_base_of_v<EllipseBlock, Block>, EllipseBlock, Block>;
-  return static_cast<Shapes*>(block);
-}
-
-/// Brings the shapes of LAT_LONG from the equator to their parallels.
-inline void StretchShapes(const ProjectedBlock&, const Texture&, PointBlock*) {}
-inline void StretchShapes(const ProjectedBlock& points, const Texture&, ProbeBlock* block) {
-  const BatchTag d;
-  for (size_t i = 0; i < block->count; i += hn::Lanes(d)) {
-    const auto limit = hn::Set(d, 0.5f) / hn::Load(d, block->probes + i);  // together one circle
-    const auto step = hn::Load(d, block->step_u + i) * hn::Load(d, points.stretch + i);
-    hn::Store(hn::Min(hn::Max(step, hn::Neg(limit)), limit), d, block->step_u + i);
-  }
-}
-
-/// Finds the random bits of a block of directions: those of the lookups, or a hash of the direction.
-inline void FindRandom(const Lookups& in, uint32_t* random) {
-  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
-    const hn::RebindToUnsigned<decltype(d)> du;
-    const auto load = [&](const float* column) { return FiniteOrZero(d, LoadOrZero(d, column, i)); };
-    const auto hash = BitsOfPoint(d, load(from.u), hn::BitCast(d, BitsOfPoint(d, load(from.v), load(from.w))));
-    hn::Store(from.random ? hn::LoadU(du, from.random + i) : hash, du, random + to);
-  });
-}
-
-/// Runs a filter over a batch of directions; a RunFilter.
-template <class Filter, class Stream = StreamSink>
-HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
-  const BatchTag d;
-  const Sampler sampler = sampler_of_directions(given.texture, given.sampler);
-  const FilterCall call = {given.texture, sampler,      given.in,        given.out,
-                           given.format,  given.record, given.recording, given.placement};
-  const Filter filter(call.texture, call.sampler);
-  const bool lat_long = call.texture.projection == SHD_PROJECTION_LAT_LONG;
-  ProjectedBlock points;
-  typename Filter::Block block;
-  constexpr bool kPicks = !std::is_same_v<Stream, StreamSink>;
-  alignas(64) uint32_t random[kPicks ? kBlock : 1];
-  DirectionSink<Stream> sink(call);
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < call.in.count; first += kBlock) {
-    nonfinite += ProjectLookups(call.texture, block_of(call.in, first), &points);
-    FindShapes(call.texture, call.sampler, points.points, ShapesOf(&block));
-    if (lat_long) StretchShapes(points, call.texture, &block);
-    if constexpr (kPicks) FindRandom(block_of(call.in, first), random);
-    sink.begin(first, Filter::is_scattered(call.texture, block));
-    for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-      if constexpr (kPicks) sink.start(d, hn::Load(hn::RebindToUnsigned<BatchTag>(), random + i));
-      sink.place(d, points, i, BlurOf(d, block, i), MostOf(d, block, i));
-      filter.emit(d, block, i, sink);
-    }
-    sink.flush();
-  }
-  return nonfinite;
-}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -8,12 +8,12 @@
 
 #include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bilinear-inl.h"
-#include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/directions-inl.h"
 #include "texture/filter/directions_cubic-inl.h"
 #include "texture/filter/mip-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/nearest_mip_linear-inl.h"
+#include "texture/filter/run_directions-inl.h"
 #include "texture/filter/trilinear-inl.h"
 
 HWY_BEFORE_NAMESPACE();

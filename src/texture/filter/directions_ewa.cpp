@@ -10,10 +10,10 @@
 #include <hwy/highway.h>
 
 #include "simd/round-inl.h"
-#include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/directions-inl.h"
 #include "texture/filter/ewa-inl.h"
 #include "texture/filter/pick_sink-inl.h"
+#include "texture/filter/run_directions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -37,6 +37,7 @@ struct FreeAxis {
 struct EwaDirections {
   struct Block : EllipseBlock {
     alignas(64) float stride[kBlock];
+    bool has_strides = false;
   };
 
   const Texture& texture;
@@ -51,7 +52,7 @@ struct EwaDirections {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     EllipseWalk<D, FreeAxis<D>> walk(d, texture, sampler, block, i);
-    if (texture.projection == SHD_PROJECTION_LAT_LONG) walk.stride = hn::Load(d, block.stride + i);
+    if (block.has_strides) walk.stride = hn::Load(d, block.stride + i);
     if (!hn::AllTrue(d, walk.ellipse.is_quad)) walk.emit(d, walk.are_unlike(d), sink);
     if (!hn::AllTrue(d, hn::Eq(walk.ellipse.bilinear, hn::Zero(d)))) walk.emit_quad(d, sink);
     sink.finish();
@@ -63,6 +64,7 @@ void StretchShapes(const ProjectedBlock& points, const Texture& texture, EwaDire
   const BatchTag d;
   const hn::RebindToSigned<BatchTag> di;
   const auto one = hn::Set(d, 1.0f);
+  block->has_strides = true;
   for (size_t i = 0; i < block->count; i += hn::Lanes(d)) {
     const auto level = simd::HWY_NAMESPACE::ToInt(hn::Load(d, block->level + i));
     const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - level));

@@ -9,10 +9,10 @@
 
 #include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bilinear-inl.h"
-#include "texture/filter/direction_sink-inl.h"
 #include "texture/filter/directions-inl.h"
 #include "texture/filter/directions_cubic-inl.h"
 #include "texture/filter/pick_sink-inl.h"
+#include "texture/filter/run_directions-inl.h"
 #include "texture/filter/trilinear-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -50,8 +50,8 @@ FaceTexel FoldOne(const Texture& texture, uint32_t level, const FaceTexel& beyon
 }
 
 size_t RunExactDirections(const FilterCall& call) {
-  const Sampler sampler = sampler_of_directions(call.texture, call.sampler);
-  const DirectionFunctions functions = {ProjectPrecisely, FoldOne};
+  const Sampler sampler = SamplerOfDirections(call.texture, call.sampler);
+  const DirectionFunctions functions = {TraitsOf(call.texture.projection), ProjectPrecisely, FoldOne};
   return run_exact({call.texture, sampler, call.in, call.out, call.format, call.record, call.recording, call.placement},
                    DirectionFilterOf(SHD_FILTER_BILINEAR), &functions);
 }
@@ -183,20 +183,19 @@ class Integral {
   /// Adds a texel of an image of directions, or of its continuation, as BILINEAR reads it: a corner of the cube is the
   /// mean of the three texels around it, and beyond a pole a texel of an odd width is the mean of two.
   void add_continued(int64_t x, int64_t y, double weight) {
-    const shd_projection projection = texture_.projection;
-    const bool lat_long = projection == SHD_PROJECTION_LAT_LONG, folds = projection == SHD_PROJECTION_OCTAHEDRAL;
-    if (lat_long || folds) {
+    const FoldTraits& traits = directions_->traits;
+    if (traits.is_periodic) {
       x = wrap_index(SHD_WRAP_REPEAT, x, 2 * width_), y = wrap_index(SHD_WRAP_REPEAT, y, 2 * height_);
     }
     const int64_t in_x = wrap_index(SHD_WRAP_CLAMP, x, width_), in_y = wrap_index(SHD_WRAP_CLAMP, y, height_);
-    const bool cube = projection == SHD_PROJECTION_CUBE, inside = x == in_x && y == in_y;
-    if (inside && (lat_long || folds || cube)) {
+    const bool inside = x == in_x && y == in_y;
+    if (inside && !traits.is_disc) {
       add_texel({first_, y}, x, weight);
-    } else if (cube && x != in_x && y != in_y) {
+    } else if (traits.lacks_corners && x != in_x && y != in_y) {
       add_folded(in_x, in_y, weight / 3);
       add_folded(x, in_y, weight / 3);
       add_folded(in_x, y, weight / 3);
-    } else if (lat_long && y != in_y && width_ % 2 != 0) {
+    } else if (traits.turns_at_poles && y != in_y && width_ % 2 != 0) {
       add_folded(x - 1, y, weight / 2);
       add_folded(x, y, weight / 2);
     } else {
@@ -258,7 +257,7 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
   Integral integral(texture, sampler, footprint, directions);
   if (texture.depth != 0) {
     visit_cells_in_space(footprint.center, footprint.a, footprint.b, &integral);
-  } else if (texture.projection != SHD_PROJECTION_CUBE || !integrate_over_edges(texture, footprint, &integral)) {
+  } else if (!directions || !directions->traits.has_planes || !integrate_over_edges(texture, footprint, &integral)) {
     visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
   }
   for (size_t c = 0; c < texture.channels; ++c) {

@@ -12,8 +12,9 @@ struct FaceTexel {
   uint32_t face;
 };
 
-/// Functions of a target for textures of directions.
+/// Properties of a projection, and functions of a target for textures of directions.
 struct DirectionFunctions {
+  FoldTraits traits;
   DirectionPoint (*project)(const Texture& texture, const Lookups& in, size_t i);
   FaceTexel (*fold)(const Texture& texture, uint32_t level, const FaceTexel& beyond);
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "projection/projection.h"
+#include "texture/oracle/bounds/fold.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
@@ -30,8 +32,8 @@ bool searchable(const Plane& plane, double shift, PointBox* box) {
   const int64_t most = max_cells(plane);
   for (int a = 0; a < axes_of(plane.call->texture); ++a) {
     Range& range = box->axis[a];
-    // Points of an octahedral map lie within one image of its edges, and those of other maps inside (place.cpp).
-    if (plane.call->texture.projection != SHD_PROJECTION_OCTAHEDRAL) {
+    // Points of a map that is folded lie within one image of its edges, and those of other maps inside (place.cpp).
+    if (!folds_far(plane.call->texture.projection)) {
       range = within_image(wrap_of(*plane.call, a), range, static_cast<double>(plane.size[a]));
     }
     range = {range.low - shift, range.high - shift};
@@ -164,9 +166,9 @@ void add_everywhere(const Plane& plane, Color* out) {
   for (const int64_t size : plane.size) {
     if (size > max_cells(plane)) return out->add(format_range(call.texture, call.sampler));
   }
-  const bool cube = call.texture.projection == SHD_PROJECTION_CUBE;
-  const uint32_t first = cube || is_deep(plane) ? 0 : plane.layer;
-  const uint32_t count = cube ? 6 : static_cast<uint32_t>(plane.size[2]);
+  const uint32_t faces = projection::face_count(call.texture.projection);
+  const uint32_t first = faces > 1 || is_deep(plane) ? 0 : plane.layer;
+  const uint32_t count = faces > 1 ? faces : static_cast<uint32_t>(plane.size[2]);
   for (uint32_t image = first; image < first + count; ++image) {
     for (int64_t j = 0; j < plane.size[1]; ++j) {
       for (int64_t i = 0; i < plane.size[0]; ++i) out->add(stored_range(plane, image, i, j));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/status.h"
 #include "data/trig.h"
 #include "texture/oracle/bounds/cube.h"
 
@@ -125,11 +126,15 @@ DirectionPlaces places_of(const BoundsCall& call, const double (&direction)[3], 
                           const double (&dy)[3], uint32_t layer) {
   DirectionPlaces out = {};
   switch (call.texture.projection) {
-    case SHD_PROJECTION_CUBE: add_cube(call, direction, dx, dy, &out); break;
-    case SHD_PROJECTION_OCTAHEDRAL: add_octahedron(call, direction, dx, dy, layer, &out); break;
-    default: add_disc(call, direction, dx, dy, layer, &out); break;
+    case SHD_PROJECTION_CUBE: add_cube(call, direction, dx, dy, &out); return out;
+    case SHD_PROJECTION_OCTAHEDRAL: add_octahedron(call, direction, dx, dy, layer, &out); return out;
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: add_disc(call, direction, dx, dy, layer, &out); return out;
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
-  return out;
+  SHD_UNREACHABLE();
 }
 
 }  // namespace shd::texture

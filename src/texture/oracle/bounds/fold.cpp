@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/status.h"
 #include "texture/oracle/bounds/cube.h"
 
 namespace shd::texture {
@@ -95,8 +96,26 @@ Color folded_range(const Plane& plane, int64_t i, int64_t j) {
   switch (plane.call->texture.projection) {
     case SHD_PROJECTION_CUBE: return on_cube(plane, i, j);
     case SHD_PROJECTION_OCTAHEDRAL: return on_octahedron(plane, i, j);
-    default: return on_disc(plane, i, j);
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR: return on_disc(plane, i, j);
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
+}
+
+bool folds_far(shd_projection projection) {
+  switch (projection) {
+    case SHD_PROJECTION_OCTAHEDRAL: return true;
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR:
+    case SHD_PROJECTION_CUBE:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  return false;
 }
 
 }  // namespace shd::texture

@@ -14,12 +14,11 @@
 
 namespace shd::texture {
 
-/// Returns the values of texel (i, j) of an image of directions. i and j are -1..size; -size - 1..2 size of OCTAHEDRAL.
+/// Returns the values of texel (i, j) of an image of directions. i and j are -1..size, or -size - 1..2 size if
+/// folds_far(). LAT_LONG has no bounds (shd_texture_bounds()).
 Color folded_range(const Plane& plane, int64_t i, int64_t j);
 
-/// Returns whether a projection is a disc.
-inline bool is_disc(const Texture& texture) {
-  return texture.projection == SHD_PROJECTION_MIRROR_BALL || texture.projection == SHD_PROJECTION_ANGULAR;
-}
+/// Returns whether folded_range() takes texels as far as one image beyond an edge.
+bool folds_far(shd_projection projection);
 
 }  // namespace shd::texture

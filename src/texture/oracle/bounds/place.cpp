@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/status.h"
 #include "texture/oracle/bounds/cube.h"
 
 namespace shd::texture {
@@ -160,8 +161,12 @@ void add_linear_at(const Plane& plane, const Place& place, const Reach& reach, C
     case SHD_PROJECTION_CUBE: return add_on_cube(plane, place, reach, out);
     case SHD_PROJECTION_MIRROR_BALL:
     case SHD_PROJECTION_ANGULAR: return add_on_disc(plane, place, reach, out);
-    default: return add_on_image(plane, texels_at(plane, place, reach), 1.0, out);
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_OCTAHEDRAL: return add_on_image(plane, texels_at(plane, place, reach), 1.0, out);
+    case SHD_PROJECTION_LAT_LONG:
+    case SHD_PROJECTION_MAX_ENUM: break;
   }
+  SHD_UNREACHABLE();
 }
 
 void add_nearest_at(const Plane& plane, const Place& place, Color* out) {
