@@ -57,8 +57,8 @@ class PickSink {
     quad_of(d, op, level, four, x.s, y.s, share...);
   }
   template <class... AnyShare>
-  HWY_INLINE void quad_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4], V s, V t,
-                          const AnyShare&... share) {
+  HWY_NOINLINE void quad_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4], V s, V t,
+                            const AnyShare&... share) {
     take(d, op, level, texel, {s, t, hn::Zero(d)}, false, ValueOf(d, share...));
   }
   template <class AnyShare>
@@ -68,8 +68,8 @@ class PickSink {
     row_of(d, op, level, four, row, share);
   }
   template <class AnyShare>
-  HWY_INLINE void row_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4],
-                         const RowShares<D>& shares, const AnyShare& share) {
+  HWY_NOINLINE void row_of(D d, uint32_t op, const Level<D>& level, const TexelPlace<D> (&texel)[4],
+                           const RowShares<D>& shares, const AnyShare& share) {
     take(d, op, level, texel, {shares.share[0], shares.share[1], shares.share[2]}, true, ValueOf(d, share));
   }
   HWY_INLINE void merge(D d, V share) { replace(d, draws(d, 0, share), pick_[1], &pick_[0]); }

@@ -98,6 +98,13 @@ struct Cube {
   }
 };
 
+/// Emits the linear interpolation at a place as the start of an average. Inline, each filter would have a long copy.
+template <class D, class Sink>
+HWY_NOINLINE void EmitLinear(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
+                             hn::Vec<D> w, uint32_t second, Sink& sink) {
+  Cube<D>(d, sampler, slices, u, v, w).emit(d, second, sink);
+}
+
 /// Base of filters of 3D textures.
 template <class AnyBlock>
 struct OnSlices {
@@ -165,7 +172,7 @@ struct LinearInSlices : OnSlices<PlaceBlock> {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    Cube<D>(d, sampler, SlicesAt(d, texture, hn::Zero(d)), u, v, w).emit(d, 0, sink);
+    EmitLinear(d, sampler, SlicesAt(d, texture, hn::Zero(d)), u, v, w, 0, sink);
     sink.finish();
   }
 };
@@ -176,7 +183,7 @@ struct LinearMipInSlices : OnSlices<PlaceLodBlock> {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    Cube<D>(d, sampler, NearestSlices(d, texture, block, i), u, v, w).emit(d, 0, sink);
+    EmitLinear(d, sampler, NearestSlices(d, texture, block, i), u, v, w, 0, sink);
     sink.finish();
   }
 };
@@ -204,9 +211,9 @@ struct TrilinearInSlices : OnSlices<PlaceLodBlock> {
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
     const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
-    Cube<D>(d, sampler, SlicesAt(d, texture, levels.high), u, v, w).emit(d, 0, sink);
+    EmitLinear(d, sampler, SlicesAt(d, texture, levels.high), u, v, w, 0, sink);
     if (levels.blended) {
-      Cube<D>(d, sampler, SlicesAt(d, texture, levels.low), u, v, w).emit(d, kSecond, sink);
+      EmitLinear(d, sampler, SlicesAt(d, texture, levels.low), u, v, w, kSecond, sink);
       sink.merge(d, levels.fraction);
     }
     sink.finish();

@@ -70,8 +70,8 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
 
  private:
   template <class D, class Sink>
-  static SHD_KERNEL_PART void emit_probe(D d, const Cube<D>& cube, float k, uint32_t second, hn::Vec<D> total,
-                                         hn::Vec<D> weight, Sink& sink) {
+  static HWY_NOINLINE void emit_probe(D d, const Cube<D>& cube, float k, uint32_t second, hn::Vec<D> total,
+                                      hn::Vec<D> weight, Sink& sink) {
     if (k == 0.0f) return cube.emit(d, second, sink);
     const ProbeShares<D> shares(d, cube.z, total, weight);
     cube.emit_first(d, kBlend | second, sink, shares.first);

@@ -50,6 +50,14 @@ struct LinearShares {
   }
 };
 
+/// Emits linear with its share in the average of an ellipsoid. Inline, both filters would have a long copy.
+template <class D, class Sink>
+HWY_NOINLINE void EmitLinearShare(D d, const Cube<D>& cube, hn::Vec<D> share, uint32_t how, Sink& sink) {
+  const LinearShares<D> shares(d, cube.z, share);
+  cube.emit_first(d, how, sink, shares.first);
+  cube.emit_second(d, kBlend, sink, shares.second);
+}
+
 template <bool kRatesInW>
 struct EwaInSlices : OnSlices<EllipsoidBlock> {
   using OnSlices::OnSlices;
@@ -65,10 +73,9 @@ struct EwaInSlices : OnSlices<EllipsoidBlock> {
     if (!hn::AllTrue(d, walk.ellipse.is_quad)) emit_slices(d, slices, block, i, walk, sink);
     const auto share = hn::Load(d, block.bilinear + i);
     if (!hn::AllTrue(d, hn::Eq(share, hn::Zero(d)))) {
-      const Cube<D> cube(d, sampler, slices, walk.ellipse.u, walk.ellipse.v, hn::Load(d, block.w + i));
-      const LinearShares<D> shares(d, cube.z, share);
-      cube.emit_first(d, walk.how(true), sink, shares.first);
-      cube.emit_second(d, kBlend, sink, shares.second);
+      const auto& at = walk.ellipse;
+      EmitLinearShare(d, Cube<D>(d, sampler, slices, at.u, at.v, hn::Load(d, block.w + i)), share, walk.how(true),
+                      sink);
     }
     sink.finish();
   }

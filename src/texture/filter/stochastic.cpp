@@ -57,7 +57,7 @@ HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& b
 
 /// Picks a tap of a linear or cubic filter at the reduced coordinate at[0].
 template <bool kCubic, class D>
-HWY_INLINE Pick<D> PickTap(D d, shd_wrap wrap, const float* at, const AxisSize<D>& size, hn::Vec<D> random) {
+HWY_NOINLINE Pick<D> PickTap(D d, shd_wrap wrap, const float* at, const AxisSize<D>& size, hn::Vec<D> random) {
   const hn::Vec<D> reduced = hn::Load(d, at);
   if constexpr (kCubic) {
     return PickCubic(d, wrap, reduced, size, random);
@@ -188,10 +188,10 @@ HWY_INLINE void emit_pick(D d, const Slices<D>& slices, const Pick<D>& x, const 
 
 /// EmitPoint() of a 3D texture: the two quads of a level, or one of their texels.
 template <class D, class Sink>
-HWY_INLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
-                          hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
+HWY_NOINLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
+                            hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
   if (sampler.stochastic == SHD_STOCHASTIC_QUAD) {
-    Cube<D>(d, sampler, slices, u, v, w).emit(d, 0, sink);
+    EmitLinear(d, sampler, slices, u, v, w, 0, sink);
     sink.finish();
   } else {
     const Pick<D> x = PickLinear(d, sampler.wrap_u, u, slices.level.across, rng->next(d));

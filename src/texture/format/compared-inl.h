@@ -37,7 +37,14 @@ struct Compared : Blend<Unpacked, true> {
 
   template <size_t C, class D>
   HWY_INLINE hn::Vec<D> tap(D d, const Unpacked::Texel<D>& texel, MaskOf<D> in) const {
-    const auto value = Values::tap<C>(d, texel, in), reference = reference_of(d);
+    return passed(d, Values::tap<C>(d, texel, in));
+  }
+
+ private:
+  /// The result of a comparison of a texel: 1 or 0. Not inline: a stream has many taps.
+  template <class D>
+  HWY_NOINLINE hn::Vec<D> passed(D d, hn::Vec<D> value) const {
+    const auto reference = reference_of(d);
     const auto number = [&](bool result) { return hn::Set(d, result ? 1.0f : 0.0f); };
     auto result = number(comparison.unordered());
     result = hn::IfThenElse(hn::Lt(reference, value), number(comparison.less), result);
@@ -45,7 +52,6 @@ struct Compared : Blend<Unpacked, true> {
     return hn::IfThenElse(hn::Gt(reference, value), number(comparison.greater), result);
   }
 
- private:
   /// Returns the references of the current vector of lookups.
   template <class D>
   HWY_INLINE hn::Vec<D> reference_of(D d) const {

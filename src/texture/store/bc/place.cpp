@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/kernel_part.h"
 #include "texture/format/bc/kernels-inl.h"
 #include "texture/lanes-inl.h"
 #include "texture/store/place-inl.h"
@@ -213,11 +214,54 @@ class Placer {
         }
       }
     }
+    if (place_two_quads(at)) return true;
     const VI left = load(upper), right = left + hn::Set(di, 1);
     hn::Store(right, di, stream_.index[1] + at);
     hn::Store(left, di, lower);
     hn::Store(right, di, stream_.index[3] + at);
     return false;
+  }
+
+  /// Places quads of lanes of two kinds, each with its level and its rows: lookups that pick one of two levels have
+  /// them. Returns false and changes nothing if there are more kinds, or if columns are far apart.
+  HWY_NOINLINE bool place_two_quads(size_t at) {
+    const DI di;
+    const StreamPlaces& places = *stream_.places;
+    const auto like = [&](size_t lane) SHD_INLINE_LAMBDA {
+      auto equal = hn::Eq(load(places.first[0] + at), hn::Set(di, places.first[0][at + lane]));
+      for (size_t k = 0; k < 2; ++k) {
+        equal = hn::And(equal, hn::Eq(load(places.y[k] + at), hn::Set(di, places.y[k][at + lane])));
+      }
+      return equal;
+    };
+    const auto first = like(0);
+    const intptr_t other = hn::FindFirstTrue(di, hn::Not(first));
+    if (other < 0 || !hn::AllTrue(di, hn::Or(first, like(static_cast<size_t>(other))))) return false;
+    VI index[2], rest[2];
+    if (!place_lanes(at, 0, first, index)) return false;
+    if (!place_lanes(at, static_cast<size_t>(other), hn::Not(first), rest)) return false;
+    for (size_t k = 0; k < 2; ++k) {
+      hn::Store(hn::IfThenElse(first, index[k], rest[k]), di, stream_.index[2 * k] + at);
+    }
+    return true;
+  }
+
+  /// Places the quads of some lanes, whose level and rows are those of lane `lane`.
+  HWY_INLINE bool place_lanes(size_t at, size_t lane, hn::Mask<DI> lanes, VI (&index)[2]) {
+    const DI di;
+    const StreamPlaces& places = *stream_.places;
+    const VI all = load(stream_.index[0] + at);
+    const VI columns = hn::IfThenElse(lanes, all, hn::Set(di, stream_.index[0][at + lane]));
+    const int32_t low = hn::GetLane(hn::MinOfLanes(di, columns)), high = hn::GetLane(hn::MaxOfLanes(di, columns));
+    if (high - low > kLongest) return false;
+    latest_ = static_cast<size_t>(places.width[at + lane] >> 1 ^ places.width[at + lane]) & 1;
+    for (size_t k = 0; k < 2; ++k) {
+      int32_t offset;
+      if (!find_run(at + lane, places.first[0] + at + lane, low, high + 1, places.y[k][at + lane], &offset))
+        return false;
+      index[k] = columns + hn::Set(di, offset);
+    }
+    return true;
   }
 
   /// Places a row of neighbours, as place_quad() does. Columns are in the order 1, 2, 0, 3.

@@ -45,12 +45,14 @@ class TilePlacer {
       if (op & kMerge) continue;
       if (HWY_UNLIKELY(left < lanes)) repeat_first(at, left);
       if (op & kQuad) {
-        if (HWY_UNLIKELY(!(op & kNeighbours && place_together(at)))) {
+        if (HWY_UNLIKELY(!(op & kNeighbours && place_quads(at)))) {
           prefetch_apart(at);
           prefetch_apart(at + lanes - 1);
           apart.add(e);
         }
-      } else if (HWY_UNLIKELY(!(op & kRow ? place_row(e, at) : place_texels(e, at, 1)))) {
+      } else if (op & kRow) {
+        if (HWY_UNLIKELY(!place_row(e, at))) waiting.add(e);
+      } else if (HWY_UNLIKELY(!place_alone(e, at))) {
         waiting.add(e);
       }
     }
@@ -142,32 +144,49 @@ class TilePlacer {
     hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
   }
 
-  /// Places texels whose tiles the lease keeps. Returns false and changes nothing if it does not keep them all.
-  HWY_INLINE bool find_kept(VI tile, VI texel, VI* index) const {
+  /// Texels whose tiles the lease keeps: their entries in the lease, and their indices.
+  struct Kept {
+    VI entry, index;
+  };
+
+  /// Finds texels in the tiles that the lease keeps. Returns false and changes nothing if it does not keep them all.
+  HWY_INLINE bool find_kept(VI tile, VI texel, Kept* kept) const {
     const DI di;
     const hn::RebindToUnsigned<DI> du;
     const auto hash = hn::BitCast(du, tile) * hn::Set(du, 0x9e3779b1u);
-    const VI entry = hn::BitCast(di, hn::ShiftRight<22>(hash));
-    if (!all_equal(hn::GatherIndex(di, reinterpret_cast<const int32_t*>(lease_.tile), entry), tile)) return false;
-    *index = hn::GatherIndex(di, lease_.first, entry) + texel;
+    kept->entry = hn::BitCast(di, hn::ShiftRight<22>(hash));
+    const VI tiles = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(lease_.tile), kept->entry);
+    if (!all_equal(tiles, tile)) return false;
+    kept->index = hn::GatherIndex(di, lease_.first, kept->entry) + texel;
     return true;
   }
-  HWY_INLINE void mark_read(VI tile) {
-    const DI di;
-    alignas(64) uint32_t tiles[kMaxLanes];
-    hn::Store(hn::BitCast(hn::RebindToUnsigned<DI>(), tile), hn::RebindToUnsigned<DI>(), tiles);
-    for (size_t lane = 0; lane < hn::Lanes(di); ++lane) lease_.turn[TileLease::entry_of(tiles[lane])] = lease_.now;
+  HWY_INLINE void mark_read(const Kept& kept) {
+    alignas(64) int32_t entry[kMaxLanes];
+    hn::Store(kept.entry, DI(), entry);
+    for (size_t lane = 0; lane < hn::Lanes(DI()); ++lane) lease_.turn[entry[lane]] = lease_.now;
   }
 
   /// Places quads of columns side by side in one tile: one of the two latest, or the tile of lane 0.
-  HWY_INLINE bool place_together(size_t at) {
+  HWY_INLINE bool place_quads(size_t at) {
     latest_ ^= 1;  // elements often alternate between two levels
-    if (HWY_LIKELY(place_in(at, recent_[latest_]))) return true;
+    if (HWY_LIKELY(place_quads_in(at, recent_[latest_]))) return true;
     const int32_t x = stream_.index[0][at], y = places_.y[0][at];
     const int32_t first = first_texel_of(tile_at(at, x, y));
     if (HWY_UNLIKELY(first < 0)) return false;
     recent_[latest_] = {x, y, places_.first[0][at], first};
-    return place_in(at, recent_[latest_]);
+    return place_quads_in(at, recent_[latest_]);
+  }
+
+  /// Places single texels: in one of the two latest tiles, or anywhere. Returns false if tiles are not at hand or texels
+  /// are the border; they then wait.
+  HWY_INLINE bool place_alone(size_t e, size_t at) {
+    latest_ ^= 1;
+    if (HWY_LIKELY(place_alone_in(at, recent_[latest_]))) return true;
+    const int32_t x = stream_.index[0][at], y = places_.y[0][at];
+    if (HWY_UNLIKELY(!place_texels<1>(e, at))) return false;
+    const int32_t in_tile = ((y & last_y_) << shape_.shift_x) + (x & last_x_);
+    recent_[latest_] = {x, y, places_.first[0][at], stream_.index[0][at] - in_tile};
+    return true;
   }
 
   /// A tile that the stream reads: one of its texels, the image, and the index of its first texel.
@@ -175,8 +194,20 @@ class TilePlacer {
     int32_t x = 0, y = 0, image = -1, first = 0;
   };
 
+  /// Places single texels in a tile. Returns false and changes nothing if some of them are elsewhere, or the border.
+  HWY_INLINE bool place_alone_in(size_t at, const Recent& tile) {
+    const DI di;
+    const VI x = load(stream_.index[0] + at), y = load(places_.y[0] + at);
+    const VI across = hn::ShiftRightSame(x ^ hn::Set(di, tile.x), static_cast<int>(shape_.shift_x));
+    const VI down = hn::ShiftRightSame(y ^ hn::Set(di, tile.y), static_cast<int>(shape_.shift_y));
+    const VI image = load(places_.first[0] + at) ^ hn::Set(di, tile.image);
+    if (HWY_UNLIKELY(!all_equal(hn::Or(hn::Or(across, down), image), hn::Zero(di)))) return false;
+    hn::Store(hn::Set(di, tile.first) + texel_column(x) + texel_row(y), di, stream_.index[0] + at);
+    return true;
+  }
+
   /// Places quads of columns side by side in a tile. Returns false and changes nothing if some of them are elsewhere.
-  HWY_INLINE bool place_in(size_t at, const Recent& tile) {
+  HWY_INLINE bool place_quads_in(size_t at, const Recent& tile) {
     const DI di;
     const VI x0 = load(stream_.index[0] + at), y0 = load(places_.y[0] + at), y1 = load(places_.y[1] + at);
     const VI x = hn::Set(di, tile.x), y = hn::Set(di, tile.y), x1 = x0 + hn::Set(di, 1);
@@ -212,7 +243,7 @@ class TilePlacer {
       const VI left = load(stream_.index[0] + at), right = left + hn::Set(DI(), 1);
       for (size_t k = 1; k < 4; ++k) hn::Store(k % 2 ? right : left, DI(), stream_.index[k] + at);
     }
-    return place_texels(e, at, 4);
+    return place_texels<4>(e, at);
   }
 
   /// Places quads on two rows of texels that cross tiles: both rows are copied without a gap, so that consumers load
@@ -258,9 +289,9 @@ class TilePlacer {
     const DI di;
     const TileRow top = row_at(e, at, 0), bottom = row_at(e, at, 2);
     const VI x0 = load(stream_.index[0] + at), x1 = x0 + hn::Set(di, 1), column = tile_column(x0);
-    VI index[2], right[2];
-    if (!find_kept(top.tile + column, top.texel + texel_column(x0), &index[0])) return false;
-    if (!find_kept(bottom.tile + column, bottom.texel + texel_column(x0), &index[1])) return false;
+    Kept left[2], right[2];
+    if (!find_kept(top.tile + column, top.texel + texel_column(x0), &left[0])) return false;
+    if (!find_kept(bottom.tile + column, bottom.texel + texel_column(x0), &left[1])) return false;
     const auto crosses = hn::Ne(column, tile_column(x1));
     const bool some_cross = !hn::AllFalse(di, crosses);
     if (some_cross) {
@@ -268,12 +299,11 @@ class TilePlacer {
       if (!find_kept(bottom.tile + tile_column(x1), bottom.texel + texel_column(x1), &right[1])) return false;
     }
     for (size_t k = 0; k < 2; ++k) {
-      const TileRow& row = k == 0 ? top : bottom;
-      hn::Store(index[k], di, stream_.index[2 * k] + at);
-      mark_read(row.tile + column);
+      hn::Store(left[k].index, di, stream_.index[2 * k] + at);
+      mark_read(left[k]);
       if (!some_cross) continue;
-      mark_read(row.tile + tile_column(x1));
-      copy_pairs(e, at, k, hn::IfThenElse(crosses, right[k], hn::Set(di, -1)));
+      mark_read(right[k]);
+      copy_pairs(e, at, k, hn::IfThenElse(crosses, right[k].index, hn::Set(di, -1)));
     }
     return true;
   }
@@ -295,24 +325,24 @@ class TilePlacer {
   }
 
   /// Places texels one by one. Returns false if tiles are not at hand or texels are the border; they then wait.
-  HWY_INLINE bool place_texels(size_t e, size_t at, size_t count) {
+  template <size_t kCount>
+  HWY_INLINE bool place_texels(size_t e, size_t at) {
     const DI di;
-    VI index[4] = {}, tile[4] = {};
+    Kept kept[kCount];
     bool found = true;
-    for (size_t k = 0; k < count && found; ++k) {
+    for (size_t k = 0; k < kCount && found; ++k) {
       const TileRow row = row_at(e, at, k);
       const VI x = load(stream_.index[k] + at);
-      tile[k] = row.tile + tile_column(x);
       found = hn::AllFalse(di, hn::Lt(hn::Or(x, row.y), hn::Zero(di))) &&
-              find_kept(tile[k], row.texel + texel_column(x), &index[k]);
+              find_kept(row.tile + tile_column(x), row.texel + texel_column(x), &kept[k]);
     }
-    for (size_t k = 0; k < count; ++k) {
+    for (size_t k = 0; k < kCount; ++k) {
       if (HWY_UNLIKELY(!found)) {
         wait_for(k, at, row_at(e, at, k));
         continue;
       }
-      hn::Store(index[k], di, stream_.index[k] + at);
-      mark_read(tile[k]);
+      hn::Store(kept[k].index, di, stream_.index[k] + at);
+      mark_read(kept[k]);
     }
     if (found) stream_.op[e] = static_cast<uint16_t>(stream_.op[e] & ~kNeighbours);
     return found;
@@ -324,14 +354,14 @@ class TilePlacer {
     const VI left = load(stream_.index[2] + at), right = load(stream_.index[3] + at);
     const VI first = row.tile + tile_column(left);
     if (stream_.op[e] & kNeighbours && all_equal(first, row.tile + tile_column(right))) {
-      VI index;
-      if (find_kept(first, row.texel + texel_column(left), &index)) {
-        mark_read(first);
-        hn::Store(index, di, stream_.index[2] + at);
+      Kept kept;
+      if (find_kept(first, row.texel + texel_column(left), &kept)) {
+        mark_read(kept);
+        hn::Store(kept.index, di, stream_.index[2] + at);
         return true;
       }
     }
-    return place_texels(e, at, 4);
+    return place_texels<4>(e, at);
   }
 
   TileCall& call_;
