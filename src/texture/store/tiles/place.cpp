@@ -177,8 +177,8 @@ class TilePlacer {
     return place_quads_in(at, recent_[latest_]);
   }
 
-  /// Places single texels: in one of the two latest tiles, or anywhere. Returns false if tiles are not at hand or texels
-  /// are the border; they then wait.
+  /// Places single texels: in one of the two latest tiles, or anywhere. Returns false if tiles are not at hand or
+  /// texels are the border; they then wait.
   HWY_INLINE bool place_alone(size_t e, size_t at) {
     latest_ ^= 1;
     if (HWY_LIKELY(place_alone_in(at, recent_[latest_]))) return true;
