@@ -149,6 +149,27 @@ void test_coarser(void **)
     }
 }
 
+/// EXACT waits for its texels, also of lookups whose footprint is a point, which are bilinear.
+void test_exact_waits(void **)
+{
+    TileSource source(g_original);
+    shd_tile_cache *cache = make_tile_cache(g_context, 4096, 1 << 23);
+    shd_texture *tiled = create(source.desc(g_desc, g_original, cache));
+    shd_sampler *sampler = make_sampler(SHD_FILTER_EXACT, SHD_MISSING_TILES_COARSER);
+    TileLookups want = random_lookups(90, 5);
+    for (size_t i = 0; i < want.count(); i += 2) {
+        for (size_t c = 2; c < 6; ++c) want.column[c][i] = 0.0f;
+    }
+    TileLookups got = want;
+    shd_assert_ok(want.sample(g_original, sampler));
+    shd_assert_ok(got.sample(tiled, sampler));
+    assert_int_equal(count_coarser(got), 0);
+    for (size_t c = 0; c < 4; ++c) assert_true(got.out[c] == want.out[c]);
+    shd_sampler_release(sampler);
+    shd_texture_release(tiled);
+    shd_tile_cache_release(cache);
+}
+
 void test_pins(void **)
 {
     TileSource source(g_original);
@@ -415,8 +436,9 @@ int main(void)
 {
     using namespace shd::tests;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coarser), cmocka_unit_test(test_pins),         cmocka_unit_test(test_drop),
-        cmocka_unit_test(test_threads), cmocka_unit_test(test_drop_threads), cmocka_unit_test(test_tebibyte),
+        cmocka_unit_test(test_coarser),  cmocka_unit_test(test_exact_waits), cmocka_unit_test(test_pins),
+        cmocka_unit_test(test_drop),     cmocka_unit_test(test_threads),     cmocka_unit_test(test_drop_threads),
+        cmocka_unit_test(test_tebibyte),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -274,6 +274,14 @@ void integrate_alone(const FilterCall& call, const ExactFootprint& footprint, co
   if (store.resume) store.resume(call.placement.state);
 }
 
+/// Filters lookup i as a batch of its own, which waits for texels that are not at hand.
+void filter_point(const FilterCall& call, const Sampler& bilinear, size_t i, RunFilter run_linear, const Texels& out) {
+  const StoreRow& store = functions_of(call.texture.store);
+  if (store.begin) store.begin(call.placement.state, 1, nullptr);
+  const Lookups lookup = part_of(call.in, i, 1);
+  run_linear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
+}
+
 }  // namespace
 
 size_t run_exact(const FilterCall& call, RunFilter run_linear, const DirectionFunctions* directions) {
@@ -287,8 +295,7 @@ size_t run_exact(const FilterCall& call, RunFilter run_linear, const DirectionFu
     const Texels out = part_of(call.out, i);
     nonfinite += !footprint.finite;
     if (footprint.point) {
-      const Lookups lookup = part_of(call.in, i, 1);
-      run_linear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr, call.placement});
+      filter_point(call, bilinear, i, run_linear, out);
     } else {
       integrate_alone(call, footprint, directions, out);
     }
