@@ -12,11 +12,11 @@ namespace shd::core {
 
 struct Object;
 
-/// A callback that fills tiles for a call, and may call shd. It lies on the stack of its thread. Only
-/// texture/store/tiles/load.h makes callbacks of this kind.
+/// A callback that fills texels for a call, and may call shd. It lies on the stack of its thread.
 struct Callback {
   const Callback* outer = nullptr;  // callback whose call runs this one
   uint64_t number = 0;              // later callbacks have larger numbers; never 0
+  bool loads_tiles = false;         // it is a TileLoad (texture/store/tiles/load.h)
 };
 
 /// State of a thread.

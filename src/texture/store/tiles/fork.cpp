@@ -9,7 +9,7 @@ namespace {
 
 /// Whether the only thread is in a callback.
 bool is_alive(const TileLoad& load) {
-  const auto* around = static_cast<const TileLoad*>(core::t_call.callback);
+  const TileLoad* around = TileLoad::innermost();
   while (around && around != &load) around = around->around;
   return around != nullptr;
 }

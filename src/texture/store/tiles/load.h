@@ -15,8 +15,14 @@ constexpr uint32_t kMaxTileBatch = 16;
 /// A call of a callback: tiles of one level of a layer, and their slots. It is the callback of the calls that the host
 /// makes inside it. Everything but `starved` stays as it is while the callback runs, or is guarded by the cache.
 struct TileLoad : core::Callback {
-  TileLoad(TileCache* of, const TileSet& tiles)
-      : cache(of), set(&tiles), around(static_cast<const TileLoad*>(core::t_call.callback)) {}
+  TileLoad(TileCache* of, const TileSet& tiles) : cache(of), set(&tiles), around(innermost()) { loads_tiles = true; }
+
+  /// Returns the innermost callback of this thread that loads tiles, or null.
+  static const TileLoad* innermost() {
+    const core::Callback* callback = core::t_call.callback;
+    while (callback && !callback->loads_tiles) callback = callback->outer;
+    return static_cast<const TileLoad*>(callback);
+  }
 
   bool has(const TileLoad& load, uint32_t of_tile) const {
     if (cache != load.cache || set != load.set) return false;
