@@ -62,9 +62,14 @@ const char* name_of(Domain domain) {
 }
 
 const char* name_of(Store store) {
-  constexpr const char* kNames[kStores] = {"memory", "borrowed memory", "compressed blocks", "tiles",
-                                           "tiles of compressed blocks"};
-  return kNames[static_cast<uint32_t>(store)];
+  switch (store) {
+    case Store::kMemory: return "memory";
+    case Store::kBorrowed: return "borrowed memory";
+    case Store::kBlocks: return "compressed blocks";
+    case Store::kTiles: return "tiles";
+    case Store::kTilesOfBlocks: return "tiles of compressed blocks";
+  }
+  return "unknown";
 }
 
 const char* name_of(Use use) {

@@ -12,8 +12,9 @@
 /// | place-inl.h     | the placements of the stores on one target                                |
 /// | reader.h, .cpp  | single texels of any store, for oracles                                   |
 ///
-/// A new store is a folder with its functions, an enumerator of Store, a row of StoreRow, a row of PlaceOf() if it
-/// places streams, and a name in support.cpp.
+/// A new store is a folder with its functions, an enumerator of Store, rows of functions_of() and store_of(), a row of
+/// PlaceOf() if it places streams, its name in support.cpp, kStores in support.h, and the checks of its fields in
+/// abi/texture_desc.cpp.
 #pragma once
 
 #include <cstddef>
