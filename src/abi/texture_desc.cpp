@@ -7,6 +7,7 @@
 #include "image/format.h"
 #include "texture/store/image_list.h"
 #include "texture/store/storage.h"
+#include "texture/store/stores.h"
 #include "texture/store/tiles/cache.h"
 
 namespace shd::abi {
@@ -245,6 +246,23 @@ shd_result check_memory(const shd_texture_desc& desc) {
   return check_borrowed_levels(desc);
 }
 
+/// The largest width and height of textures of a store, and the check of what they are made from.
+struct StoreCheck {
+  uint32_t largest;
+  shd_result (*check)(const shd_texture_desc& desc);
+};
+
+StoreCheck check_of(texture::Store store) {
+  switch (store) {
+    case texture::Store::kMemory:
+    case texture::Store::kBorrowed:
+    case texture::Store::kBlocks: return {65536, check_memory};
+    case texture::Store::kTiles:
+    case texture::Store::kTilesOfBlocks: return {1u << 20, check_tiles};
+  }
+  SHD_UNREACHABLE();
+}
+
 }  // namespace
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
@@ -252,13 +270,13 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   if (!image::is_format(bits) && !image::is_block_format(bits)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
   }
-  const uint32_t largest = desc.tiles.cache ? 1u << 20 : 65536;
-  SHD_TRY(check_count("texture.width", desc.width, 1, largest));
-  SHD_TRY(check_count("texture.height", desc.height, 1, largest));
+  const StoreCheck store = check_of(texture::store_of(desc));
+  SHD_TRY(check_count("texture.width", desc.width, 1, store.largest));
+  SHD_TRY(check_count("texture.height", desc.height, 1, store.largest));
   SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
   SHD_TRY(check_kind(desc));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
-  SHD_TRY(desc.tiles.cache ? check_tiles(desc) : check_memory(desc));
+  SHD_TRY(store.check(desc));
   for (const shd_channel channel : desc.swizzle) {
     SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/store/stores.h"
 
+#include "core/status.h"
 #include "image/format.h"
 
 namespace shd::texture {
@@ -13,7 +14,7 @@ const StoreRow& functions_of(Store store) {
     case Store::kTiles: return kTileStore;
     case Store::kTilesOfBlocks: return kBlockTileStore;
   }
-  __builtin_unreachable();
+  SHD_UNREACHABLE();
 }
 
 Store store_of(const shd_texture_desc& desc) {
