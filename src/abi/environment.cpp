@@ -38,7 +38,7 @@ shd_result read_source_image(const shd_environment_desc& desc, shd_image* out) {
 }
 
 shd_result check_environment_desc(const shd_environment_desc& desc) {
-  SHD_TRY(check_enum("environment.projection", desc.projection, SHD_PROJECTION_LAT_LONG, SHD_PROJECTION_OCTAHEDRAL));
+  SHD_TRY(check_enum("environment.projection", desc.projection, SHD_PROJECTION_LAT_LONG, projection::kLastProjection));
   SHD_TRY(check_enum("environment.irradiance", desc.irradiance, 0, SHD_IRRADIANCE_CONVOLVED));
   return check_flags("environment.tables", desc.tables, SHD_ENVIRONMENT_TABLE_ALL);
 }

@@ -23,7 +23,7 @@ enum PointDirectionColumn { kSolidAngle = 3, kPointDirectionColumns = 4 };
 constexpr size_t kImagePointColumns = 3;
 
 shd_result check_projection(const char* field, const shd_projection& projection) {
-  return check_enum(field, projection, SHD_PROJECTION_LAT_LONG, SHD_PROJECTION_OCTAHEDRAL);
+  return check_enum(field, projection, SHD_PROJECTION_LAT_LONG, projection::kLastProjection);
 }
 
 projection::Directions directions_of(const Piece<kDirectionColumns, kPointColumns>& piece) {

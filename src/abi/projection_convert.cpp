@@ -7,6 +7,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/levels.h"
+#include "projection/projection.h"
 #include "texture/convert/convert.h"
 #include "texture/store/image_list.h"
 
@@ -47,7 +48,7 @@ shd_result read_images(const char* name, const shd_direction_images* in, Images*
   SHD_TRY(read_desc(name, in, false, &out->desc));
   char field[24];
   std::snprintf(field, sizeof field, "%s.projection", name);
-  SHD_TRY(check_enum(field, out->desc.projection, SHD_PROJECTION_LAT_LONG, SHD_PROJECTION_OCTAHEDRAL));
+  SHD_TRY(check_enum(field, out->desc.projection, SHD_PROJECTION_LAT_LONG, projection::kLastProjection));
   const bool cube = out->desc.projection == SHD_PROJECTION_CUBE;
   std::snprintf(field, sizeof field, "%s.layout", name);
   if (cube) SHD_TRY(check_enum(field, out->desc.layout, SHD_CUBE_LAYOUT_FACES, SHD_CUBE_LAYOUT_VERTICAL_CROSS));

@@ -5,6 +5,7 @@
 #include "abi/handle.h"
 #include "abi/levels.h"
 #include "image/format.h"
+#include "projection/projection.h"
 #include "texture/store/image_list.h"
 #include "texture/store/storage.h"
 #include "texture/store/stores.h"
@@ -26,9 +27,10 @@ shd_result check_directions(const shd_texture_desc& desc) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.height: %u, but images of projection %d are square, %u x %u",
                       desc.height, projection, desc.width, desc.width);
   }
-  if (desc.projection == SHD_PROJECTION_CUBE && desc.layers != 6) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but SHD_PROJECTION_CUBE has 6 faces",
-                      desc.layers);
+  const uint32_t faces = projection::face_count(desc.projection);
+  if (faces > 1 && desc.layers != faces) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but images of projection %d have %u faces",
+                      desc.layers, projection, faces);
   }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
@@ -41,7 +43,7 @@ shd_result check_directions(const shd_texture_desc& desc) {
 /// 2D, 3D, or directions.
 shd_result check_kind(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
-  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, SHD_PROJECTION_OCTAHEDRAL));
+  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, projection::kLastProjection));
   if (desc.depth != 0 && desc.projection != SHD_PROJECTION_NONE) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
                       static_cast<int>(desc.projection), desc.depth);

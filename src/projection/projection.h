@@ -65,6 +65,9 @@ struct PointDirections {
 size_t unproject(shd_projection projection, const core::SimdTarget& simd, const ImagePoints& in,
                  const PointDirections& out);
 
+/// The last constant of shd_projection before MAX_ENUM.
+constexpr shd_projection kLastProjection = SHD_PROJECTION_OCTAHEDRAL;
+
 /// Number of images of a projection: 6 square ones for CUBE, otherwise 1.
 constexpr uint32_t face_count(shd_projection projection) {
   switch (projection) {

@@ -22,7 +22,7 @@ const CreateCase kCreate[] = {
     {"create/angular_not_square", SHD_PROJECTION_ANGULAR, 5, 4, 1, 0, 0, "texture.height: 4"},
     {"create/cube_not_square", SHD_PROJECTION_CUBE, 4, 5, 6, 0, 0, "texture.height: 5"},
     {"create/octahedral_not_square", SHD_PROJECTION_OCTAHEDRAL, 4, 5, 1, 0, 0, "texture.height: 5"},
-    {"create/cube_one_layer", SHD_PROJECTION_CUBE, 4, 4, 1, 0, 0, "texture.layers: 1, but SHD_PROJECTION_CUBE"},
+    {"create/cube_one_layer", SHD_PROJECTION_CUBE, 4, 4, 1, 0, 0, "texture.layers: 1, but images of projection 4"},
     {"create/cube_twelve_layers", SHD_PROJECTION_CUBE, 4, 4, 12, 0, 0, "texture.layers: 12"},
     {"create/ripmap", SHD_PROJECTION_LAT_LONG, 4, 4, 1, SHD_TABLE_RIPMAP, 0, "texture.tables: 0x2"},
     {"create/summed_area", SHD_PROJECTION_LAT_LONG, 4, 4, 1, SHD_TABLE_SUMMED_AREA, 0, "texture.tables: 0x4"},
