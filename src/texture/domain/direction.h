@@ -61,7 +61,7 @@ struct FoldTraits {
   bool is_disc;         // the directions fill a disc
   bool repeats_across;  // u has a period of 1
   bool turns_at_poles;  // beyond the first and the last row lies this row at u + 1/2
-  bool lacks_corners;   // the texel beyond a corner does not exist
+  bool lacks_corners;   // the texels beyond some corners do not exist
   bool is_periodic;     // texels far beyond edges have a period of two images
   bool has_planes;      // points outside lie on the plane of a face of the cube
 };

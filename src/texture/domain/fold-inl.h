@@ -10,7 +10,8 @@
 //   kRepeatsAcross                   u has a period of 1
 //   kTurnsAtPoles                    beyond the first and the last row lies this row at u + 1/2: texel() gives the row,
 //                                    and the caller turns it
-//   kLacksCorners                    the texel beyond a corner does not exist
+//   kLacksCorners                    the texels beyond some corners do not exist
+//   lacks_corner(d, face, left, top) whether the texel beyond this corner of a face does not exist
 //   kIsPeriodic                      far_texel() has a period of two images, across and down
 //   kHasPlanes                       points outside lie on the plane of a face of the cube
 //

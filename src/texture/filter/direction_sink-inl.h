@@ -199,7 +199,7 @@ class DirectionSink {
       using F = decltype(fold);
       fold_quad(d, fold, level, taps, quad);
       if constexpr (F::kTurnsAtPoles) at_pole(d, fold, op, level, at.u, taps, quad, share);
-      if constexpr (F::kLacksCorners) at_corner(d, op, level, taps, quad, share);
+      if constexpr (F::kLacksCorners) at_corner(d, fold, op, level, taps, quad, share);
       return !F::kTurnsAtPoles && !F::kLacksCorners;
     });
     if (is_plain) stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
@@ -244,10 +244,12 @@ class DirectionSink {
     if (!traits_.turns_at_poles) texels.add(d, quad, at.s, at.t, all);
     if (traits_.lacks_corners) {
       const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, level.across.real - one);
-      texels.share_out(d, 0, hn::And(left, top));
-      texels.share_out(d, 1, hn::And(right, top));
-      texels.share_out(d, 2, hn::And(left, bottom));
-      texels.share_out(d, 3, hn::And(right, bottom));
+      const MaskOf<D> corner[4] = {hn::And(left, top), hn::And(right, top), hn::And(left, bottom),
+                                   hn::And(right, bottom)};
+      WithFold(projection_, [&](auto fold) SHD_INLINE_LAMBDA {
+        const auto lacks = fold.lacks_corner(d, taps.face, left, top);
+        for (size_t k = 0; k < 4; ++k) texels.share_out(d, k, hn::And(corner[k], lacks));
+      });
     }
     const V replaced = starts ? hn::Set(d, kWhole) : share;
     texels.emit(d, op & kSecond, level, hn::IfThenZeroElse(inside, replaced), stream_);
@@ -306,12 +308,14 @@ class DirectionSink {
   /// The weight of the texel that is missing at a corner goes to the other three in equal parts (Direct3D 11.3
   /// functional specification, 7.18.12): the average of the three is a row in place of the quad. `quad`: the folded
   /// texels.
-  HWY_INLINE void at_corner(D d, uint32_t op, const Level<D>& level, const Taps& taps, const TexelPlace<D> (&quad)[4],
-                            V share) {
+  template <class F>
+  HWY_INLINE void at_corner(D d, const F& fold, uint32_t op, const Level<D>& level, const Taps& taps,
+                            const TexelPlace<D> (&quad)[4], V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), last = level.across.real - one;
     const auto left = hn::Lt(taps.x, zero), right = hn::Ge(taps.x, last);
     const auto top = hn::Lt(taps.y, zero), bottom = hn::Ge(taps.y, last);
-    const auto corner = hn::And(hn::Or(left, right), hn::Or(top, bottom));
+    const auto any = hn::And(hn::Or(left, right), hn::Or(top, bottom));
+    const auto corner = hn::And(any, fold.lacks_corner(d, taps.face, left, top));
     if (HWY_LIKELY(hn::AllFalse(d, corner))) return stream_.quad_of(d, op, level, quad, taps.s, taps.t, share);
     const uint32_t how = op & kHow;
     stream_.quad_of(d, op, level, quad, taps.s, taps.t, how == kStart ? share : hn::IfThenZeroElse(corner, share));

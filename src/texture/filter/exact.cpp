@@ -49,9 +49,18 @@ FaceTexel FoldOne(const Texture& texture, uint32_t level, const FaceTexel& beyon
           static_cast<uint32_t>(hn::GetLane(texel.face))};
 }
 
+bool LacksCorner(const Texture& texture, uint32_t face, bool left, bool top) {
+  const hn::CappedTag<float, 1> d;
+  const auto number = hn::Set(hn::RebindToSigned<decltype(d)>(), static_cast<int32_t>(face));
+  const auto lacks = WithFold(texture.projection, [&](auto fold) {
+    return fold.lacks_corner(d, number, hn::FirstN(d, left ? 1 : 0), hn::FirstN(d, top ? 1 : 0));
+  });
+  return hn::AllTrue(d, lacks);
+}
+
 size_t RunExactDirections(const FilterCall& call) {
   const Sampler sampler = SamplerOfDirections(call.texture, call.sampler);
-  const DirectionFunctions functions = {TraitsOf(call.texture.projection), ProjectPrecisely, FoldOne};
+  const DirectionFunctions functions = {TraitsOf(call.texture.projection), ProjectPrecisely, FoldOne, LacksCorner};
   return run_exact({call.texture, sampler, call.in, call.out, call.format, call.record, call.recording, call.placement},
                    DirectionFilterOf(SHD_FILTER_BILINEAR), &functions);
 }
@@ -191,7 +200,8 @@ class Integral {
     const bool inside = x == in_x && y == in_y;
     if (inside && !traits.is_disc) {
       add_texel({first_, y}, x, weight);
-    } else if (traits.lacks_corners && x != in_x && y != in_y) {
+    } else if (traits.lacks_corners && x != in_x && y != in_y &&
+               directions_->lacks_corner(texture_, origin_.face, x < 0, y < 0)) {
       add_folded(in_x, in_y, weight / 3);
       add_folded(x, in_y, weight / 3);
       add_folded(in_x, y, weight / 3);

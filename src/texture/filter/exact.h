@@ -17,6 +17,7 @@ struct DirectionFunctions {
   FoldTraits traits;
   DirectionPoint (*project)(const Texture& texture, const Lookups& in, size_t i);
   FaceTexel (*fold)(const Texture& texture, uint32_t level, const FaceTexel& beyond);
+  bool (*lacks_corner)(const Texture& texture, uint32_t face, bool left, bool top);
 };
 
 /// Runs SHD_FILTER_EXACT: integrates over the footprint in doubles. Point lookups go to `run_linear`, the filter

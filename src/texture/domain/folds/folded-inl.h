@@ -51,6 +51,11 @@ struct FoldBase {
   static HWY_INLINE FoldedTexel<D> far_texel(D d, const Level<D>& level, hn::Vec<D> x, hn::Vec<D> y, Ints<D> face) {
     return F::texel(d, level, x, y, face);
   }
+
+  template <class D>
+  static HWY_INLINE MaskOf<D> lacks_corner(D d, Ints<D>, MaskOf<D>, MaskOf<D>) {
+    return hn::Eq(hn::Zero(d), hn::Set(d, F::kLacksCorners ? 0.0f : 1.0f));
+  }
 };
 
 /// Cuts coordinates at a distance of one image.
