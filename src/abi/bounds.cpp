@@ -10,6 +10,7 @@
 #include "abi/handle.h"
 #include "abi/lookup.h"
 #include "texture/oracle/bounds/bounds.h"
+#include "texture/oracle/bounds/fold.h"
 
 namespace {
 
@@ -39,9 +40,8 @@ shd_result check_model(const shd_bounds_desc& desc) {
 shd_result check_bounded(const texture::Texture& texture, const texture::Sampler& sampler, uint32_t rules) {
   const auto refuse = [](const char* what) { return core::fail(SHD_ERROR_UNSUPPORTED, "%s has no bounds", what); };
   SHD_TRY(check_lookups(texture, sampler, texture::Use::kBounds));
-  if (texture.projection == SHD_PROJECTION_LAT_LONG) {
-    return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "texture.projection: LAT_LONG has no bounds: no standard defines its lookups along parallels");
+  if (const char* const reason = texture::bounds_refusal_of(texture.projection)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.projection: %s", reason);
   }
   if (sampler.magnification == SHD_MAGNIFICATION_NEAREST && sampler.filter == SHD_FILTER_ANISOTROPIC) {
     return refuse("sampler.magnification: NEAREST of ANISOTROPIC");

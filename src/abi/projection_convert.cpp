@@ -22,8 +22,8 @@ constexpr uint64_t kMaxConvertedPixels = uint64_t{1} << 26;
 struct Images {
   shd_direction_images desc;
   uint32_t count;
-  shd_image image[6];
-  char name[6][32];  // "from.images[0]"
+  shd_image image[projection::most_faces()];
+  char name[projection::most_faces()][32];  // "from.images[0]"
 };
 
 shd_result check_size(const char* name, const Images& in) {
@@ -34,8 +34,7 @@ shd_result check_size(const char* name, const Images& in) {
                       static_cast<unsigned long long>(pixels), static_cast<unsigned long long>(kMaxConvertedPixels));
   }
   if (in.desc.projection == SHD_PROJECTION_LAT_LONG) return SHD_OK;
-  const bool cube = in.desc.projection == SHD_PROJECTION_CUBE;
-  const texture::LayoutSize faces = texture::layout_size(cube ? in.desc.layout : SHD_CUBE_LAYOUT_FACES);
+  const texture::LayoutSize faces = texture::layout_size(in.desc.layout);
   const bool fits = first.width % faces.across == 0 && first.height % faces.down == 0 &&
                     first.width / faces.across == first.height / faces.down;
   if (fits) return SHD_OK;
@@ -51,10 +50,11 @@ shd_result read_images(const char* name, const shd_direction_images* in, Images*
   SHD_TRY(check_enum(field, out->desc.projection, SHD_PROJECTION_LAT_LONG, projection::kLastProjection));
   const bool cube = out->desc.projection == SHD_PROJECTION_CUBE;
   std::snprintf(field, sizeof field, "%s.layout", name);
-  if (cube) SHD_TRY(check_enum(field, out->desc.layout, SHD_CUBE_LAYOUT_FACES, SHD_CUBE_LAYOUT_VERTICAL_CROSS));
+  if (!cube) out->desc.layout = SHD_CUBE_LAYOUT_FACES;
+  SHD_TRY(check_enum(field, out->desc.layout, SHD_CUBE_LAYOUT_FACES, SHD_CUBE_LAYOUT_VERTICAL_CROSS));
   std::snprintf(field, sizeof field, "%s.images", name);
   SHD_TRY(check_not_null(field, out->desc.images));
-  out->count = cube && out->desc.layout == SHD_CUBE_LAYOUT_FACES ? 6 : 1;
+  out->count = out->desc.layout == SHD_CUBE_LAYOUT_FACES ? projection::face_count(out->desc.projection) : 1;
   for (uint32_t i = 0; i < out->count; ++i) {
     std::snprintf(out->name[i], sizeof out->name[i], "%s.images[%u]", name, i);
     const shd_image* const given = texture::element_of(out->desc.images, i);

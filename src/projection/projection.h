@@ -82,6 +82,16 @@ constexpr uint32_t face_count(shd_projection projection) {
   return 1;
 }
 
+/// Returns the largest number of images of a projection.
+constexpr uint32_t most_faces() {
+  uint32_t most = 1;
+  for (uint32_t p = 0; p <= kLastProjection; ++p) {
+    const uint32_t faces = face_count(static_cast<shd_projection>(p));
+    most = faces > most ? faces : most;
+  }
+  return most;
+}
+
 /// Returns whether the directions fill a disc in the image. Texels outside the disc have no direction.
 constexpr bool is_disc(shd_projection projection) {
   switch (projection) {

@@ -10,6 +10,7 @@
 #include <shd/projection.h>
 
 #include "core/context.h"
+#include "projection/projection.h"
 
 namespace shd::texture {
 
@@ -20,15 +21,15 @@ struct FacePixels {
   bool turned;  // stored turned by half a turn
 };
 
-/// All directions: one face, or the six of a cube.
+/// All directions: the faces of a projection.
 struct DirectionFaces {
   shd_projection projection;
   shd_format format;
   uint32_t width, height;  // size of a face [texels]
-  FacePixels face[6];
+  FacePixels face[projection::most_faces()];
 };
 
-/// Checked images as faces. `images` has six elements for SHD_CUBE_LAYOUT_FACES, otherwise one.
+/// Checked images as faces. `images` has an element for each face for SHD_CUBE_LAYOUT_FACES, otherwise one.
 DirectionFaces faces_of(shd_projection projection, shd_cube_layout layout, const shd_image* images);
 
 /// Size of the image of a layout in faces; 1 x 1 for six images.

@@ -41,12 +41,10 @@ DirectionFaces faces_of(shd_projection projection, shd_cube_layout layout, const
   DirectionFaces faces = {projection, images[0].format, images[0].width, images[0].height, {}};
   const size_t pixel = image::format_info(faces.format).pixel_size;
   const auto pixels_of = [](const shd_image& image) { return static_cast<uint8_t*>(image.pixels); };
-  faces.face[0] = {pixels_of(images[0]), images[0].row_stride, false};
-  if (projection != SHD_PROJECTION_CUBE) return faces;
   const LayoutSize size = layout_size(layout);
   faces.width /= size.across;
   faces.height /= size.down;
-  for (uint32_t f = 0; f < 6; ++f) {
+  for (uint32_t f = 0; f < projection::face_count(projection); ++f) {
     const shd_image& image = images[layout == SHD_CUBE_LAYOUT_FACES ? f : 0];
     const Cell cell = cell_of(layout, f);
     const size_t row = size_t{cell.y} * faces.height, column = size_t{cell.x} * faces.width;

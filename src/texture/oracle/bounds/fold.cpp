@@ -118,4 +118,17 @@ bool folds_far(shd_projection projection) {
   return false;
 }
 
+const char* bounds_refusal_of(shd_projection projection) {
+  switch (projection) {
+    case SHD_PROJECTION_LAT_LONG: return "LAT_LONG has no bounds: no standard defines its lookups along parallels";
+    case SHD_PROJECTION_NONE:
+    case SHD_PROJECTION_MIRROR_BALL:
+    case SHD_PROJECTION_ANGULAR:
+    case SHD_PROJECTION_CUBE:
+    case SHD_PROJECTION_OCTAHEDRAL:
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  return nullptr;
+}
+
 }  // namespace shd::texture

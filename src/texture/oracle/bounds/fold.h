@@ -15,10 +15,13 @@
 namespace shd::texture {
 
 /// Returns the values of texel (i, j) of an image of directions. i and j are -1..size, or -size - 1..2 size if
-/// folds_far(). LAT_LONG has no bounds (shd_texture_bounds()).
+/// folds_far(). The projection has bounds (bounds_refusal_of()).
 Color folded_range(const Plane& plane, int64_t i, int64_t j);
 
 /// Returns whether folded_range() takes texels as far as one image beyond an edge.
 bool folds_far(shd_projection projection);
+
+/// Returns why lookups of a projection have no bounds, as a sentence; null if they have.
+const char* bounds_refusal_of(shd_projection projection);
 
 }  // namespace shd::texture
