@@ -198,7 +198,7 @@ class TiledSet {
     const Curve curve = transfer_of(space).curve;
     if (curve == Curve::kLinear) return found->formats[spec.nchannels - 1];
     if (curve == Curve::kSrgb && spec.format == OIIO::TypeUInt8) return kSrgb[spec.nchannels - 1];
-    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: colour space \"%s\" of numbers of type %s: set texture_file.color_space",
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: colour space \"%s\" of numbers of type %s: set tile_file.color_space",
                  name(file).c_str(), printable(space).c_str(), spec.format.c_str());
   }
 

@@ -293,7 +293,7 @@ void refuses(void **)
     shd_tile_file_desc desc = shd_tile_file_desc_default();
     assert_int_equal(shd_texture_open(g_context, "a.tx", nullptr, &texture, nullptr), SHD_ERROR_INVALID_ARGUMENT);
     assert_int_equal(shd_texture_open(g_context, "a.tx", &desc, &texture, nullptr), SHD_ERROR_INVALID_ARGUMENT);
-    assert_non_null(strstr(shd_last_error(), "texture_file.cache"));
+    assert_non_null(strstr(shd_last_error(), "tile_file.cache"));
     desc.cache = cache;
     assert_int_equal(shd_texture_open(nullptr, "a.tx", &desc, &texture, nullptr), SHD_ERROR_INVALID_ARGUMENT);
     assert_int_equal(shd_texture_open(g_context, nullptr, &desc, &texture, nullptr), SHD_ERROR_INVALID_ARGUMENT);

@@ -96,18 +96,18 @@ void release_source(void* user_data) {
 
 shd_tile_file_desc read_file_desc(const shd_tile_file_desc* in) {
   shd_tile_file_desc desc = shd_tile_file_desc_default();
-  if (!in) refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file: NULL");
-  read_desc("texture_file", in, &desc);
-  if (!desc.cache) refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file.cache: NULL");
+  if (!in) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file: NULL");
+  read_desc("tile_file", in, &desc);
+  if (!desc.cache) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.cache: NULL");
   if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file.color_space: %d is not a shd_color_encoding",
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
   }
   if (desc.max_readers > 4096) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.max_readers: %zu is not in 0..4096", desc.max_readers);
   }
   for (int c = 0; c < 4; ++c) {
-    if (!std::isfinite(desc.fill[c])) refuse(SHD_ERROR_INVALID_ARGUMENT, "texture_file.fill[%d]: not finite", c);
+    if (!std::isfinite(desc.fill[c])) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.fill[%d]: not finite", c);
   }
   return desc;
 }
