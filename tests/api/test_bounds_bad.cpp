@@ -235,7 +235,7 @@ void test_wide(void **)
     shd_bounds_desc desc = preset(SHD_RULES_VULKAN);
     for (const float width : {0.0f, 0.4f, 8.5f, 64.0f}) {
         for (Scene &scene : scenes.list) {
-            scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 25 : 100, &random);
+            scene.lookups = strange_lookups(scene.kind, SHD_IS_SANITIZED ? 10 : 100, &random);
             scene.image.sampler.width_x = width;
             scene.image.sampler.width_y = 8.0f;
             for (shd_profile profile : {SHD_PROFILE_VULKAN, SHD_PROFILE_LEAST_ERROR, SHD_PROFILE_D3D11}) {
