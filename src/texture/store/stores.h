@@ -5,6 +5,9 @@
 /// | file            | contents                                                                  |
 /// |-----------------|---------------------------------------------------------------------------|
 /// | storage.h, .cpp | levels, units and their numbers; texels in memory                         |
+/// | level_count.cpp | the number of levels of a size; shd-maketx has this file, too             |
+/// | span.h, rows.h  | ranges and regions of texels; a task for each of some rows                |
+/// | image_list.h    | the images that a desc gives for the levels                               |
 /// | memory.cpp      | textures in memory: copies of texels, borrowed texels                     |
 /// | bc/             | compressed blocks in memory, and a cache of decoded blocks                |
 /// | tiles/          | tiles from a callback of the host, in a cache of a fixed size             |

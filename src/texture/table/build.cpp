@@ -79,7 +79,7 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   functions_of(out->store).fill(context, desc, out);
   if (is_in_memory(*out)) {
     build_tables(context, out);
-  } else if (!out->tiles) {
+  } else if (!out->tiles) {  // tables of tiles load tiles, which need the handle of the texture
     build_decoded(context, out);
   }
 }

@@ -43,10 +43,13 @@ struct BlockCache {
   uint32_t spare;   // first of kSpare texels outside of the places
   uint32_t now;     // number of the stream that is placed
 
+  /// Returns 0 or 1, in turn for the levels of a texture of this width [texels].
+  static uint32_t parity_of(uint32_t width) { return static_cast<uint32_t>(31 - __builtin_clz(width)) & 1; }
+
   /// Returns the place of block (0, 0) of a level with its first block and its width in texels.
   uint32_t zeroth_place(uint32_t first, uint32_t width) const {
-    const uint32_t half = places / 2, odd = static_cast<uint32_t>(31 - __builtin_clz(width)) & 1;
-    return ((first * 0x9e3779b1u >> 20) & (half - 1)) + odd * half;
+    const uint32_t half = places / 2;
+    return ((first * 0x9e3779b1u >> 20) & (half - 1)) + parity_of(width) * half;
   }
   /// Returns the place of the block in column x and row y of a level.
   uint32_t place_of(uint32_t x, uint32_t y, uint32_t zeroth) const {

@@ -254,7 +254,7 @@ class Placer {
     const VI columns = hn::IfThenElse(lanes, all, hn::Set(di, stream_.index[0][at + lane]));
     const int32_t low = hn::GetLane(hn::MinOfLanes(di, columns)), high = hn::GetLane(hn::MaxOfLanes(di, columns));
     if (high - low > kLongest) return false;
-    latest_ = static_cast<size_t>(places.width[at + lane] >> 1 ^ places.width[at + lane]) & 1;
+    latest_ = BlockCache::parity_of(static_cast<uint32_t>(places.width[at + lane]));
     for (size_t k = 0; k < 2; ++k) {
       int32_t offset;
       if (!find_run(at + lane, places.first[0] + at + lane, low, high + 1, places.y[k][at + lane], &offset))
