@@ -18,10 +18,11 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A share in a running average that depends on the point, with its derivatives in u and v.
+/// A share in a running average that depends on the point, with its derivatives in u and v, or in w alone.
 template <class D>
 struct Share {
   hn::Vec<D> value, rate_u, rate_v;
+  uint32_t rates = kRated;  // kDeep: rate_u is the derivative in w
 };
 
 /// A share in a running average that depends on w, with its derivative in w.
@@ -60,6 +61,7 @@ struct Row : RowShares<D> {
 ///   places()       null, or the places of texels, if a store places the stream later
 ///   kTakesLines    takes whole lines of probes with equal weights
 ///   has_rates()    shares need their derivatives
+///   rates_in_w()   these are the derivatives in w
 ///
 /// Sinks of Run() also have begin() and flush() for each block of lookups, and kBuffered.
 ///
@@ -70,6 +72,7 @@ class Emitter {
   Emitter() = default;
   static constexpr bool kTakesLines = false;
   static constexpr StreamPlaces* places() { return nullptr; }
+  static constexpr bool rates_in_w() { return false; }
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 
@@ -276,7 +279,7 @@ class Emitter {
     if (HWY_LIKELY(!self().has_rates())) return 0;
     hn::Store(share.rate_u, d, to.share_rate_u + at);
     hn::Store(share.rate_v, d, to.share_rate_v + at);
-    return kRated;
+    return share.rates;
   }
   template <class D>
   HWY_INLINE uint32_t write_share(D d, size_t at, const DeepShare<D>& share) {

@@ -26,12 +26,12 @@ using simd::HWY_NAMESPACE::RoundUp;
 
 /// The slice of an EllipseWalk in 2D: the whole ellipse.
 struct WholeEllipse {
-  static constexpr bool kSolid = false, kDeep = false;
+  static constexpr bool kSolid = false;
 };
 
 /// Visits the texels in one vector of ellipses, and sums their weights. An axis without kFolds wraps its positions. The
 /// sink folds the positions of others, and may skip columns: it reads every stride-th one. A slice with kSolid is one
-/// of an ellipsoid, whose texels in all slices form one average; with kDeep, shares have their rates in w.
+/// of an ellipsoid, whose texels in all slices form one average.
 template <class D, class Axis = Walk<D>, class Slice = WholeEllipse>
 struct EllipseWalk {
   using V = hn::Vec<D>;
@@ -179,7 +179,7 @@ struct EllipseWalk {
     if (hn::AllFalse(d, active)) return false;
     const V weight = hn::IfThenElseZero(active, WeightAt(d, x));
     const auto first = hn::And(active, hn::Eq(total, hn::Zero(d)));
-    Share<D> share = sink.has_rates() ? rated_share(d, row, dx, weight, active) : plain_share(d, weight, active);
+    Share<D> share = sink.has_rates() ? rated_share(d, row, dx, weight, active, sink) : plain_share(d, weight, active);
     share.value = hn::IfThenElse(first, hn::Set(d, kWhole), share.value);
     const bool starts = !hn::AllFalse(d, first);
     if constexpr (Axis::kFolds) {
@@ -190,11 +190,7 @@ struct EllipseWalk {
       const auto row_y = down.index(d, &in_y), column_x = across.index(d, &in_x);
       auto in = hn::And(in_x, in_y);
       if constexpr (Slice::kSolid) in = hn::And(in, slice.in);
-      if constexpr (Slice::kDeep) {
-        sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, in, DeepShare<D>{share.value, share.rate_u});
-      } else {
-        sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, in, share);
-      }
+      sink.texel(d, how(starts) | flags, ellipse.level, column_x, row_y, in, share);
     }
     return true;
   }
@@ -225,15 +221,20 @@ struct EllipseWalk {
     return {hn::IfThenElseZero(active, weight / total), hn::Zero(d), hn::Zero(d)};
   }
 
-  /// Returns the share with its derivatives (w' - share total') / total, where w' = -2 (w + exp(-2)) (r^2)'. With kDeep
-  /// rate_u is the derivative in w.
-  HWY_INLINE Share<D> rated_share(D d, const Row& row, V dx, V weight, MaskOf<D> active) {
+  /// Returns the share with its derivatives (w' - share total') / total, where w' = -2 (w + exp(-2)) (r^2)'.
+  template <class Sink>
+  HWY_INLINE Share<D> rated_share(D d, const Row& row, V dx, V weight, MaskOf<D> active, const Sink& sink) {
     Share<D> share = plain_share(d, weight, active);
     const V slope = hn::IfThenElseZero(active, hn::Set(d, 4.0f)) * (weight + hn::Set(d, 0.135335283f));
     const V along_x = dx * per_width2;
     const V along_y = row.dy * per_height2 - ellipse.shear * along_x;
     V weight_u = slope * along_x * ellipse.x.rate, weight_v = slope * along_y * ellipse.y.rate;
-    if constexpr (Slice::kDeep) weight_u = slope * slice.along(along_x, along_y);
+    if constexpr (Slice::kSolid) {
+      if (sink.rates_in_w()) {
+        weight_u = slope * slice.along(along_x, along_y);
+        share.rates = kDeep;
+      }
+    }
     total_u = total_u + weight_u;
     total_v = total_v + weight_v;
     share.rate_u = hn::IfThenElseZero(active, (weight_u - share.value * total_u) / total);

@@ -39,7 +39,7 @@
   ROW(SHD_FILTER_BICUBIC, RunTricubicInSlices)                    \
   ROW(SHD_FILTER_NEAREST_MIP, RunNearestMipInSlices)              \
   ROW(SHD_FILTER_BILINEAR_MIP, RunLinearMipInSlices)              \
-  ROW(SHD_FILTER_TRILINEAR, RunTrilinearInSlices)                 \
+  ROW(SHD_FILTER_TRILINEAR, RunLinearMipInSlices)                 \
   ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropicInSlices)             \
   ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinearInSlices) \
   ROW(SHD_FILTER_EWA, RunEwaInSlices)                             \

@@ -22,23 +22,12 @@ struct NearestMipLinearInSlices : OnSlices<PlaceLodBlock> {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
     const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
-    emit_texel(d, kStart | kNewLine, SlicesAt(d, texture, levels.high), block, i, sink);
+    EmitNearestTexel(d, sampler, SlicesAt(d, texture, levels.high), block, i, 0, sink);
     if (levels.blended) {
-      emit_texel(d, kStart | kNewLine | kSecond, SlicesAt(d, texture, levels.low), block, i, sink);
+      EmitNearestTexel(d, sampler, SlicesAt(d, texture, levels.low), block, i, kSecond, sink);
       sink.merge(d, levels.fraction);
     }
     sink.finish();
-  }
-
- private:
-  template <class D, class Sink>
-  HWY_INLINE void emit_texel(D d, uint32_t op, const Slices<D>& slices, const PlaceLodBlock& block, size_t i,
-                             Sink& sink) const {
-    MaskOf<D> in_x, in_y, in_z;
-    const auto x = WrapNearest(d, sampler.wrap_u, hn::Load(d, block.u + i), slices.level.across, &in_x);
-    const auto y = WrapNearest(d, sampler.wrap_v, hn::Load(d, block.v + i), slices.level.down, &in_y);
-    const auto z = WrapNearest(d, sampler.wrap_w, hn::Load(d, block.w + i), slices.deep, &in_z);
-    sink.texel(d, op, SliceOf(d, slices, z), x, y, hn::And(hn::And(in_x, in_y), in_z));
   }
 };
 

@@ -51,6 +51,7 @@ class StreamSink : public Emitter<StreamSink> {
   HWY_INLINE const Sampler& sampler() const { return sampler_; }
   HWY_INLINE Stream& elements() { return stream_; }
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
+  HWY_INLINE bool rates_in_w() const { return first_.out.wants_deep_gradient(); }
   HWY_INLINE bool bordered() const { return bordered_; }
   HWY_INLINE StreamPlaces* places() const { return places_; }
 

@@ -28,16 +28,8 @@ template <class D>
 struct Slices {
   Level<D> level;  // its offset is that of slice 0
   AxisSize<D> deep;
-  UnitShape unit;
+  Ints<D> units;  // units of a slice
 };
-
-/// Returns one level per lane. `level` contains integer-valued floats.
-template <class D>
-SHD_KERNEL_PART Slices<D> SlicesAt(D d, const Texture& texture, hn::Vec<D> level) {
-  const hn::RebindToSigned<D> di;
-  const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - ToInt(level)));
-  return {LevelAt(d, texture, hn::Zero(di), level), ScaledSize(d, texture.depth, scale), texture.layout.unit};
-}
 
 /// Returns the number of units along an axis (units_along()).
 template <class D>
@@ -46,16 +38,30 @@ HWY_INLINE Ints<D> UnitsAlong(D, Ints<D> texels, uint32_t shift) {
   return hn::ShiftRightSame(texels + hn::Set(di, (1 << shift) - 1), static_cast<int>(shift));
 }
 
+/// Returns the number of units of an image of the size of a level.
+template <class D>
+HWY_INLINE Ints<D> UnitsOf(D d, const Level<D>& level, UnitShape unit) {
+  if (HWY_LIKELY((unit.shift_x | unit.shift_y) == 0)) return level.across.whole * level.down.whole;
+  return UnitsAlong(d, level.across.whole, unit.shift_x) * UnitsAlong(d, level.down.whole, unit.shift_y);
+}
+
+/// Returns one level per lane. `level` contains integer-valued floats.
+template <class D>
+SHD_KERNEL_PART Slices<D> SlicesAt(D d, const Texture& texture, hn::Vec<D> level) {
+  const hn::RebindToSigned<D> di;
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - ToInt(level)));
+  Slices<D> slices;
+  slices.level = LevelAt(d, texture, hn::Zero(di), level);
+  slices.deep = ScaledSize(d, texture.depth, scale);
+  slices.units = UnitsOf(d, slices.level, texture.layout.unit);
+  return slices;
+}
+
 /// Returns a slice as a level.
 template <class D>
 HWY_INLINE Level<D> SliceOf(D, const Slices<D>& slices, Ints<D> z) {
   Level<D> slice = slices.level;
-  Ints<D> across = slice.across.whole, down = slice.down.whole;
-  if (HWY_UNLIKELY((slices.unit.shift_x | slices.unit.shift_y) != 0)) {
-    across = UnitsAlong(D(), across, slices.unit.shift_x);
-    down = UnitsAlong(D(), down, slices.unit.shift_y);
-  }
-  slice.offset = slice.offset + z * (across * down);
+  slice.offset = slice.offset + z * slices.units;
   return slice;
 }
 
@@ -71,7 +77,7 @@ HWY_INLINE LinearTaps<D> RowsOf(D, const LinearTaps<D>& y, MaskOf<D> slice_in) {
 /// The 2 x 2 x 2 texels of a level around reduced coordinates.
 template <class D>
 struct Cube {
-  Slices<D> slices;
+  const Slices<D>& slices;
   LinearTaps<D> x, y, z;
 
   SHD_KERNEL_PART Cube(D d, const Sampler& sampler, const Slices<D>& of_slices, hn::Vec<D> u, hn::Vec<D> v,
@@ -90,19 +96,15 @@ struct Cube {
   HWY_INLINE void emit_second(D d, uint32_t op, Sink& sink, const AnyShare& share) const {
     sink.quad(d, op, SliceOf(d, slices, z.i1), x, RowsOf(d, y, z.in1), share);
   }
-  /// Emits the linear interpolation as the start of an average.
-  template <class Sink>
-  HWY_INLINE void emit(D d, uint32_t second, Sink& sink) const {
-    emit_first(d, kStart | second, sink);
-    emit_second(d, kBlend | second, sink, DeepShare<D>{z.s, z.rate});
-  }
 };
 
-/// Emits the linear interpolation at a place as the start of an average. Inline, each filter would have a long copy.
+/// Emits the linear interpolation at a place as the start of an average.
 template <class D, class Sink>
-HWY_NOINLINE void EmitLinear(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
-                             hn::Vec<D> w, uint32_t second, Sink& sink) {
-  Cube<D>(d, sampler, slices, u, v, w).emit(d, second, sink);
+HWY_INLINE void EmitLinear(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
+                           hn::Vec<D> w, uint32_t second, Sink& sink) {
+  const Cube<D> cube(d, sampler, slices, u, v, w);
+  cube.emit_first(d, kStart | second, sink);
+  cube.emit_second(d, kBlend | second, sink, DeepShare<D>{cube.z.s, cube.z.rate});
 }
 
 /// Base of filters of 3D textures.
@@ -124,34 +126,43 @@ struct OnSlices {
   }
 };
 
+/// Base of filters of the base level.
+template <class AnyBlock>
+struct OnBaseSlices : OnSlices<AnyBlock> {
+  Slices<BatchTag> base;
+
+  OnBaseSlices(const Texture& of_texture, const Sampler& of_sampler)
+      : OnSlices<AnyBlock>(of_texture, of_sampler), base(SlicesAt(BatchTag(), of_texture, hn::Zero(BatchTag()))) {}
+};
+
 /// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
 template <class D>
-HWY_INLINE Slices<D> NearestSlices(D d, const Texture& texture, const PlaceLodBlock& block, size_t i) {
+HWY_INLINE hn::Vec<D> NearestLevel(D d, const PlaceLodBlock& block, size_t i) {
   const auto level = RoundUp(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
-  return SlicesAt(d, texture, hn::Max(level, hn::Zero(d)));
+  return hn::Max(level, hn::Zero(d));
 }
 
-/// Emits the texel that contains the point.
+/// Emits the texel that contains the point, as the start of an average.
 template <class D, class Block, class Sink>
 HWY_INLINE void EmitNearestTexel(D d, const Sampler& sampler, const Slices<D>& slices, const Block& block, size_t i,
-                                 Sink& sink) {
+                                 uint32_t second, Sink& sink) {
   MaskOf<D> in_x, in_y, in_z;
   const auto x = WrapNearest(d, sampler.wrap_u, hn::Load(d, block.u + i), slices.level.across, &in_x);
   const auto y = WrapNearest(d, sampler.wrap_v, hn::Load(d, block.v + i), slices.level.down, &in_y);
   const auto z = WrapNearest(d, sampler.wrap_w, hn::Load(d, block.w + i), slices.deep, &in_z);
-  sink.texel(d, kStart | kNewLine, SliceOf(d, slices, z), x, y, hn::And(hn::And(in_x, in_y), in_z));
-  sink.finish();
+  sink.texel(d, kStart | kNewLine | second, SliceOf(d, slices, z), x, y, hn::And(hn::And(in_x, in_y), in_z));
 }
 
-struct NearestInSlices : OnSlices<PlaceBlock> {
-  using OnSlices::OnSlices;
+struct NearestInSlices : OnBaseSlices<PlaceBlock> {
+  using OnBaseSlices::OnBaseSlices;
 
   /// Never prefetches, as Nearest.
   static bool is_scattered(const Texture&, const PlaceBlock&) { return false; }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
-    EmitNearestTexel(d, sampler, SlicesAt(d, texture, hn::Zero(d)), block, i, sink);
+    EmitNearestTexel(d, sampler, base, block, i, 0, sink);
+    sink.finish();
   }
 };
 
@@ -162,28 +173,18 @@ struct NearestMipInSlices : OnSlices<PlaceLodBlock> {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
-    EmitNearestTexel(d, sampler, NearestSlices(d, texture, block, i), block, i, sink);
-  }
-};
-
-struct LinearInSlices : OnSlices<PlaceBlock> {
-  using OnSlices::OnSlices;
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
-    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    EmitLinear(d, sampler, SlicesAt(d, texture, hn::Zero(d)), u, v, w, 0, sink);
+    EmitNearestTexel(d, sampler, SlicesAt(d, texture, NearestLevel(d, block, i)), block, i, 0, sink);
     sink.finish();
   }
 };
 
-struct LinearMipInSlices : OnSlices<PlaceLodBlock> {
-  using OnSlices::OnSlices;
+struct LinearInSlices : OnBaseSlices<PlaceBlock> {
+  using OnBaseSlices::OnBaseSlices;
 
   template <class D, class Sink>
-  HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
+  HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    EmitLinear(d, sampler, NearestSlices(d, texture, block, i), u, v, w, 0, sink);
+    EmitLinear(d, sampler, base, u, v, w, 0, sink);
     sink.finish();
   }
 };
@@ -203,19 +204,22 @@ struct LevelNumbers {
         blended(!hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)))) {}
 };
 
-/// Linear on three axes and between two levels.
-struct TrilinearInSlices : OnSlices<PlaceLodBlock> {
+/// Linear on three axes, on the nearest level or between two levels. A loop over the levels has one copy of the code.
+struct LinearMipInSlices : OnSlices<PlaceLodBlock> {
   using OnSlices::OnSlices;
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
     const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
-    EmitLinear(d, sampler, SlicesAt(d, texture, levels.high), u, v, w, 0, sink);
-    if (levels.blended) {
-      EmitLinear(d, sampler, SlicesAt(d, texture, levels.low), u, v, w, kSecond, sink);
-      sink.merge(d, levels.fraction);
+    const bool nearest = sampler.filter == SHD_FILTER_BILINEAR_MIP, two = levels.blended && !nearest;
+    auto level = nearest ? NearestLevel(d, block, i) : levels.high;
+    for (uint32_t second = 0;; second = kSecond) {
+      EmitLinear(d, sampler, SlicesAt(d, texture, level), u, v, w, second, sink);
+      if (!two || second) break;
+      level = levels.low;
     }
+    if (two) sink.merge(d, levels.fraction);
     sink.finish();
   }
 };

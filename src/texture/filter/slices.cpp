@@ -25,9 +25,6 @@ size_t RunLinearInSlices(const FilterCall& call) {
 size_t RunLinearMipInSlices(const FilterCall& call) {
   return Run<LinearMipInSlices>(call);
 }
-size_t RunTrilinearInSlices(const FilterCall& call) {
-  return Run<TrilinearInSlices>(call);
-}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

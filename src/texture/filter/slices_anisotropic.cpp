@@ -21,12 +21,19 @@ namespace {
 
 /// Shares of the two quads of a probe of weight w after probes of a total weight. Derivatives: with the first share f =
 /// (1 - s) w / (total + (1 - s) w), df/ds = -w total / (total + (1 - s) w)^2; the second share is s w / (total + w).
+/// The first probe starts the average, so its second share is s.
 template <class D>
 struct ProbeShares {
   DeepShare<D> first, second;
 
-  HWY_INLINE ProbeShares(D d, const LinearTaps<D>& z, hn::Vec<D> total, hn::Vec<D> weight) {
+  HWY_INLINE ProbeShares(D d, const LinearTaps<D>& z, hn::Vec<D> total, hn::Vec<D> weight, bool starts) {
     using V = hn::Vec<D>;
+    if (starts) {
+      first.value = first.rate = hn::Zero(d);
+      second.value = z.s;
+      second.rate = z.rate;
+      return;
+    }
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     const V front = (one - z.s) * weight, sum = total + front, all = total + weight;
     const auto any = hn::Gt(sum, zero);
@@ -60,8 +67,10 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
       const V full =
           sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL ? hn::Set(d, 1.0f) : ProbeGaussian(d, position / reach);
       const V weight = hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.probes), full);
-      emit_probe(d, Cube<D>(d, sampler, high, u, v, w), k, 0, total, weight, sink);
-      if (levels.blended) emit_probe(d, Cube<D>(d, sampler, low, u, v, w), k, kSecond, total, weight, sink);
+      for (uint32_t second = 0;; second = kSecond) {
+        emit_probe(d, second ? low : high, u, v, w, total, weight, k == 0.0f, second, sink);
+        if (!levels.blended || second) break;
+      }
       total = total + weight;
     }
     if (levels.blended) sink.merge(d, levels.fraction);
@@ -70,11 +79,11 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
 
  private:
   template <class D, class Sink>
-  static HWY_NOINLINE void emit_probe(D d, const Cube<D>& cube, float k, uint32_t second, hn::Vec<D> total,
-                                      hn::Vec<D> weight, Sink& sink) {
-    if (k == 0.0f) return cube.emit(d, second, sink);
-    const ProbeShares<D> shares(d, cube.z, total, weight);
-    cube.emit_first(d, kBlend | second, sink, shares.first);
+  HWY_INLINE void emit_probe(D d, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v, hn::Vec<D> w, hn::Vec<D> total,
+                             hn::Vec<D> weight, bool starts, uint32_t second, Sink& sink) const {
+    const Cube<D> cube(d, sampler, slices, u, v, w);
+    const ProbeShares<D> shares(d, cube.z, total, weight, starts);
+    cube.emit_first(d, (starts ? kStart : kBlend) | second, sink, shares.first);
     cube.emit_second(d, kBlend | second, sink, shares.second);
   }
 };

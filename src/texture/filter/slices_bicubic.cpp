@@ -17,19 +17,18 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-struct TricubicInSlices : OnSlices<PlaceBlock> {
-  using OnSlices::OnSlices;
+struct TricubicInSlices : OnBaseSlices<PlaceBlock> {
+  using OnBaseSlices::OnBaseSlices;
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    const Slices<D> slices = SlicesAt(d, texture, hn::Zero(d));
-    const CubicGrid<D> grid(d, sampler, slices.level, u, v, sink.has_rates());
-    const CubicTaps<D> z = WrapCubic(d, sampler.wrap_w, w, slices.deep);
+    const CubicGrid<D> grid(d, sampler, base.level, u, v, sink.has_rates());
+    const CubicTaps<D> z = WrapCubic(d, sampler.wrap_w, w, base.deep);
     const CubicSteps<D> deep = StepsOf(d, sampler.cubic, z.s, z.rate, sink.has_rates());
     for (int k = 0; k < 4; ++k) {
       const int tap = kCubicOrder[k];
-      grid.emit(d, k == 0 ? 0 : kSecond, SliceOf(d, slices, z.index[tap]), sink, z.in[tap]);
+      grid.emit(d, k == 0 ? 0 : kSecond, SliceOf(d, base, z.index[tap]), sink, z.in[tap]);
       if (k != 0) sink.merge(d, DeepShare<D>{deep.step[k - 1], deep.rate[k - 1]});
     }
     sink.finish();

@@ -19,9 +19,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
 /// The slice of an ellipsoid that a walk visits.
-template <class D, bool kRatesInW>
+template <class D>
 struct WalkedSlice {
-  static constexpr bool kSolid = true, kDeep = kRatesInW;
+  static constexpr bool kSolid = true;
 
   hn::Vec<D> height, along_z;  // part of r^2 that comes from the distance dz of the slice; dz / depth2
   hn::Vec<D> slide_x, slide_y, rate;
@@ -50,15 +50,17 @@ struct LinearShares {
   }
 };
 
-/// Emits linear with its share in the average of an ellipsoid. Inline, both filters would have a long copy.
+/// Emits linear with its share in the average of an ellipsoid. Inline, the filter
+/// would have its variables in memory.
 template <class D, class Sink>
-HWY_NOINLINE void EmitLinearShare(D d, const Cube<D>& cube, hn::Vec<D> share, uint32_t how, Sink& sink) {
+HWY_NOINLINE void EmitLinearShare(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
+                                  hn::Vec<D> w, hn::Vec<D> share, uint32_t how, Sink& sink) {
+  const Cube<D> cube(d, sampler, slices, u, v, w);
   const LinearShares<D> shares(d, cube.z, share);
   cube.emit_first(d, how, sink, shares.first);
   cube.emit_second(d, kBlend, sink, shares.second);
 }
 
-template <bool kRatesInW>
 struct EwaInSlices : OnSlices<EllipsoidBlock> {
   using OnSlices::OnSlices;
 
@@ -68,14 +70,13 @@ struct EwaInSlices : OnSlices<EllipsoidBlock> {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const EllipsoidBlock& block, size_t i, Sink& sink) const {
-    EllipseWalk<D, Walk<D>, WalkedSlice<D, kRatesInW>> walk(d, texture, sampler, block, i);
+    EllipseWalk<D, Walk<D>, WalkedSlice<D>> walk(d, texture, sampler, block, i);
     const Slices<D> slices = SlicesAt(d, texture, hn::Load(d, block.level + i));
     if (!hn::AllTrue(d, walk.ellipse.is_quad)) emit_slices(d, slices, block, i, walk, sink);
     const auto share = hn::Load(d, block.bilinear + i);
     if (!hn::AllTrue(d, hn::Eq(share, hn::Zero(d)))) {
       const auto& at = walk.ellipse;
-      EmitLinearShare(d, Cube<D>(d, sampler, slices, at.u, at.v, hn::Load(d, block.w + i)), share, walk.how(true),
-                      sink);
+      EmitLinearShare(d, sampler, slices, at.u, at.v, hn::Load(d, block.w + i), share, walk.how(true), sink);
     }
     sink.finish();
   }
@@ -111,7 +112,7 @@ struct EwaInSlices : OnSlices<EllipsoidBlock> {
 }  // namespace
 
 size_t RunEwaInSlices(const FilterCall& call) {
-  return call.out.wants_deep_gradient() ? Run<EwaInSlices<true>>(call) : Run<EwaInSlices<false>>(call);
+  return Run<EwaInSlices>(call);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

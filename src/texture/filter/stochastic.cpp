@@ -188,8 +188,9 @@ HWY_INLINE void emit_pick(D d, const Slices<D>& slices, const Pick<D>& x, const 
 
 /// EmitPoint() of a 3D texture: the two quads of a level, or one of their texels.
 template <class D, class Sink>
-HWY_NOINLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices, hn::Vec<D> u, hn::Vec<D> v,
-                            hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
+HWY_NOINLINE void EmitPlace(D d, const Texture& texture, const Sampler& sampler, hn::Vec<D> level, hn::Vec<D> u,
+                            hn::Vec<D> v, hn::Vec<D> w, Rng<D>* rng, Sink& sink) {
+  const Slices<D> slices = SlicesAt(d, texture, level);
   if (sampler.stochastic == SHD_STOCHASTIC_QUAD) {
     EmitLinear(d, sampler, slices, u, v, w, 0, sink);
     sink.finish();
@@ -202,8 +203,8 @@ HWY_NOINLINE void EmitPlace(D d, const Sampler& sampler, const Slices<D>& slices
 }
 
 template <bool kCubic>
-struct PickOnBaseInSlices : OnSlices<RandomBlock<PlaceBlock>> {
-  using OnSlices<RandomBlock<PlaceBlock>>::OnSlices;
+struct PickOnBaseInSlices : OnBaseSlices<RandomBlock<PlaceBlock>> {
+  using OnBaseSlices<RandomBlock<PlaceBlock>>::OnBaseSlices;
 
   static bool is_scattered(const Texture& texture, const PlaceBlock& block) {
     return OnSlices<PlaceBlock>::is_scattered(texture, block);
@@ -211,7 +212,7 @@ struct PickOnBaseInSlices : OnSlices<RandomBlock<PlaceBlock>> {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const RandomBlock<PlaceBlock>& block, size_t i, Sink& sink) const {
-    const Slices<D> slices = SlicesAt(d, this->texture, hn::Zero(d));
+    const Slices<D>& slices = this->base;
     const Sampler& with = this->sampler;
     Rng<D> rng = RngOf(d, with, block, i);
     const Pick<D> x = PickTap<kCubic>(d, with.wrap_u, block.u + i, slices.level.across, rng.next(d));
@@ -230,8 +231,8 @@ struct PickTrilinearInSlices : OnSlices<RandomBlock<PlaceLodBlock>> {
   HWY_INLINE void emit(D d, const RandomBlock<PlaceLodBlock>& block, size_t i, Sink& sink) const {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
-    EmitPlace(d, sampler, SlicesAt(d, texture, level), hn::Load(d, block.u + i), hn::Load(d, block.v + i),
-              hn::Load(d, block.w + i), &rng, sink);
+    EmitPlace(d, texture, sampler, level, hn::Load(d, block.u + i), hn::Load(d, block.v + i), hn::Load(d, block.w + i),
+              &rng, sink);
   }
 };
 
@@ -246,7 +247,7 @@ struct PickAnisotropicInSlices : OnSlices<RandomBlock<PlaceProbeBlock>> {
     const auto level = PickLevel(d, texture, hn::Load(d, block.lod + i), rng.next(d));
     const auto w = ProbeLine<D>::at(sampler.wrap_w, hn::Load(d, block.w + i), position,
                                     ProbeLine<D>::Distance(d, sampler.wrap_w, hn::Load(d, block.step_w + i)));
-    EmitPlace(d, sampler, SlicesAt(d, texture, level), line.u_at(position), line.v_at(position), w, &rng, sink);
+    EmitPlace(d, texture, sampler, level, line.u_at(position), line.v_at(position), w, &rng, sink);
   }
 };
 
