@@ -43,28 +43,42 @@ inline Polygon parallelogram(Vec2 center, Vec2 a, Vec2 b) {
   return out;
 }
 
-/// Moves a polygon by -origin along one axis and returns its part between 0 and 1 of this axis (Sutherland and Hodgman,
-/// "Reentrant Polygon Clipping", 1974). Corners on the two lines have coordinates of exactly 0 and 1.
-inline Polygon clip_to_unit(const Polygon& polygon, double Vec2::*axis, double Vec2::*other, double origin) {
-  Polygon moved = polygon;
-  for (size_t i = 0; i < moved.count; ++i) moved.corner[i].*axis -= origin;
-  for (const bool above : {true, false}) {
-    const double bound = above ? 0.0 : 1.0;
-    const auto inside = [&](Vec2 p) { return above ? p.*axis >= bound : p.*axis <= bound; };
-    Polygon out;
-    for (size_t i = 0; i < moved.count; ++i) {
-      const Vec2 from = moved.corner[i], to = moved.corner[i + 1 < moved.count ? i + 1 : 0];
-      if (inside(from)) out.add(from);
-      if (inside(from) == inside(to)) continue;
-      const double s = (bound - from.*axis) / (to.*axis - from.*axis);
+/// Moves a polygon by -origin along one axis and returns its part where this axis is at least 0 (`above`), or at most 1
+/// (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974). Corners on the line have a coordinate of exactly 0 or 1.
+template <double Vec2::*kAxis, double Vec2::*kOther>
+Polygon clip(const Polygon& polygon, double origin, bool above) {
+  const double bound = above ? 0.0 : 1.0;
+  const auto is_inside = [&](Vec2 p) { return above ? p.*kAxis >= bound : p.*kAxis <= bound; };
+  const auto moved = [&](size_t i) {
+    Vec2 p = polygon.corner[i];
+    p.*kAxis -= origin;
+    return p;
+  };
+  Polygon out;
+  if (polygon.count == 0) return out;
+  Vec2 from = moved(0);
+  bool inside = is_inside(from);
+  for (size_t i = 1; i <= polygon.count; ++i) {
+    const Vec2 to = moved(i < polygon.count ? i : 0);
+    if (inside) out.add(from);
+    const bool was_inside = inside;
+    inside = is_inside(to);
+    if (inside != was_inside) {
+      const double s = (bound - from.*kAxis) / (to.*kAxis - from.*kAxis);
       Vec2 crossing;
-      crossing.*axis = bound;
-      crossing.*other = from.*other + s * (to.*other - from.*other);
+      crossing.*kAxis = bound;
+      crossing.*kOther = from.*kOther + s * (to.*kOther - from.*kOther);
       out.add(crossing);
     }
-    moved = out;
+    from = to;
   }
-  return moved;
+  return out;
+}
+
+/// Moves a polygon by -origin along one axis and returns its part between 0 and 1 of this axis.
+template <double Vec2::*kAxis, double Vec2::*kOther>
+Polygon clip_to_unit(const Polygon& polygon, double origin) {
+  return clip<kAxis, kOther>(clip<kAxis, kOther>(polygon, origin, true), 0.0, false);
 }
 
 /// Integrals of 1, x, y and x y over a polygon.
@@ -116,7 +130,7 @@ inline Interval corners_at(const Polygon& polygon, double y) {
 /// (i, j), and visitor.run(j, begin, end) once for the cells begin..end - 1 that are covered completely.
 template <class Visitor>
 void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
-  const Polygon slab = clip_to_unit(polygon, &Vec2::y, &Vec2::x, static_cast<double>(j));
+  const Polygon slab = clip_to_unit<&Vec2::y, &Vec2::x>(polygon, static_cast<double>(j));
   Interval extent;
   for (size_t i = 0; i < slab.count; ++i) extent.add(slab.corner[i].x);
   if (!(extent.low < extent.high)) return;
@@ -138,7 +152,7 @@ void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
       i = run_end - 1;
       continue;
     }
-    const Moments m = moments(clip_to_unit(slab, &Vec2::x, &Vec2::y, static_cast<double>(i)));
+    const Moments m = moments(clip_to_unit<&Vec2::x, &Vec2::y>(slab, static_cast<double>(i)));
     if (m.one > 0) visitor->cell(i, j, m);
   }
 }

@@ -188,8 +188,17 @@ HWY_INLINE bool IsConstant(const float* column, size_t count) {
   return true;
 }
 
+/// Whether a column is absent or has the same value in its first and its last row.
+HWY_INLINE bool EndsAlike(const float* column, size_t count) {
+  return !column || column[0] == column[count - 1];
+}
+
 /// Whether all lookups have one footprint, as those of surfaces parallel to the picture.
 inline HWY_NOINLINE bool ShareFootprint(const Lookups& in) {
+  if (!EndsAlike(in.dudx, in.count) || !EndsAlike(in.dvdx, in.count) || !EndsAlike(in.dudy, in.count) ||
+      !EndsAlike(in.dvdy, in.count)) {
+    return false;
+  }
   return IsConstant(in.dudx, in.count) && IsConstant(in.dvdx, in.count) && IsConstant(in.dudy, in.count) &&
          IsConstant(in.dvdy, in.count);
 }

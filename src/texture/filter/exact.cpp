@@ -72,23 +72,39 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 
-/// Weighted mean of values. Deviations from the first value are summed, so equal values give exactly this value. Values
-/// that are not finite are summed separately, without weights; the sum then replaces the mean.
-struct Mean {
-  double first = 0, sum = 0, nonfinite = 0;
-  bool started = false, poisoned = false;
-
-  void add(double value, double weight) {
-    if (!std::isfinite(value)) {
-      nonfinite += value;
-      poisoned = true;
-      return;
-    }
-    if (!started) first = value;
-    started = true;
-    sum += weight * (value - first);
+/// Weighted means of the channels of texels. Deviations from the first value are summed, so equal values give exactly
+/// this value. Values that are not finite are summed separately, without weights; the sum then replaces the mean.
+class Means {
+ public:
+  void add(const double (&texel)[4], double weight) {
+    const double finite = (texel[0] - texel[0]) + (texel[1] - texel[1]) + (texel[2] - texel[2]) + (texel[3] - texel[3]);
+    if (HWY_UNLIKELY(!started_ || finite != 0)) return add_each(texel, weight);
+    for (size_t c = 0; c < 4; ++c) sum_[c] += weight * (texel[c] - first_[c]);
   }
-  double over(double weight) const { return poisoned ? canonical(nonfinite) : first + sum / weight; }
+
+  double over(size_t channel, double weight) const {
+    return poisoned_[channel] ? canonical(nonfinite_[channel]) : first_[channel] + sum_[channel] / weight;
+  }
+
+ private:
+  void add_each(const double (&texel)[4], double weight) {
+    started_ = true;
+    for (size_t c = 0; c < 4; ++c) {
+      if (!std::isfinite(texel[c])) {
+        nonfinite_[c] += texel[c];
+        poisoned_[c] = true;
+        started_ = started_ && has_first_[c];
+        continue;
+      }
+      if (!has_first_[c]) first_[c] = texel[c];
+      has_first_[c] = true;
+      sum_[c] += weight * (texel[c] - first_[c]);
+    }
+  }
+
+  double first_[4] = {}, sum_[4] = {}, nonfinite_[4] = {};
+  bool has_first_[4] = {}, poisoned_[4] = {};
+  bool started_ = false;  // all channels have their first value
 };
 
 /// Integrates the reconstruction of one level. A visitor of visit_cells(), and for 3D textures of
@@ -151,7 +167,7 @@ class Integral {
     }
   }
 
-  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / codec_.one[c]); }
+  float channel(size_t c) const { return static_cast<float>(means_.over(c, weight_) / codec_.one[c]); }
 
  private:
   /// A row of an image: the first unit of its level, and y after wrapping, or -1 for the border colour.
@@ -219,15 +235,11 @@ class Integral {
   }
 
   void add_texel(const Line& from, int64_t x, double weight) {
-    double loaded[4];
-    const double* value = border_;
-    if (from.y >= 0 && x >= 0) {
-      const auto width = static_cast<uint32_t>(width_);
-      codec_.load(reader_.at(from.first, width, static_cast<uint32_t>(x), static_cast<uint32_t>(from.y)), 1, loaded);
-      value = loaded;
-    }
     weight_ += weight;
-    for (size_t c = 0; c < codec_.channels; ++c) mean_[c].add(value[c], weight);
+    if (from.y < 0 || x < 0) return means_.add(border_, weight);
+    const auto width = static_cast<uint32_t>(width_);
+    codec_.load(reader_.at(from.first, width, static_cast<uint32_t>(x), static_cast<uint32_t>(from.y)), 1, texel_);
+    means_.add(texel_, weight);
   }
 
   const TexelCodec& codec_;
@@ -243,7 +255,8 @@ class Integral {
   double weight_ = 0;
   uint32_t first_;
   TexelReader reader_;
-  Mean mean_[4];
+  double texel_[4] = {};  // the latest one; channels that the texture lacks are 0
+  Means means_;
 };
 
 /// Integrates over the parts of a footprint on the faces of the cube, if it does not lie on one face.
