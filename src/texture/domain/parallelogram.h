@@ -44,7 +44,7 @@ inline Polygon parallelogram(Vec2 center, Vec2 a, Vec2 b) {
 }
 
 /// Moves a polygon by -origin along one axis and returns its part where this axis is at least 0 (`above`), or at most 1
-/// (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974). Corners on the line have a coordinate of exactly 0 or 1.
+/// (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974). Corners on the line are exactly at 0 or 1.
 template <double Vec2::*kAxis, double Vec2::*kOther>
 Polygon clip(const Polygon& polygon, double origin, bool above) {
   const double bound = above ? 0.0 : 1.0;
