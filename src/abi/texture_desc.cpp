@@ -145,13 +145,18 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
   return SHD_OK;
 }
 
-shd_result check_given_levels(const shd_texture_desc& desc) {
+shd_result check_level_count(const shd_texture_desc& desc) {
   if (desc.level_count == 0) return SHD_OK;
   if (!(desc.tables & SHD_TABLE_MIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP", desc.level_count);
   }
-  SHD_TRY(check_count("texture.level_count", desc.level_count, 0,
-                      texture::full_level_count(desc.width, desc.height, desc.depth) - 1));
+  return check_count("texture.level_count", desc.level_count, 0,
+                     texture::full_level_count(desc.width, desc.height, desc.depth) - 1);
+}
+
+shd_result check_given_levels(const shd_texture_desc& desc) {
+  SHD_TRY(check_level_count(desc));
+  if (desc.level_count == 0) return SHD_OK;
   SHD_TRY(check_not_null("texture.levels", desc.levels));
   if (desc.depth != 0) {
     return check_slices("texture.levels", desc.levels, desc.level_count, desc.format, desc.width, desc.height,
@@ -216,14 +221,7 @@ shd_result check_tiles(const shd_texture_desc& desc) {
                       static_cast<int>(desc.format));
   }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) SHD_TRY(check_texels(desc));
-  if (desc.level_count != 0) {
-    if (!(desc.tables & SHD_TABLE_MIPMAP)) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP",
-                        desc.level_count);
-    }
-    SHD_TRY(check_count("texture.level_count", desc.level_count, 0,
-                        texture::full_level_count(desc.width, desc.height, desc.depth) - 1));
-  }
+  SHD_TRY(check_level_count(desc));
   const uint64_t tiles = texture::tile_count(desc, cache->tile_bytes());
   return check_count("texture.tiles: number of tiles of all levels and layers", tiles, 1, kMaxTiles);
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """House rules that a compiler does not see, over the tracked sources of the tree.
 
-    check_style.py includes|third_party|files|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
+    check_style.py includes|third_party|files|mutants|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
 
 Each check prints file:line and what is wrong, and exits 1 if anything is.
 """
@@ -12,6 +12,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
+import mutants
 import prose
 
 CONTRIBUTING = ".github/CONTRIBUTING.md"
@@ -303,6 +304,15 @@ def check_abi_structs(root):
                     yield f"{path}: {name} by value: {' '.join(declaration.split())}"
 
 
+def check_mutants(root):
+    """The text that a planted bug replaces occurs once in its file."""
+    for name, mutant in mutants.MUTANTS.items():
+        path = root / mutant.path
+        times = path.read_text().count(mutant.text) if path.is_file() else 0
+        if times != 1:
+            yield f"tests/support/mutants.py: {name}: {mutant.path} has the text {times} times, not once"
+
+
 CHECKS = {
     "abi_names": check_abi_names,
     "abi_structs": check_abi_structs,
@@ -310,6 +320,7 @@ CHECKS = {
     "third_party": check_third_party,
     "arithmetic": check_arithmetic,
     "files": check_files,
+    "mutants": check_mutants,
     "spdx": check_spdx,
     "prose": prose.check,
 }
