@@ -146,6 +146,11 @@ struct Consumption {
 /// Consumes elements 0..end - 1.
 using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
+struct RowStream;
+
+/// Blends the quads of a block of lookups with the bits of a Consume, and writes the results (rows.h).
+using ConsumeRows = void (*)(const RowStream& rows, Consumption* consumption);
+
 struct FixedVector;
 
 /// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
@@ -163,6 +168,7 @@ enum class Gradient { kNone, kPlane, kDeep };
 struct FormatKernels {
   Consume values;      // values, with the border colour if the sampler's lookups may read it
   Consume gradient;    // derivatives in u and v, or in w; null if none are wanted
+  ConsumeRows rows;    // values of rows of quads; null if derivatives are wanted, or filters emit none
   FixedKernels fixed;  // values in fixed point
 };
 

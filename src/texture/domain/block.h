@@ -29,7 +29,6 @@ inline Lookups block_of(const Lookups& in, size_t first) {
 /// Coordinates and layers of lookups.
 struct PointBlock {
   size_t count;                             // 1..kBlock
-  bool one_lod;                             // known: all lookups have one footprint, so one level of detail
   alignas(64) float u[kBlock], v[kBlock];   // finite, after ReduceCoordinate() with the wrap of the axis
   alignas(64) int32_t first_texel[kBlock];  // first texel of the layer; written if the texture has several layers
 };

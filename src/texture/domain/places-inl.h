@@ -90,7 +90,6 @@ HWY_INLINE size_t FillPlaces(const Texture& texture, const Sampler& sampler, con
                              float* out_w, const Body& body) {
   size_t nonfinite = 0;
   out->count = in.count;
-  out->one_lod = false;
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto places = LoadPlaces(d, from, i);
     if (HWY_UNLIKELY(!hn::AllTrue(d, places.finite))) {

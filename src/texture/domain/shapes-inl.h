@@ -134,7 +134,6 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   const bool widened = kWidens && !in.lod && widens(sampler);
   size_t nonfinite = 0;
   out->count = in.count;
-  out->one_lod = false;
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto points = LoadPoints(d, from, i);
     if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
@@ -215,7 +214,6 @@ template <class V>
 HWY_INLINE size_t FillOneLod(const Texture& texture, const Sampler& sampler, const Lookups& in, V lod, LodBlock* out) {
   size_t nonfinite = 0;
   out->count = in.count;
-  out->one_lod = true;
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto u = hn::LoadU(d, from.u + i), v = hn::LoadU(d, from.v + i);
     const auto finite = hn::Eq((u - u) + (v - v), hn::Zero(d));

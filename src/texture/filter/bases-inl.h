@@ -31,6 +31,9 @@ struct OnBaseLevel {
     return texture::is_scattered(texture, block, nullptr);
   }
 
+  /// The levels of detail of a block, for rows.
+  static const float* lod_of(const PointBlock&) { return nullptr; }
+
   template <class D>
   HWY_INLINE Level<D> level(D d, const PointBlock& block, size_t i) const {
     return SameLevel(d, texture, FirstTexel(d, texture, block, i), 0);
@@ -49,6 +52,9 @@ struct OnMipLevels {
   static bool is_scattered(const Texture& texture, const LodBlock& block) {
     return texture::is_scattered(texture, block, block.lod);
   }
+
+  /// The levels of detail of a block, for rows.
+  static const float* lod_of(const LodBlock& block) { return block.lod; }
 };
 
 }  // namespace shd::texture::HWY_NAMESPACE

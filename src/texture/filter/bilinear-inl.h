@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/bases-inl.h"
+#include "texture/filter/rows-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,6 +25,12 @@ struct Bilinear : OnBaseLevel {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
     sink.quad(d, kStart, level(d, block, i), u, v);
     sink.finish();
+  }
+
+  /// Finds the levels that a block shares, for rows.
+  static bool share_levels(const Texture&, const PointBlock&, RowLevels* out) {
+    *out = {0, 0, false};
+    return true;
   }
 };
 

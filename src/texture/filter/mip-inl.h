@@ -10,21 +10,19 @@
 
 #include <hwy/highway.h>
 
-#include "simd/round-inl.h"
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/nearest-inl.h"
+#include "texture/filter/rows-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-using simd::HWY_NAMESPACE::RoundUp;
 
-/// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
+/// Returns the nearest level of the vector of lookups at i.
 template <class D>
-HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& block, size_t i) {
-  const auto level = RoundUp(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
-  return LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Max(level, hn::Zero(d)));
+HWY_INLINE Level<D> NearestLevelAt(D d, const Texture& texture, const LodBlock& block, size_t i) {
+  return LevelAt(d, texture, FirstTexel(d, texture, block, i), NearestLevel(d, hn::Load(d, block.lod + i)));
 }
 
 struct NearestMip : OnMipLevels {
@@ -35,7 +33,7 @@ struct NearestMip : OnMipLevels {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
-    emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);
+    emit_nearest(d, sampler, NearestLevelAt(d, texture, block, i), block, i, sink);
     sink.finish();
   }
 };
@@ -46,8 +44,17 @@ struct BilinearMip : OnMipLevels {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    sink.quad(d, kStart, NearestLevel(d, texture, block, i), u, v);
+    sink.quad(d, kStart, NearestLevelAt(d, texture, block, i), u, v);
     sink.finish();
+  }
+
+  /// Finds the levels that a block shares, for rows. Returns false if it shares none.
+  static bool share_levels(const Texture&, const LodBlock& block, RowLevels* out) {
+    const BatchTag d;
+    const LodBounds lod = BoundsOf(block);
+    const float least = hn::GetLane(NearestLevel(d, hn::Set(d, lod.least)));
+    *out = {static_cast<uint32_t>(least), static_cast<uint32_t>(least), false};
+    return hn::GetLane(NearestLevel(d, hn::Set(d, lod.most))) == least;
   }
 };
 

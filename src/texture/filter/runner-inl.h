@@ -22,6 +22,7 @@
 #include "texture/domain/shapes-inl.h"
 #include "texture/filter/emitter-inl.h"
 #include "texture/filter/prefetch.h"
+#include "texture/filter/rows-inl.h"
 #include "texture/store/level-inl.h"
 #include "texture/stream.h"
 
@@ -136,11 +137,34 @@ struct NoSink {
   explicit NoSink(const FilterCall&) {}
 };
 
-/// Whether a filter can emit vectors of lookups on levels that a whole block shares.
+/// Whether a filter is linear and can find levels that a block of lookups shares.
 template <class Filter, class = void>
-struct SharesLevels : std::false_type {};
+struct HasRows : std::false_type {};
 template <class Filter>
-struct SharesLevels<Filter, std::void_t<decltype(&Filter::template levels_at<BatchTag>)>> : std::true_type {};
+struct HasRows<Filter, std::void_t<decltype(&Filter::share_levels)>> : std::true_type {};
+
+/// Filters blocks of lookups that share their levels by rows of quads.
+class RowRunner {
+ public:
+  explicit RowRunner(const FilterCall& call)
+      : consume_(call.record ? nullptr : call.format.rows), to_(call, TexelSource(call.texture), nullptr) {}
+
+  /// Filters the block whose first lookup is `first`. Returns false if its lookups share no levels, or need a stream.
+  template <class Filter>
+  HWY_INLINE bool run(const FilterCall& call, const typename Filter::Block& block, size_t first) {
+    RowLevels levels;
+    if (!consume_ || !Filter::share_levels(call.texture, block, &levels)) return false;
+    AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, &rows_);
+    to_.done = first;
+    consume_(rows_, &to_);
+    return true;
+  }
+
+ private:
+  const ConsumeRows consume_;
+  Consumption to_;
+  RowStream rows_;
+};
 
 /// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
 /// buffer it; for sinks without a buffer, the elements of the next vector of lookups are emitted to a PrefetchSink.
@@ -153,6 +177,8 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
   typename Filter::Block block;
   Sink sink(call);
   std::conditional_t<Sink::kBuffered, NoSink, PrefetchSink> prefetch(call);
+  constexpr bool kRows = HasRows<Filter>::value && std::is_same_v<Sink, StreamSink>;
+  std::conditional_t<kRows, RowRunner, NoSink> rows(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     nonfinite += call.in.count <= kBlock
@@ -160,14 +186,9 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
                      : FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
-    if constexpr (SharesLevels<Filter>::value) {
-      if (block.one_lod && call.texture.layers == 1) {
-        const auto levels = filter.levels_at(d, block, 0);
-        for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-          if (i % kLine == 0) columns.prefetch(first + kBlock + i);
-          filter.emit(d, block, i, levels, sink);
-        }
-        sink.flush();
+    if constexpr (kRows) {
+      if (!scattered && rows.template run<Filter>(call, block, first)) {
+        for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
         continue;
       }
     }

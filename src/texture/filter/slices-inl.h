@@ -135,13 +135,6 @@ struct OnBaseSlices : OnSlices<AnyBlock> {
       : OnSlices<AnyBlock>(of_texture, of_sampler), base(SlicesAt(BatchTag(), of_texture, hn::Zero(BatchTag()))) {}
 };
 
-/// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
-template <class D>
-HWY_INLINE hn::Vec<D> NearestLevel(D d, const PlaceLodBlock& block, size_t i) {
-  const auto level = RoundUp(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
-  return hn::Max(level, hn::Zero(d));
-}
-
 /// Emits the texel that contains the point, as the start of an average.
 template <class D, class Block, class Sink>
 HWY_INLINE void EmitNearestTexel(D d, const Sampler& sampler, const Slices<D>& slices, const Block& block, size_t i,
@@ -173,7 +166,7 @@ struct NearestMipInSlices : OnSlices<PlaceLodBlock> {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
-    EmitNearestTexel(d, sampler, SlicesAt(d, texture, NearestLevel(d, block, i)), block, i, 0, sink);
+    EmitNearestTexel(d, sampler, SlicesAt(d, texture, NearestLevel(d, hn::Load(d, block.lod + i))), block, i, 0, sink);
     sink.finish();
   }
 };
@@ -211,9 +204,10 @@ struct LinearMipInSlices : OnSlices<PlaceLodBlock> {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
-    const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
+    const auto lod = hn::Load(d, block.lod + i);
+    const LevelNumbers<D> levels(d, texture, lod);
     const bool nearest = sampler.filter == SHD_FILTER_BILINEAR_MIP, two = levels.blended && !nearest;
-    auto level = nearest ? NearestLevel(d, block, i) : levels.high;
+    auto level = nearest ? NearestLevel(d, lod) : levels.high;
     for (uint32_t second = 0;; second = kSecond) {
       EmitLinear(d, sampler, SlicesAt(d, texture, level), u, v, w, second, sink);
       if (!two || second) break;

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/bases-inl.h"
+#include "texture/filter/rows-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,21 +24,20 @@ struct Trilinear : OnMipLevels {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
-    emit(d, block, i, levels_at(d, block, i), sink);
-  }
-
-  /// Returns the levels of the vector of lookups at i.
-  template <class D>
-  HWY_INLINE LevelPair<D> levels_at(D d, const LodBlock& block, size_t i) const {
-    return LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
-  }
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, const LevelPair<D>& levels, Sink& sink) const {
+    const auto levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
     sink.quad(d, kStart, levels.high, u, v);
     if (levels.blended) sink.quad(d, kBlend, levels.low, u, v, levels.fraction);
     sink.finish();
+  }
+
+  /// Finds the levels that a block shares, for rows. Returns false if it shares none.
+  static bool share_levels(const Texture& texture, const LodBlock& block, RowLevels* out) {
+    const LodBounds lod = BoundsOf(block);
+    out->fine = static_cast<uint32_t>(lod.least);
+    out->coarse = out->fine + 1 < texture.level_count ? out->fine + 1 : out->fine;
+    out->blended = lod.most > static_cast<float>(out->fine);
+    return static_cast<uint32_t>(lod.most) == out->fine;
   }
 };
 

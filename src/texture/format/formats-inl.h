@@ -24,6 +24,9 @@ Consume ComparedOf(image::Component component);
 /// Derivatives in w, of 3D textures.
 Consume DeepGradientOf(image::Component component);
 
+/// Values of rows of quads.
+ConsumeRows RowsOf(image::Component component);
+
 /// Returns the fixed-point kernels of a component type; null if it has none.
 FixedKernels FixedOf(image::Component component);
 

@@ -146,21 +146,68 @@ HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, 
   LoadApart<kStride>(d, texels, index, left, right);
 }
 
+#if HWY_TARGET == HWY_AVX2
+/// Loads quads of words if each half of the vector lies in eight words of a row. Returns whether it does. A half takes
+/// one permutation for each texel; a window of two vectors takes two, and a slow blend.
+template <class D>
+HWY_INLINE bool LoadHalfWindows(D, const uint8_t* texels, const int32_t* upper, int32_t down, Ints<D> (&word)[4]) {
+  const __m256i index = _mm256_load_si256(reinterpret_cast<const __m256i*>(upper));
+  const __m256i first = _mm256_min_epi32(_mm256_shuffle_epi32(index, 0x00), _mm256_shuffle_epi32(index, 0xff));
+  const __m256i place = _mm256_sub_epi32(index, first);
+  if (HWY_UNLIKELY(!_mm256_testz_si256(place, _mm256_set1_epi32(~7)))) return false;
+  const auto* const words = reinterpret_cast<const int32_t*>(texels);
+  const int32_t* const low = words + (upper[0] < upper[3] ? upper[0] : upper[3]);
+  const int32_t* const high = words + (upper[4] < upper[7] ? upper[4] : upper[7]);
+  const auto look_up = [&](int32_t step) SHD_INLINE_LAMBDA {
+    const auto from = [&](const int32_t* window) SHD_INLINE_LAMBDA {
+      return _mm256_permutevar8x32_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(window + step)), place);
+    };
+    return Ints<D>{_mm256_blend_epi32(from(low), from(high), 0xf0)};
+  };
+  word[0] = look_up(0);
+  word[1] = look_up(1);
+  word[2] = look_up(down);
+  word[3] = look_up(down + 1);
+  return true;
+}
+#endif
+
+/// Loads two consecutive words from each index, and those `down` words after them.
+template <class D>
+HWY_INLINE void LoadRowQuads(D d, const uint8_t* texels, const int32_t* upper, int32_t down, Ints<D> (&word)[4]) {
+#if HWY_TARGET == HWY_AVX2
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    if (HWY_LIKELY(LoadHalfWindows(d, texels, upper, down, word))) return;
+  }
+#endif
+  const RowWindow<D> window = WindowOf(d, upper);
+  if (window.fits) {
+    LoadWindow(d, texels, window, window.first, &word[0], &word[1]);
+    return LoadWindow(d, texels, window, window.first + down, &word[2], &word[3]);
+  }
+  LoadApart<4>(d, texels, upper, &word[0], &word[1]);
+  LoadApart<4>(d, texels + ptrdiff_t{4} * down, upper, &word[2], &word[3]);
+}
+
 /// Loads two consecutive words from each index, in the upper and in the lower row of quads.
 template <class D>
 HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, const int32_t* lower,
                               Ints<D> (&word)[4]) {
   const hn::RebindToSigned<D> di;
-  const RowWindow<D> window = WindowOf(d, upper);
   const int32_t down = lower[0] - upper[0];
-  if (window.fits && hn::AllTrue(di, hn::Eq(hn::Load(di, lower) - hn::Load(di, upper), hn::Set(di, down)))) {
-    LoadWindow(d, texels, window, window.first, &word[0], &word[1]);
-    return LoadWindow(d, texels, window, window.first + down, &word[2], &word[3]);
+  if (hn::AllTrue(di, hn::Eq(hn::Load(di, lower) - hn::Load(di, upper), hn::Set(di, down)))) {
+    return LoadRowQuads(d, texels, upper, down, word);
   }
   LoadApart<4>(d, texels, upper, &word[0], &word[1]);
   LoadApart<4>(d, texels, lower, &word[2], &word[3]);
 }
 #else
+template <class D>
+HWY_INLINE void LoadRowQuads(D d, const uint8_t* texels, const int32_t* upper, int32_t down, Ints<D> (&word)[4]) {
+  LoadApart<4>(d, texels, upper, &word[0], &word[1]);
+  LoadApart<4>(d, texels + ptrdiff_t{4} * down, upper, &word[2], &word[3]);
+}
+
 template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   LoadApart<kStride>(d, texels, index, left, right);
@@ -233,6 +280,17 @@ struct QuadsOfPairs {
                                     Texel (&quad)[4]) {
     Format::fetch_pair(d, source, upper, &quad[0], &quad[1]);
     Format::fetch_pair(d, source, lower, &quad[2], &quad[3]);
+  }
+  /// Fetches quads whose lower row lies `down` texels after the upper one.
+  template <class D, class Texel>
+  static HWY_INLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
+                                    Texel (&quad)[4]) {
+    TexelSource below = source;
+    const ptrdiff_t bytes = ptrdiff_t{down} * source.texel_size;
+    below.origin += bytes;
+    if (below.borrowed) below.borrowed += bytes;
+    Format::fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    Format::fetch_pair(d, below, upper, &quad[2], &quad[3]);
   }
 };
 

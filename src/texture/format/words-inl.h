@@ -78,6 +78,15 @@ struct OneWord : QuadsOfPairs<OneWord> {
     QuadsOfPairs::fetch_quad(d, source, upper, lower, quad);
   }
   template <class D>
+  static HWY_INLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
+                                    Texel<D> (&quad)[4]) {
+    if (HWY_LIKELY(source.channels == 4)) {
+      const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
+      if (HWY_LIKELY(texels)) return LoadRowQuads(d, texels, upper, down, quad);
+    }
+    QuadsOfPairs::fetch_rows(d, source, upper, down, quad);
+  }
+  template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
     const auto index = hn::Load(hn::RebindToSigned<D>(), at);
     const uint8_t* texels = TexelsOf(d, source, index);

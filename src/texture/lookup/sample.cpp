@@ -79,6 +79,7 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   if (HWY_UNLIKELY(!is_in_memory(texture) || needs_w(texture))) return;
   if (gradient == Gradient::kNone && !has_border(sampler) && !sampler.compares) {
     kernels.fused = FusedOf(sampler.filter, component);
+    if (texture.layers == 1) kernels.format.rows = RowsOf(component);
   }
   if (sampler.precision == SHD_PRECISION_FAST) {
     kernels.format.fixed = FixedOf(component);

@@ -20,6 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::RoundDown;
+using simd::HWY_NAMESPACE::RoundUp;
 using simd::HWY_NAMESPACE::ToInt;
 
 /// Size of one axis of a level, as a float and as an integer.
@@ -70,6 +71,12 @@ HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn
     return SameLevel(d, texture, first_texel, static_cast<uint32_t>(first));
   }
   return LevelPerLane(d, texture, first_texel, ToInt(level));
+}
+
+/// Returns the number of the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
+template <class D>
+HWY_INLINE hn::Vec<D> NearestLevel(D d, hn::Vec<D> lod) {
+  return hn::Max(RoundUp(lod + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f), hn::Zero(d));
 }
 
 /// The two levels around the level of detail of each lane.

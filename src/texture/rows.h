@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Rows of quads: what linear filters hand to a format, in place of a stream, for a block of lookups that share their
+/// levels, as neighbouring pixels of a surface do. Levels, sizes and operations are then constants of the block, and
+/// the lower row of a quad lies at a constant distance. Texels lie in memory; none is the border.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/stream.h"
+
+namespace shd::texture {
+
+/// Quads on one level, one for each lookup of a block.
+struct RowQuads {
+  static constexpr size_t kColumn = 256;
+
+  alignas(64) int32_t upper[kColumn];     // left texel of the upper row
+  alignas(64) float s[kColumn];           // fraction along u
+  alignas(64) float t[kColumn];           // fraction along v
+  alignas(64) int32_t other[3][kColumn];  // of split vectors: the right texel, and both texels of the lower row
+  int32_t down;                           // distance of the lower row [texels]
+  bool split[kColumn];                    // of each vector: quads lie at an edge, where texels are not neighbours
+};
+
+/// Quads of a block of lookups. Columns are filled up to a whole vector.
+struct RowStream {
+  size_t count;                                   // lookups
+  bool blended;                                   // whether the second level is read
+  RowQuads quads[2];                              // on the finer level, and on the next coarser one
+  alignas(64) float fraction[RowQuads::kColumn];  // share of the coarser level
+};
+
+}  // namespace shd::texture
