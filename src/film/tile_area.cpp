@@ -45,10 +45,6 @@ void clear_aovs(const TileArea& area, Framebuffer* framebuffer) {
   }
 }
 
-void clear_slots(raster::Tile* tile) {
-  std::fill(tile->slot.begin(), tile->slot.end(), raster::kNoSlot);
-}
-
 void fill_depth(float depth, raster::Tile* tile) {
   std::fill(tile->depth.begin(), tile->depth.end(), depth);
 }

@@ -81,7 +81,7 @@ void bake_tile(TileState* tile) {
   }
   batch.flush(draw, done);
   worker.slots.clear();
-  film::clear_slots(&worker.tile);
+  raster::clear_slots(&worker.tile);
 }
 
 }  // namespace shd::frame

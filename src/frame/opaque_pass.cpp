@@ -101,7 +101,7 @@ void shade_visible(TileState* tile) {
   batch.flush(draw, done);
   tile->color.assume(nullptr);
   worker.slots.clear();
-  film::clear_slots(&worker.tile);
+  raster::clear_slots(&worker.tile);
 }
 
 }  // namespace shd::frame

@@ -11,6 +11,8 @@ namespace {
 
 /// Triangles with fewer pixels in a tile share a table with others: a batch has costs of its own.
 constexpr size_t kFewPixels = 64;
+/// Triangles with fewer pixels in a tile do without a table of its columns.
+constexpr size_t kManyPixels = 256;
 
 size_t length_of(const raster::PixelRun& run) {
   return size_t{run.end} - run.begin;
@@ -31,6 +33,10 @@ size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::Pixe
   size_t pixels = 0, rest = 0;
   for (size_t i = 0; i < count; ++i) pixels += length_of(runs[i]);
   if (pixels < kFewPixels) return count;
+  columns_.known = false;
+  if (pixels >= kManyPixels) {
+    raster::find_columns(tile_.simd(), *tile_.shading_of(triangle.draw).vertices, pixels_of(triangle), &columns_);
+  }
   for (size_t i = 0; i < count; ++i) {
     if (runs[i].mask != tile_.all_samples()) {
       runs[rest++] = runs[i];
@@ -48,16 +54,22 @@ size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::Pixe
   return rest;
 }
 
+raster::TrianglePixels TextureBatch::pixels_of(const geometry::ScreenTriangle& triangle) const {
+  const geometry::Vertices& vertices = *tile_.shading_of(triangle.draw).vertices;
+  raster::TrianglePixels pixels = {
+      {}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run, runs_.count};
+  for (size_t k = 0; k < 3; ++k) pixels.row[k] = geometry::row_of(vertices, triangle.primitive, k);
+  return pixels;
+}
+
 void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
   if (rows_ == 0) return;
   Worker& worker = tile_.worker;
   const shade::DrawShading shading = tile_.shading_of(triangle.draw);
-  raster::TrianglePixels pixels = {
-      {}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run, runs_.count};
-  for (size_t k = 0; k < 3; ++k) pixels.row[k] = geometry::row_of(*shading.vertices, triangle.primitive, k);
+  const raster::TrianglePixels pixels = pixels_of(triangle);
   shade::Radiance colors = worker.workspace.columns.radiance;
   const bool in_place = runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
-  shade::shade_one_texture(tile_.simd(), shading, pixels, rows_, &worker.workspace, colors.channel);
+  shade::shade_one_texture(tile_.simd(), shading, pixels, columns_, rows_, &worker.workspace, colors.channel);
   std::fill_n(colors.channel[3], rows_, 1.0f);
   size_t row = 0;
   for (size_t i = 0; i < runs_.count && !in_place; ++i) {

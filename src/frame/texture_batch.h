@@ -3,6 +3,7 @@
 
 #include "frame/tile_state.h"
 #include "raster/fragments.h"
+#include "raster/texture_places.h"
 
 namespace shd::frame {
 
@@ -22,8 +23,12 @@ class TextureBatch {
   /// Shades the rows and empties the batch.
   void flush(const geometry::ScreenTriangle& triangle);
 
+  /// The runs of the batch, as pixels of a triangle.
+  raster::TrianglePixels pixels_of(const geometry::ScreenTriangle& triangle) const;
+
   TileState& tile_;
   BatchRuns runs_;
+  raster::TextureColumns columns_;  // of the triangle that is drawn
   size_t rows_ = 0;
   uint32_t draw_ = ~0u;  // the latest draw
   bool takes_ = false;   // whether its colour is one lookup

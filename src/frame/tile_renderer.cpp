@@ -40,7 +40,6 @@ bool begin(TileState* tile) {
     return false;
   }
   raster::forget_bounds(&worker.tile);
-  film::clear_slots(&worker.tile);
   worker.slots.clear();
   const film::SampleStore* samples = tile->renderer.samples;
   if (samples && samples->load(tile->index, &worker.tile, &worker.split)) return true;

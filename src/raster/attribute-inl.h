@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "geometry/vertex.h"
+#include "raster/barycentric-inl.h"
 #include "raster/fragments.h"
 #include "simd/finite-inl.h"
 
@@ -43,6 +45,66 @@ template <class D>
 HWY_INLINE bool ShareTriangle(D, const Fragments& f, size_t at) {
   const hn::RebindToUnsigned<D> du;
   return hn::AllTrue(du, hn::Eq(hn::Load(du, f.triangle + at), hn::Set(du, f.triangle[at])));
+}
+
+/// Reads component c of rows of four; all lanes read the same row.
+struct OneRow {
+  size_t row;
+  template <class D>
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
+    return hn::Set(d, rows[4 * row + static_cast<size_t>(c)]);
+  }
+};
+
+/// Reads component c of rows of four; each lane reads its own row.
+template <class D>
+struct RowPerLane {
+  hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
+    const hn::RebindToSigned<D> di;
+    return hn::GatherIndex(d, rows, first + hn::Set(di, c));
+  }
+};
+
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const Rows (&rows)[3]) {
+  Corners<V> corners;
+  for (int k = 0; k < 3; ++k) {
+    const float* raster = vertices.raster.data();
+    corners.x[k] = rows[k].Get(d, raster, 0);
+    corners.y[k] = rows[k].Get(d, raster, 1);
+    corners.w[k] = rows[k].Get(d, raster, 3);
+  }
+  return corners;
+}
+
+/// A texture coordinate at the corners of triangles.
+template <class V>
+struct CornerValues {
+  V a[3];
+};
+
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE CornerValues<V> ValuesOf(D d, const geometry::RowComponent& from, const Rows (&rows)[3]) {
+  const auto c = static_cast<int>(from.component);
+  return {{rows[0].Get(d, from.rows, c), rows[1].Get(d, from.rows, c), rows[2].Get(d, from.rows, c)}};
+}
+
+/// Derivatives of a texture coordinate per pixel.
+template <class V>
+struct Steps {
+  V dx, dy;
+};
+/// StepsOf() where no product overflows.
+template <class V>
+HWY_INLINE Steps<V> PlainSteps(const CornerValues<V>& corner, const Barycentric<V>& b) {
+  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
+  return {b.b1_dx * a1 + b.b2_dx * a2, b.b1_dy * a1 + b.b2_dy * a2};
+}
+template <class D, class V>
+HWY_INLINE Steps<V> StepsOf(D d, const CornerValues<V>& corner, const Barycentric<V>& b) {
+  const Steps<V> plain = PlainSteps(corner, b);
+  return {simd::HWY_NAMESPACE::FiniteOrZero(d, plain.dx), simd::HWY_NAMESPACE::FiniteOrZero(d, plain.dy)};
 }
 
 }  // namespace shd::raster::HWY_NAMESPACE

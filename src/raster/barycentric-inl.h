@@ -35,6 +35,19 @@ struct PixelRow {
   V e_dx[3], sum_dx;  // derivatives of the weights, and of their sum
 };
 
+/// Weight k of a pixel, from the translated corners.
+template <class V>
+HWY_INLINE V WeightAt(const V (&y)[3], const V (&x)[3], int k) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  return x[i] * y[j] - x[j] * y[i];
+}
+/// Its derivative down.
+template <class V>
+HWY_INLINE V WeightSlope(const V (&w)[3], const V (&x)[3], int k) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  return x[j] * w[i] - x[i] * w[j];
+}
+
 template <class V>
 HWY_INLINE PixelRow<V> PixelRowAt(const Corners<V>& corners, V py) {
   PixelRow<V> row;
@@ -59,14 +72,13 @@ HWY_INLINE void ClampToTriangle(D d, V b1, V b2, Barycentric<V>& result) {
 
 /// Barycentric coordinates of raster position px in a row of pixels, and their derivatives.
 template <class D, class V>
-HWY_INLINE Barycentric<V> Weights(D d, const Corners<V>& corners, const PixelRow<V>& row, V px) {
+HWY_INLINE Barycentric<V> PerspectiveWeights(D d, const Corners<V>& corners, const PixelRow<V>& row, V px) {
   V x[3], e[3], e_dy[3];
   const V(&w)[3] = corners.w, (&y)[3] = row.y, (&e_dx)[3] = row.e_dx;
   for (int k = 0; k < 3; ++k) x[k] = corners.x[k] - px * w[k];
   for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    e[k] = x[i] * y[j] - x[j] * y[i];
-    e_dy[k] = x[j] * w[i] - x[i] * w[j];
+    e[k] = WeightAt(y, x, k);
+    e_dy[k] = WeightSlope(w, x, k);
   }
   const V one = hn::Set(d, 1.0f), sum_dx = row.sum_dx;
   const V sum = e[0] + e[1] + e[2];
@@ -161,11 +173,11 @@ HWY_INLINE Barycentric<V> AffineWeights(D d, const AffineTriangles<D>& triangles
 /// Barycentric coordinates of any triangles at raster positions.
 template <class D, class V>
 HWY_INLINE Barycentric<V> WeightsAt(D d, const Corners<V>& corners, V px, V py) {
-  if (HWY_LIKELY(!AnyAffine(d, corners))) return Weights(d, corners, PixelRowAt(corners, py), px);
+  if (HWY_LIKELY(!AnyAffine(d, corners))) return PerspectiveWeights(d, corners, PixelRowAt(corners, py), px);
   const auto triangles = AffineTrianglesOf(d, corners);
   const auto affine = AffineWeights(d, triangles, AffineRowAt(triangles, py), px);
   if (HWY_LIKELY(hn::AllTrue(d, triangles.usable))) return affine;
-  const auto other = Weights(d, corners, PixelRowAt(corners, py), px);
+  const auto other = PerspectiveWeights(d, corners, PixelRowAt(corners, py), px);
   const auto choose = [&](V a, V b) { return hn::IfThenElse(triangles.usable, a, b); };
   return {choose(affine.b1, other.b1),       choose(affine.b2, other.b2),       choose(affine.b1_dx, other.b1_dx),
           choose(affine.b1_dy, other.b1_dy), choose(affine.b2_dx, other.b2_dx), choose(affine.b2_dy, other.b2_dy),

@@ -25,64 +25,10 @@ using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Reads component c of rows of four; all lanes read the same row.
-struct OneRow {
-  size_t row;
-  template <class D>
-  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
-    return hn::Set(d, rows[4 * row + static_cast<size_t>(c)]);
-  }
-};
-
-/// Reads component c of rows of four; each lane reads its own row.
-template <class D>
-struct RowPerLane {
-  hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
-  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
-    const hn::RebindToSigned<D> di;
-    return hn::GatherIndex(d, rows, first + hn::Set(di, c));
-  }
-};
-
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const Rows (&rows)[3]) {
-  Corners<V> corners;
-  for (int k = 0; k < 3; ++k) {
-    const float* raster = vertices.raster.data();
-    corners.x[k] = rows[k].Get(d, raster, 0);
-    corners.y[k] = rows[k].Get(d, raster, 1);
-    corners.w[k] = rows[k].Get(d, raster, 3);
-  }
-  return corners;
-}
-
 /// Component c of rows of four, interpolated.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b) {
   return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
-}
-
-/// A texture coordinate at the corners of triangles.
-template <class V>
-struct CornerValues {
-  V a[3];
-};
-
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE CornerValues<V> ValuesOf(D d, const geometry::RowComponent& from, const Rows (&rows)[3]) {
-  const auto c = static_cast<int>(from.component);
-  return {{rows[0].Get(d, from.rows, c), rows[1].Get(d, from.rows, c), rows[2].Get(d, from.rows, c)}};
-}
-
-/// Derivatives of a texture coordinate per pixel.
-template <class V>
-struct Steps {
-  V dx, dy;
-};
-template <class D, class V>
-HWY_INLINE Steps<V> StepsOf(D d, const CornerValues<V>& corner, const Barycentric<V>& b) {
-  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
-  return {FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2)};
 }
 
 /// Interpolates a texture coordinate and its derivatives.
@@ -185,89 +131,6 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
   }
 }
 
-/// Texture coordinates of the corners of one triangle.
-template <class V>
-struct TextureCorners {
-  CornerValues<V> u, v;
-};
-
-/// Interpolates both texture coordinates of a vector of pixels.
-template <class D, class V>
-HWY_INLINE void FillCoordinates(D d, const TextureCorners<V>& corner, const Barycentric<V>& b, size_t at,
-                                Fragments& f) {
-  const V(&a)[3] = corner.u.a, (&c)[3] = corner.v.a;
-  V u = PlainBlend(a[0], a[1], a[2], b.b1, b.b2), v = PlainBlend(c[0], c[1], c[2], b.b1, b.b2);
-  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(IsFinite(d, u), IsFinite(d, v))))) {
-    u = Blend(d, a[0], a[1], a[2], b.b1, b.b2);
-    v = Blend(d, c[0], c[1], c[2], b.b1, b.b2);
-  }
-  hn::StoreU(u, d, f.u + at);
-  hn::StoreU(v, d, f.v + at);
-}
-
-/// Stores the derivatives of both texture coordinates at a vector of pixels.
-template <class D, class V>
-HWY_INLINE void FillSteps(D d, const Steps<V>& u, const Steps<V>& v, size_t at, Fragments& f) {
-  hn::StoreU(u.dx, d, f.dudx + at);
-  hn::StoreU(v.dx, d, f.dvdx + at);
-  hn::StoreU(u.dy, d, f.dudy + at);
-  hn::StoreU(v.dy, d, f.dvdy + at);
-}
-
-/// Calls fill(b, at) for each vector of pixels of one triangle with their barycentric coordinates. `row_at(y)` returns
-/// the terms that a row of pixels shares, `weights_at(row, x)` the coordinates of a vector of its pixels. Returns the
-/// number of rows.
-template <class D, class RowTerms, class PixelWeights, class Fill>
-HWY_INLINE size_t ForEachPixelVector(D d, const TrianglePixels& pixels, const RowTerms& row_at,
-                                     const PixelWeights& weights_at, const Fill& fill) {
-  using V = hn::Vec<D>;
-  const hn::RebindToSigned<D> di;
-  const auto lane = hn::Iota(di, 0);
-  const V left = hn::Set(d, pixels.left + 0.5f);
-  size_t at = 0;
-  for (size_t i = 0; i < pixels.run_count; ++i) {
-    for (uint32_t begin = pixels.run[i].begin, end; begin < pixels.run[i].end; begin = end) {
-      end = std::min<uint32_t>(pixels.run[i].end, begin - begin % kTile + kTile);
-      const float y = static_cast<float>(static_cast<int32_t>(begin / kTile));
-      const auto row = row_at(hn::Set(d, (pixels.top + 0.5f) + y));
-      for (size_t k = 0; k < end - begin; k += hn::Lanes(d)) {
-        const auto x = hn::Set(di, static_cast<int32_t>(begin % kTile + k)) + lane;
-        fill(weights_at(row, left + hn::ConvertTo(d, x)), at + k);
-      }
-      at += end - begin;
-    }
-  }
-  return at;
-}
-
-bool InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
-  const hn::ScalableTag<float> d;
-  using V = hn::Vec<decltype(d)>;
-  const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
-  const TextureCorners<V> texture = {ValuesOf(d, geometry::u_of(vertices), rows),
-                                     ValuesOf(d, geometry::v_of(vertices), rows)};
-  const auto corners = CornersOf(d, vertices, rows);
-  const auto affine = AffineTrianglesOf(d, corners);
-  if (hn::AllTrue(d, affine.usable)) {
-    const auto weights_at = [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); };
-    const size_t count = ForEachPixelVector(
-        d, pixels, [&](V y) { return AffineRowAt(affine, y); }, weights_at,
-        [&](const Barycentric<V>& b, size_t at) { FillCoordinates(d, texture, b, at, f); });
-    const Barycentric<V> any = weights_at({hn::Zero(d), hn::Zero(d)}, hn::Zero(d));
-    const Steps<V> u = StepsOf(d, texture.u, any), v = StepsOf(d, texture.v, any);
-    for (size_t at = 0; at < count; at += hn::Lanes(d)) FillSteps(d, u, v, at, f);
-    return true;
-  }
-  ForEachPixelVector(
-      d, pixels, [&](V y) { return PixelRowAt(corners, y); },
-      [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); },
-      [&](const Barycentric<V>& b, size_t at) {
-        FillCoordinates(d, texture, b, at, f);
-        FillSteps(d, StepsOf(d, texture.u, b), StepsOf(d, texture.v, b), at, f);
-      });
-  return false;
-}
-
 }  // namespace shd::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -275,7 +138,6 @@ HWY_AFTER_NAMESPACE();
 namespace shd::raster {
 
 HWY_EXPORT(Interpolate);
-HWY_EXPORT(InterpolateTexture);
 
 void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments) {
@@ -288,11 +150,6 @@ void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertice
   float* const tangent[] = {f.tx, f.ty, f.tz, f.tw};
   if (wanted & kTexture1 && vertices.texture1.size() == 0) clear(std::begin(texture1), std::end(texture1));
   if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
-}
-
-bool interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
-                         Fragments* out) {
-  return SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
 }
 
 }  // namespace shd::raster

@@ -37,21 +37,4 @@ enum Interpolated : uint32_t {
 void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments);
 
-/// Runs of pixels of one triangle, which are the rows of a table in their order.
-struct TrianglePixels {
-  uint32_t row[3];      // the triangle's rows of geometry::Vertices
-  float left, top;      // position of the tile in the picture [pixels]
-  const PixelRun* run;  // [run_count]
-  size_t run_count;
-};
-
-/// Rows of interpolate_texture(): the vector that ends past the last one still lies in the table.
-constexpr size_t kMaxTextureRows = kBatch - kTile;
-
-/// Fills texture coordinates and their derivatives at the pixels' centres, with the bits of interpolate(). At most
-/// kMaxTextureRows rows; the rows of the last vector are overwritten. Returns whether each derivative has one value at
-/// all pixels, which is finite.
-bool interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
-                         Fragments* out);
-
 }  // namespace shd::raster

@@ -31,6 +31,7 @@
 /// | changes.h          | kernel: samples whose triangle differs from the sample before         |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
+/// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one tile |
 /// | barycentric-inl.h  | barycentric coordinates with their derivatives, affine without perspective |
 /// | varyings.h         | kernel: outputs of vertex programs, in three interpolations           |
 /// | attribute-inl.h    | barycentric interpolation, shared by these two kernels                |

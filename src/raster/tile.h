@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,9 +38,13 @@ struct DepthBounds {
 struct Tile {
   uint32_t samples = 0;
   core::Array<float> depth;    // [kTilePixels][samples]
-  core::Array<uint32_t> slot;  // [kTilePixels][samples] index into the tile's list of triangles, or kNoSlot
+  core::Array<uint32_t> slot;  // [kTilePixels][samples] index into the tile's list of triangles; kNoSlot between tiles
   DepthBounds bounds;
 };
+
+inline void clear_slots(Tile* tile) {
+  std::fill(tile->slot.begin(), tile->slot.end(), kNoSlot);
+}
 
 /// Throws std::bad_alloc.
 inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* out) {
@@ -47,6 +52,7 @@ inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* o
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
   out->depth.fill_zero();  // the bounds also read pixels outside the frame
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
+  clear_slots(out);
 }
 
 /// Must be called after depths of a tile were written without regard to the trend.

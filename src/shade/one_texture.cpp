@@ -18,11 +18,11 @@ bool is_one_texture(const material::Material& material) {
 }
 
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,
-                       size_t rows, Workspace* workspace, float* const out[3]) {
+                       const raster::TextureColumns& columns, size_t rows, Workspace* workspace, float* const out[3]) {
   const material::Material& material = *shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   raster::Fragments& f = workspace->fragments;
-  const bool one_footprint = raster::interpolate_texture(simd, *shading.vertices, pixels, &f);
+  const bool one_footprint = raster::interpolate_texture(simd, *shading.vertices, pixels, columns, &f);
   const float* const uv[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
   texture::Texels texels = {};
   for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/simd_target.h"
-#include "raster/interpolate.h"
+#include "raster/texture_places.h"
 #include "shade/run.h"
 
 namespace shd::shade {
@@ -17,6 +17,6 @@ bool is_one_texture(const material::Material& material);
 /// bits of shade_batch(). At most raster::kMaxTextureRows rows. Nothing is written past the rows. Overwrites the uv
 /// columns of the workspace.
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,
-                       size_t rows, Workspace* workspace, float* const out[3]);
+                       const raster::TextureColumns& columns, size_t rows, Workspace* workspace, float* const out[3]);
 
 }  // namespace shd::shade
