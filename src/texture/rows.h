@@ -19,9 +19,9 @@ struct RowQuads {
   alignas(64) int32_t upper[kColumn];     // left texel of the upper row
   alignas(64) float s[kColumn];           // fraction along u
   alignas(64) float t[kColumn];           // fraction along v
-  alignas(64) int32_t other[3][kColumn];  // of split vectors: the right texel, and both texels of the lower row
+  alignas(64) int32_t other[3][kColumn];  // right texel, and both texels of the lower row; set in split vectors only
   int32_t down;                           // distance of the lower row [texels]
-  bool split[kColumn];                    // of each vector: quads lie at an edge, where texels are not neighbours
+  bool split[kColumn];                    // [vector] quads lie at an edge, where texels are not neighbours
 };
 
 /// Quads of a block of lookups. Columns are filled up to a whole vector.

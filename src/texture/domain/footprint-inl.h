@@ -87,7 +87,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
 /// Footprints of one vector of lookups; every field is finite.
 template <class D>
 struct Footprint {
-  hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; has the bits of LambdaOf() in -15..31
+  hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; in -15..31 HalfLog2() of SquareOf()
   hn::Vec<D> length;     // longer half axis [base texels], at most 2^100
   hn::Vec<D> roundness;  // shorter axis divided by longer axis, [0, 1]; 1 if both are 0 or infinite
   hn::Vec<D> u, v;       // unit vector of the longer axis, in base texels

@@ -37,24 +37,24 @@ HWY_INLINE V HalfLog2(D d, V square) {
   return hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, bounded);
 }
 
-/// Returns log2 of the longer half axis: half the logarithm of the larger eigenvalue of J^T J.
+/// Returns the square of the longer half axis: the larger eigenvalue of J^T J.
 template <class D, class V = hn::Vec<D>>
-SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
+SHD_KERNEL_PART V SquareOf(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f);
   const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
   const V x = ux * ux + vx * vx;
   const V y = uy * uy + vy * vy;
   const V xy = ux * uy + vx * vy;
   const V mean = half * (x + y), skew = half * (x - y);
-  return HalfLog2(d, mean + hn::Sqrt(skew * skew + xy * xy));
+  return mean + hn::Sqrt(skew * skew + xy * xy);
 }
 
-/// Returns log2 of the root mean square of both half axes. The sum of their squares is the sum of the squares of J.
+/// Returns the mean square of both half axes. The sum of their squares is the sum of the squares of J.
 template <class D, class V = hn::Vec<D>>
-SHD_KERNEL_PART V RmsLambda(D d, const Derivatives<D>& j, float width, float height) {
+SHD_KERNEL_PART V MeanSquareOf(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height);
   const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
-  return HalfLog2(d, hn::Set(d, 0.5f) * ((ux * ux + vx * vx) + (uy * uy + vy * vy)));
+  return hn::Set(d, 0.5f) * ((ux * ux + vx * vx) + (uy * uy + vy * vy));
 }
 
 /// Returns lambda + shift clamped to the range. lambda may be infinite but not NaN.

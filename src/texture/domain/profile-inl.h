@@ -60,7 +60,7 @@ SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, 
   return lengths;
 }
 
-/// Returns log2 of the longer derivative in base texels, clamped to -32..31. Its error is that of LambdaOf().
+/// Returns log2 of the longer derivative in base texels, clamped to -32..31. Its error is that of HalfLog2().
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height);

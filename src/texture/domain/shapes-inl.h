@@ -243,10 +243,10 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const bool lod_given = in.lod != nullptr;
   const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
   const float shift = level_shift(sampler, lod_given);
-  const auto lod_of = [&](auto d, const auto& p) SHD_INLINE_LAMBDA {
-    const auto lambda = lod_given ? p.lod
-                        : rms     ? RmsLambda(d, p.derivatives, width, height)
-                                  : LambdaOf(d, p.derivatives, width, height);
+  const auto square_of = [&](auto d, const auto& p) SHD_INLINE_LAMBDA {
+    return rms ? MeanSquareOf(d, p.derivatives, width, height) : SquareOf(d, p.derivatives, width, height);
+  };
+  const auto lod_of = [&](auto d, auto lambda) SHD_INLINE_LAMBDA {
     const auto lod = ClampLod(d, lambda, shift, range);
     return query ? lod : BlendLevels(d, sampler, lod);
   };
@@ -254,11 +254,19 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
     const BatchTag d;
     auto first = LoadPoints(d, in, 0);
     if (HWY_UNLIKELY(widens(sampler))) Widen(d, sampler, &first.derivatives);
-    return FillOneLod(texture, sampler, in, lod_of(d, first), out);
+    return FillOneLod(texture, sampler, in, lod_of(d, HalfLog2(d, square_of(d, first))), out);
   }
-  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    hn::Store(lod_of(d, p), d, out->lod + to);
-  });
+  const size_t nonfinite =
+      FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+        hn::Store(lod_given ? p.lod : square_of(d, p), d, out->lod + to);
+      });
+  // A loop of its own: its chains of operations are short, so that more vectors overlap.
+  const BatchTag d;
+  for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+    const auto value = hn::Load(d, out->lod + i);
+    hn::Store(lod_of(d, lod_given ? value : HalfLog2(d, value)), d, out->lod + i);
+  }
+  return nonfinite;
 }
 
 /// Divides by a size of a texture. The reciprocal of a power of two is exact, so that a product has the same bits.
