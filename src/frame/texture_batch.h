@@ -28,7 +28,7 @@ class TextureBatch {
 
   TileState& tile_;
   BatchRuns runs_;
-  raster::TextureColumns columns_;  // those of the triangle that is drawn
+  raster::TextureColumns columns_;  // columns of the triangle that is drawn
   size_t rows_ = 0;
   uint32_t draw_ = ~0u;  // the latest draw
   bool takes_ = false;   // whether its colour is one lookup

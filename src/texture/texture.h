@@ -32,6 +32,7 @@
 /// |--------------|------------------------------------------------------------------------------------------------|
 /// | texture.h    | textures, samplers, lookups and texels                                                         |
 /// | stream.h     | the stream between filters, stores and formats                                                 |
+/// | rows.h       | rows of quads, in place of streams, for linear lookups that share their levels                 |
 /// | lanes-inl.h  | vectors of lookups of one target                                                               |
 #pragma once
 
