@@ -2,6 +2,7 @@
 #include "film/tile_planes.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "image/pixels.h"
 
@@ -59,6 +60,15 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
     const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
     image::encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
                          pixel_at(framebuffer, part.left, part.top + y));
+  }
+}
+
+void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer) {
+  for (uint32_t begin = run.begin, end; begin < run.end; begin = end) {
+    end = std::min<uint32_t>(run.end, begin - begin % raster::kTile + raster::kTile);
+    uint8_t* const to = pixel_at(framebuffer, area.left + begin % raster::kTile, area.top + begin / raster::kTile);
+    std::memcpy(to, pixels, (end - begin) * sizeof *pixels);
+    pixels += end - begin;
   }
 }
 

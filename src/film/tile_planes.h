@@ -40,4 +40,7 @@ void load_color(const TileArea& area, const Framebuffer& framebuffer, const Tile
 void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
                  Framebuffer* framebuffer);
 
+/// Writes a run of pixels of a tile whose framebuffer has interleaved pixels of 4 bytes.
+void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer);
+
 }  // namespace shd::film

@@ -80,11 +80,13 @@ void shade_visible(TileState* tile) {
   const size_t samples = size_t{tile->area.width} * tile->area.height * tile->pattern.count;
   const bool is_overwritten = worker.order.covered_samples == samples;
   const bool has_one_color = is_overwritten || (tile->color_is_unclear && !tile->renderer.background.map);
+  FragmentBatch batch(*tile);
+  TextureBatch textured(tile);
+  tile->color_is_stored = is_overwritten && tile->is_drawn_once() && textured.writes_pixels();
+  if (tile->color_is_stored) textured.write_pixels();
   if (is_overwritten) tile->color_is_unclear = false;
   tile->clear_color();
   tile->color.assume(has_one_color ? tile->renderer.frame.clear_color : nullptr);
-  FragmentBatch batch(*tile);
-  TextureBatch textured(tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;
   for (size_t slot = 0; slot < worker.slots.size(); ++slot) {

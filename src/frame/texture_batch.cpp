@@ -28,6 +28,22 @@ bool TextureBatch::takes(uint32_t draw) {
   return takes_;
 }
 
+bool TextureBatch::writes_pixels() {
+  const Worker& worker = tile_.worker;
+  const film::Framebuffer& framebuffer = tile_.framebuffer;
+  if (framebuffer.color_format != SHD_FORMAT_RGBA8 || framebuffer.samples != 1) return false;
+  for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
+    const uint32_t begin = worker.order.start[slot], end = worker.order.start[slot + 1],
+                   draw = worker.slots[slot]->draw;
+    size_t pixels = 0;
+    for (uint32_t i = begin; i < end; ++i) pixels += length_of(worker.order.run[i]);
+    if (pixels == 0) continue;
+    if (pixels < kFewPixels || !takes(draw)) return false;
+    if (!shade::writes_rgba8(*tile_.renderer.frame.draws[draw].material)) return false;
+  }
+  return true;
+}
+
 size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count) {
   if (!takes(triangle.draw)) return count;
   size_t pixels = 0, rest = 0;
@@ -68,12 +84,17 @@ void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
   const shade::DrawShading shading = tile_.shading_of(triangle.draw);
   const raster::TrianglePixels pixels = pixels_of(triangle);
   shade::Radiance colors = worker.workspace.columns.radiance;
-  const bool in_place = runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
-  shade::shade_one_texture(tile_.simd(), shading, pixels, columns_, rows_, &worker.workspace, colors.channel);
-  std::fill_n(colors.channel[3], rows_, 1.0f);
+  const bool in_place = !direct_ && runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
+  shade::shade_one_texture(tile_.simd(), shading, pixels, columns_, rows_, &worker.workspace, colors.channel,
+                           direct_ ? pixels_ : nullptr);
+  if (!direct_) std::fill_n(colors.channel[3], rows_, 1.0f);
   size_t row = 0;
   for (size_t i = 0; i < runs_.count && !in_place; ++i) {
-    tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
+    if (direct_) {
+      film::store_pixels(tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
+    } else {
+      tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
+    }
     row += length_of(runs_.run[i]);
   }
   worker.fragments += rows_;

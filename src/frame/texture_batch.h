@@ -13,6 +13,12 @@ class TextureBatch {
  public:
   explicit TextureBatch(TileState* tile) : tile_(*tile) {}
 
+  /// Whether the visible pixels of a tile can be written to the framebuffer as they are shaded: they are all of such
+  /// materials, and their pixels are RGBA8 of one sample.
+  bool writes_pixels();
+  /// Writes pixels to the framebuffer from now on, and not to the tile's colour.
+  void write_pixels() { direct_ = true; }
+
   /// Draws the runs that cover all samples, if the draw is of such a material and the triangle has enough pixels.
   /// Returns the number of other runs, which are moved to the front.
   size_t draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count);
@@ -32,6 +38,8 @@ class TextureBatch {
   size_t rows_ = 0;
   uint32_t draw_ = ~0u;  // the latest draw
   bool takes_ = false;   // whether its colour is one lookup
+  bool direct_ = false;  // pixels go to the framebuffer
+  alignas(64) uint32_t pixels_[raster::kBatch];
 };
 
 }  // namespace shd::frame

@@ -89,7 +89,9 @@ void draw(TileState* tile) {
   if (unfinished.sorted) draw_sorted(tile);
   if (tile->renderer.frame.volume_count > 0) draw_volumes(tile);
   tile->color.resolve();
-  film::store_color(tile->simd(), tile->area, tile->area, tile->color_planes, &tile->framebuffer);
+  if (!tile->color_is_stored) {
+    film::store_color(tile->simd(), tile->area, tile->area, tile->color_planes, &tile->framebuffer);
+  }
   film::store_depth(tile->area, tile->worker.tile, &tile->framebuffer);
   film::SampleStore* samples = tile->renderer.samples;
   if (samples) samples->save(tile->index, tile->worker.tile, tile->worker.split);

@@ -35,6 +35,17 @@ geometry::PixelBox TileState::box() const {
                                 visible_box(renderer.frame));
 }
 
+bool TileState::is_drawn_once() const {
+  const Frame& frame = renderer.frame;
+  if (renderer.present || renderer.samples || frame.volume_count > 0 || frame.bake || framebuffer.aovs) return false;
+  bool plain = true;
+  for_each_run([&](const Run& run) {
+    const material::Material* material = draw_of(run).material;
+    plain = plain && (!material || is_plain(*material));
+  });
+  return plain;
+}
+
 bool TileState::is_bare() const {
   if (renderer.frame.volume_count > 0) return false;
   const raster::Bins& bins = renderer.scene.bins;

@@ -52,6 +52,8 @@ class TileState {
     return worker.tile.depth.data() + size_t{pixel} * pattern.count + sample;
   }
 
+  /// Whether the colour of the tile is read by nothing but the framebuffer: one pass of opaque draws makes it.
+  bool is_drawn_once() const;
   /// Whether no triangle and no volume touches the tile.
   bool is_bare() const;
   /// Fills a part of the tile's colour with the background.
@@ -103,6 +105,7 @@ class TileState {
   const film::TilePlanes color_planes;
   film::TileColor color;
   bool color_is_unclear = false;  // clearing the tile's colour is still pending
+  bool color_is_stored = false;   // the framebuffer has all pixels, and the tile's colour is not set
 };
 
 }  // namespace shd::frame

@@ -17,8 +17,17 @@ bool is_one_texture(const material::Material& material) {
   return image::is_unorm(slot.texture->component) && !slot.texture->premultiplied;
 }
 
+bool writes_rgba8(const material::Material& material) {
+  const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
+  for (const float factor : material.diffuse) {
+    if (factor != 1.0f) return false;
+  }
+  return texture::writes_rgba8(*slot.texture, *slot.sampler);
+}
+
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,
-                       const raster::TextureColumns& columns, size_t rows, Workspace* workspace, float* const out[3]) {
+                       const raster::TextureColumns& columns, size_t rows, Workspace* workspace, float* const out[3],
+                       uint32_t* rgba8) {
   const material::Material& material = *shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   raster::Fragments& f = workspace->fragments;
@@ -26,6 +35,7 @@ void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading,
   const float* const uv[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
   texture::Texels texels = {};
   for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];
+  texels.rgba8 = rgba8;
   texture::Lookups lookups = material::lookups_of(slot, uv, rows, workspace->columns.uv);
   lookups.one_footprint = one_footprint && !slot.is_transformed;  // a transform may overflow
   texture::sample(*slot.texture, *slot.sampler, simd, lookups, texels);

@@ -247,6 +247,7 @@ struct Texels {
   float *du[4], *dv[4];         // derivatives of the channels in u and v, for filters with has_gradient()
   float* dw[4] = {};            // derivatives in w, for 3D textures
   uint32_t* coarser = nullptr;  // finest levels that lookups of a texture in tiles could use (shd_texels)
+  uint32_t* rgba8 = nullptr;    // opaque pixels, for textures with writes_rgba8(); channels 0..2 are then scratch
 
   float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : i < 12 ? dv[i - 8] : dw[i - 12]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }

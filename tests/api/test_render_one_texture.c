@@ -8,6 +8,8 @@ enum { WIDTH = 203, HEIGHT = 151, PIXELS = WIDTH * HEIGHT };
 
 static unsigned char g_got[16 * PIXELS], g_want[16 * PIXELS];
 
+enum { SCENE, PARALLEL, FLOOR }; /* a scene in perspective, or without; a surface that covers the whole picture */
+
 struct way {
     const char *name;
     shd_format texture;
@@ -18,12 +20,16 @@ struct way {
     int moved; /* the slot has a uv transform */
     shd_format color;
     uint32_t samples, workers, supersampling;
-    int window;      /* scissor, or a part of a larger picture */
-    int is_parallel; /* without perspective */
+    int window; /* scissor, or a part of a larger picture */
+    int view;
 };
 #define WHITE   \
     {           \
         1, 1, 1 \
+    }
+#define RED        \
+    {              \
+        1, 0.5f, 1 \
     }
 static const struct way k_ways[] = {
     {"planes", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
@@ -80,9 +86,23 @@ static const struct way k_ways[] = {
     {"floats", SHD_FORMAT_RGBA16F, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
      SHD_FORMAT_RGBA32F, 1, 1, 0, 0, 0},
     {"parallel", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
-     SHD_FORMAT_RGBA8, 1, 3, 0, 2, 1},
+     SHD_FORMAT_RGBA8, 1, 3, 0, 2, PARALLEL},
+    {"floor", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0, SHD_FORMAT_RGBA8,
+     1, 2, 0, 0, FLOOR},
+    {"floor, clamped", SHD_FORMAT_RGBA8_SRGB, SHD_FILTER_BILINEAR_MIP, SHD_WRAP_CLAMP, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 1, 1, 0, 0, FLOOR},
+    {"floor, words", SHD_FORMAT_RGBA16, SHD_FILTER_BILINEAR, SHD_WRAP_MIRROR, SHD_PRECISION_FULL, WHITE, 1,
+     SHD_FORMAT_RGBA8, 1, 1, 0, 2, FLOOR},
+    {"floor, one channel", SHD_FORMAT_R8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 1, 1, 0, 0, FLOOR},
+    {"floor, red", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, RED, 0,
+     SHD_FORMAT_RGBA8, 1, 1, 0, 0, FLOOR},
+    {"floor, sRGB", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8_SRGB, 1, 1, 0, 1, FLOOR},
+    {"floor, samples", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 4, 1, 0, 0, FLOOR},
     {"parallel, samples", SHD_FORMAT_RGBA8, SHD_FILTER_ANISOTROPIC, SHD_WRAP_REPEAT, SHD_PRECISION_FAST, WHITE, 0,
-     SHD_FORMAT_RGBA32F, 4, 1, 0, 0, 1},
+     SHD_FORMAT_RGBA32F, 4, 1, 0, 0, PARALLEL},
 };
 
 static shd_texture *make_texture(shd_context *context, shd_format format)
@@ -153,6 +173,47 @@ static void draw(const struct way *way, const shd_scene *scene, uint32_t aovs, u
     shd_framebuffer_release(framebuffer);
 }
 
+/** A surface over the whole picture that recedes, drawn by the first draw alone. */
+static shd_mesh *make_floor(shd_scene *scene)
+{
+    static const float k_vertices[4][5] = {
+        {-20, 20, 0, -20, 1}, {20, 20, 0, 20, 1}, {-1, -1, 0, -1, 21}, {1, -1, 0, 1, 21}};
+    static const float k_depth[4] = {20, 20, 1, 1};
+    static const uint32_t k_indices[6] = {0, 2, 1, 1, 2, 3};
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_mesh *mesh = NULL;
+    float positions[4][3];
+    size_t i;
+    for (i = 0; i < 4; ++i) {
+        positions[i][0] = k_vertices[i][0];
+        positions[i][1] = k_vertices[i][1];
+        positions[i][2] = k_depth[i];
+    }
+    desc.vertex_count = 4;
+    for (i = 0; i < 3; ++i) {
+        desc.position[i].data = &positions[0][i];
+        desc.position[i].stride = sizeof positions[0];
+    }
+    for (i = 0; i < 2; ++i) {
+        desc.uv[i].data = &k_vertices[0][3 + i];
+        desc.uv[i].stride = sizeof k_vertices[0];
+    }
+    desc.indices.data = k_indices;
+    desc.index_count = 6;
+    shd_assert_ok(shd_mesh_create(scene->context, &desc, &mesh));
+    scene->draw[0].mesh = mesh;
+    scene->draw[0].cull = SHD_CULL_NONE;
+    memset(scene->draw[0].object_to_world, 0, sizeof scene->draw[0].object_to_world);
+    for (i = 0; i < 4; ++i) scene->draw[0].object_to_world[5 * i] = 1;
+    scene->desc.draw_count = 1;
+    /* w is z, and the depth is 0. */
+    memset(&scene->desc.view.world_to_view, 0, sizeof scene->desc.view.world_to_view);
+    for (i = 0; i < 4; ++i) scene->desc.view.world_to_view[5 * i] = 1;
+    memset(&scene->desc.view.view_to_clip, 0, sizeof scene->desc.view.view_to_clip);
+    scene->desc.view.view_to_clip[0] = scene->desc.view.view_to_clip[5] = scene->desc.view.view_to_clip[11] = 1;
+    return mesh;
+}
+
 static void test_way(void **state)
 {
     const struct way *way = (const struct way *)*state;
@@ -164,6 +225,7 @@ static void test_way(void **state)
         shd_sampler *sampler = NULL;
         shd_texture *texture;
         shd_material *material;
+        shd_mesh *floor = NULL;
         shd_scene scene;
         shd_render_stats own = shd_render_stats_default(), general = shd_render_stats_default();
         size_t i;
@@ -172,7 +234,8 @@ static void test_way(void **state)
         desc.worker_count = way->workers;
         shd_assert_ok(shd_context_create(&desc, &context));
         shd_scene_open(&scene, SHD_SCENE_MIXED, context);
-        if (way->is_parallel) shd_scene_look_parallel(&scene);
+        if (way->view == PARALLEL) shd_scene_look_parallel(&scene);
+        if (way->view == FLOOR) floor = make_floor(&scene);
         sampler_desc.filter = way->filter;
         sampler_desc.wrap_u = sampler_desc.wrap_v = way->wrap;
         sampler_desc.precision = way->precision;
@@ -188,7 +251,9 @@ static void test_way(void **state)
         assert_int_equal(own.fragments, general.fragments);
         assert_int_equal(own.nonfinite_fragments, general.nonfinite_fragments);
         assert_true(own.fragments > (way->window == 1 ? 5000u : 10000u));
+        if (way->view == FLOOR && way->window != 1) assert_true(own.fragments >= PIXELS);
         shd_material_release(material);
+        shd_mesh_release(floor);
         shd_texture_release(texture);
         shd_sampler_release(sampler);
         shd_scene_close(&scene);

@@ -57,6 +57,8 @@ MUTANTS = {
                            "fill(weights_at(row, left + hn::ConvertTo(d, x + hn::Set(di, 1)))", "api.render_one_texture"),
     "texture_column": Mutant("src/raster/texture_places.cpp", "const V px = left + hn::ConvertTo(",
                              "const V px = left + left + hn::ConvertTo(", "api.render_one_texture"),
+    "direct_alpha": Mutant("src/texture/format/consume_rows-inl.h", "0xff000000u", "0xfe000000u",
+                           "api.render_one_texture"),
     "row_split": Mutant("src/texture/filter/rows-inl.h",
                         "hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one))", "hn::Eq(x.i1, x.i0 + one)",
                         "unit.texture.rows"),

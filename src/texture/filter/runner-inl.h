@@ -23,6 +23,7 @@
 #include "texture/filter/emitter-inl.h"
 #include "texture/filter/prefetch.h"
 #include "texture/filter/rows-inl.h"
+#include "texture/format/formats-inl.h"
 #include "texture/store/level-inl.h"
 #include "texture/stream.h"
 
@@ -201,6 +202,9 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
       filter.emit(d, block, i, sink);
     }
     sink.flush();
+    if constexpr (kRows) {
+      if (HWY_UNLIKELY(call.out.rgba8 != nullptr)) EncodePixels(call.out, first, block.count);
+    }
   }
   return nonfinite;
 }

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "image/encode-inl.h"
 #include "texture/format/consume-inl.h"
 #include "texture/rows.h"
 
@@ -39,6 +40,13 @@ HWY_INLINE hn::Vec<D> BlendRowQuads(D d, const Blend<F, false>& b, const RowQuad
   return b.blend(d, top, bottom, t);
 }
 
+/// Writes a vector of opaque pixels, as image::encode_pixels() does.
+template <class V>
+HWY_INLINE void StorePixels(const V (&color)[3], uint32_t* pixels) {
+  const hn::RebindToUnsigned<BatchTag> du;
+  hn::StoreU(hn::Or(image::HWY_NAMESPACE::Unorm8Codes<3>(color), hn::Set(du, 0xff000000u)), du, pixels);
+}
+
 /// Blends the quads of a block and writes values of the Format F; a ConsumeRows.
 template <class F>
 void ConsumeRowsOf(const RowStream& rows, Consumption* consumption) {
@@ -60,6 +68,12 @@ void ConsumeRowsOf(const RowStream& rows, Consumption* consumption) {
       wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
         value[c] = b.blend(d, value[c], BlendRowQuads<c>(d, b, rows.quads[1], i, quad), fraction);
       });
+    }
+    if (!F::kFloat && out.rgba8) {
+      const hn::Vec<D> color[3] = {b.template finish<0>(d, value[0]), b.template finish<1>(d, value[1]),
+                                   b.template finish<2>(d, value[2])};
+      StorePixels(color, out.rgba8 + done + i);
+      continue;
     }
     wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
       StoreFirst(d, b.template finish<c>(d, value[c]), left - i, out.channel[c] + done + i);

@@ -26,6 +26,8 @@ Consume DeepGradientOf(image::Component component);
 
 /// Values of rows of quads.
 ConsumeRows RowsOf(image::Component component);
+/// Encodes the values of lookups first..first + count - 1 as opaque pixels. A whole vector may be written at the end.
+void EncodePixels(const Texels& out, size_t first, size_t count);
 
 /// Returns the fixed-point kernels of a component type; null if it has none.
 FixedKernels FixedOf(image::Component component);

@@ -25,5 +25,14 @@ ConsumeRows RowsOf(image::Component component) {
   return nullptr;
 }
 
+void EncodePixels(const Texels& out, size_t first, size_t count) {
+  const BatchTag d;
+  for (size_t i = first; i < first + count; i += hn::Lanes(d)) {
+    hn::Vec<BatchTag> color[3];
+    for (size_t c = 0; c < 3; ++c) color[c] = simd::HWY_NAMESPACE::LoadFirst(d, out.channel[c] + i, first + count - i);
+    StorePixels(color, out.rgba8 + i);
+  }
+}
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -260,6 +260,15 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
   return nonfinite;
 }
 
+bool writes_rgba8(const Texture& texture, const Sampler& sampler) {
+  const bool linear = sampler.filter == SHD_FILTER_BILINEAR || sampler.filter == SHD_FILTER_BILINEAR_MIP ||
+                      sampler.filter == SHD_FILTER_TRILINEAR;
+  return linear && sampler.precision == SHD_PRECISION_FULL && !sampler.compares &&
+         sampler.magnification == SHD_MAGNIFICATION_DEFAULT && !has_border(texture, sampler) &&
+         image::is_unorm(texture.component) && is_in_memory(texture) && texture.layers == 1 && !needs_w(texture) &&
+         is_stored_as_read(texture);
+}
+
 shd_filter last_filter() {
   shd_filter last = SHD_FILTER_NEAREST;
 #define SHD_TEXTURE_LATER(name, run, gradient) last = name > last ? name : last;

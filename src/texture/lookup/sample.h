@@ -66,4 +66,7 @@ struct Recording;
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording = nullptr);
 
+/// Whether sample() can write pixels to Texels::rgba8: values of three stored channels in 0..1, by a linear filter.
+bool writes_rgba8(const Texture& texture, const Sampler& sampler);
+
 }  // namespace shd::texture
