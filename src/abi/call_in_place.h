@@ -38,11 +38,18 @@ class CallInPlace {
   }
 
  private:
-  /// The first bytes of columns.
+  /// The first bytes of columns, and the least and the greatest of them.
   template <size_t kMax>
   struct Places {
     size_t count = 0;
     uintptr_t first[kMax];
+    uintptr_t least = UINTPTR_MAX, most = 0;
+
+    void add(uintptr_t address) {
+      first[count++] = address;
+      least = address < least ? address : least;
+      most = address > most ? address : most;
+    }
   };
 
   size_t count_;
@@ -62,7 +69,7 @@ class CallInPlace {
     const auto address = reinterpret_cast<uintptr_t>(column.data);
     const bool adjacent = data::is_packed(column.stride) || (count_ == 1 && column.stride <= PTRDIFF_MAX);
     sound_ = sound_ && adjacent && (address | column.stride) % batch_detail::kElementSize == 0;
-    places->first[places->count++] = address;
+    places->add(address);
     return column.data;
   }
 
@@ -87,8 +94,12 @@ class CallInPlace {
     const size_t size = count_ * batch_detail::kElementSize;
     bool apart = true;
     const auto compare = [&](uintptr_t a, uintptr_t b) { apart = apart && a - b + size - 1 >= 2 * size - 1; };
+    // Columns often lie in a structure of inputs and one of outputs.
+    const bool disjoint = written_.least > read_.most
+                              ? written_.least - read_.most >= size
+                              : read_.least > written_.most && read_.least - written_.most >= size;
     for (size_t w = 0; w < written_.count; ++w) {
-      for (size_t r = 0; r < read_.count; ++r) compare(written_.first[w], read_.first[r]);
+      for (size_t r = 0; r < read_.count && !disjoint; ++r) compare(written_.first[w], read_.first[r]);
       for (size_t other = 0; other < w; ++other) compare(written_.first[w], written_.first[other]);
     }
     return apart;
