@@ -7,6 +7,7 @@
 //   fetch(d, source, index)   texels at an aligned array of indices; bits beyond the channels of the texture are not
 //                             defined
 //   fetch_quad(...)           texels at indices and at the next indices, in an upper and a lower row of one level
+//   fetch_rows(...)           fetch_quad() where the lower row lies at one distance from the upper one
 //   fetch_row(...)            four consecutive texels from each index
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain; unorm channels stay codes
 //   finish<C>(d, value)       result of a value in the lerp domain
