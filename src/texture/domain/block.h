@@ -26,6 +26,9 @@ inline Lookups block_of(const Lookups& in, size_t first) {
   return part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
 }
 
+/// Zeros in place of the columns that the lookups of a block do not have.
+alignas(64) inline constexpr float kNoColumn[kBlock + kMaxLanes] = {};
+
 /// Coordinates and layers of lookups.
 struct PointBlock {
   size_t count;                             // 1..kBlock

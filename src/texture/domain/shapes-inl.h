@@ -54,30 +54,53 @@ HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, 
   return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layout.layer_units));
 }
 
+/// Returns lookups of a block with every column that LoadPoints() reads. A level of detail replaces the derivatives.
+HWY_INLINE Lookups WithAllColumns(const Lookups& in) {
+  Lookups all = in;
+  const bool j = !in.lod;
+  all.lod = in.lod ? in.lod : kNoColumn;
+  all.dudx = j && in.dudx ? in.dudx : kNoColumn;
+  all.dvdx = j && in.dvdx ? in.dvdx : kNoColumn;
+  all.dudy = j && in.dudy ? in.dudy : kNoColumn;
+  all.dvdy = j && in.dvdy ? in.dvdy : kNoColumn;
+  return all;
+}
+
+/// Replaces what is not finite, and infinite coordinates. A copy, because a pointer to the points of a loop would keep
+/// them in memory.
+template <class D>
+HWY_NOINLINE void MakeUsable(D d, Points<D>* p) {
+  Derivatives<D>& j = p->derivatives;
+  p->u = FiniteOrZero(d, p->u);
+  p->v = FiniteOrZero(d, p->v);
+  p->lod = ZeroIfNaN(p->lod);
+  j.dudx = ZeroIfNaN(j.dudx);
+  j.dvdx = ZeroIfNaN(j.dvdx);
+  j.dudy = ZeroIfNaN(j.dudy);
+  j.dvdy = ZeroIfNaN(j.dvdy);
+}
+
+/// Loads a vector of lookups that have all columns.
 template <class D>
 SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   Points<D> p;
   p.u = hn::LoadU(d, in.u + i);
   p.v = hn::LoadU(d, in.v + i);
-  p.lod = LoadOrZero(d, in.lod, i);
+  p.lod = hn::LoadU(d, in.lod + i);
   Derivatives<D>& j = p.derivatives;
-  j.dudx = LoadOrZero(d, in.lod ? nullptr : in.dudx, i);
-  j.dvdx = LoadOrZero(d, in.lod ? nullptr : in.dvdx, i);
-  j.dudy = LoadOrZero(d, in.lod ? nullptr : in.dudy, i);
-  j.dvdy = LoadOrZero(d, in.lod ? nullptr : in.dvdy, i);
+  j.dudx = hn::LoadU(d, in.dudx + i);
+  j.dvdx = hn::LoadU(d, in.dvdx + i);
+  j.dudy = hn::LoadU(d, in.dudy + i);
+  j.dvdy = hn::LoadU(d, in.dvdy + i);
   // x - x is 0 for finite x and NaN for others.
   const auto point = (p.u - p.u) + (p.v - p.v);
   const auto along_x = (j.dudx - j.dudx) + (j.dvdx - j.dvdx);
   const auto along_y = (j.dudy - j.dudy) + (j.dvdy - j.dvdy);
   p.finite = hn::Eq((point + (p.lod - p.lod)) + (along_x + along_y), hn::Zero(d));
   if (HWY_UNLIKELY(!hn::AllTrue(d, p.finite))) {
-    p.u = FiniteOrZero(d, p.u);
-    p.v = FiniteOrZero(d, p.v);
-    p.lod = ZeroIfNaN(p.lod);
-    j.dudx = ZeroIfNaN(j.dudx);
-    j.dvdx = ZeroIfNaN(j.dvdx);
-    j.dudy = ZeroIfNaN(j.dudy);
-    j.dvdy = ZeroIfNaN(j.dvdy);
+    Points<D> usable = p;
+    MakeUsable(d, &usable);
+    return usable;
   }
   return p;
 }
@@ -134,7 +157,7 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   const bool widened = kWidens && !in.lod && widens(sampler);
   size_t nonfinite = 0;
   out->count = in.count;
-  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+  ForEachVector(WithAllColumns(in), [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto points = LoadPoints(d, from, i);
     if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
       nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, in.count - to)));
@@ -144,7 +167,11 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
     if (texture.layers > 1) {
       hn::Store(LoadFirstTexel(d, texture, from, i), hn::RebindToSigned<decltype(d)>(), out->first_texel + to);
     }
-    if (HWY_UNLIKELY(widened)) Widen(d, sampler, &points.derivatives);
+    if (HWY_UNLIKELY(widened)) {
+      auto wide = points.derivatives;
+      Widen(d, sampler, &wide);
+      points.derivatives = wide;
+    }
     body(d, points, to);
   });
   return nonfinite;
@@ -252,7 +279,7 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   };
   if (!lod_given && in.count > kMaxLanes && ShareFiniteFootprint(in)) {
     const BatchTag d;
-    auto first = LoadPoints(d, in, 0);
+    auto first = LoadPoints(d, WithAllColumns(in), 0);
     if (HWY_UNLIKELY(widens(sampler))) Widen(d, sampler, &first.derivatives);
     return FillOneLod(texture, sampler, in, lod_of(d, HalfLog2(d, square_of(d, first))), out);
   }

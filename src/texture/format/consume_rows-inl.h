@@ -69,7 +69,7 @@ void ConsumeRowsOf(const RowStream& rows, Consumption* consumption) {
         value[c] = b.blend(d, value[c], BlendRowQuads<c>(d, b, rows.quads[1], i, quad), fraction);
       });
     }
-    if (!F::kFloat && out.rgba8) {
+    if (out.rgba8) {
       const hn::Vec<D> color[3] = {b.template finish<0>(d, value[0]), b.template finish<1>(d, value[1]),
                                    b.template finish<2>(d, value[2])};
       StorePixels(color, out.rgba8 + done + i);

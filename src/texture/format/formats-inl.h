@@ -24,7 +24,7 @@ Consume ComparedOf(image::Component component);
 /// Derivatives in w, of 3D textures.
 Consume DeepGradientOf(image::Component component);
 
-/// Values of rows of quads.
+/// Values of rows of quads; null if a component type has no such consumer.
 ConsumeRows RowsOf(image::Component component);
 /// Encodes the values of lookups first..first + count - 1 as opaque pixels. A whole vector may be written at the end.
 void EncodePixels(const Texels& out, size_t first, size_t count);
