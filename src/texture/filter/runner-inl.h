@@ -46,12 +46,12 @@ class StreamSink : public Emitter<StreamSink> {
     consume_first_ = call.record ? call.record : call.format.values;
     if (!call.record) consume_second_ = call.format.gradient;
     if (!call.record && !call.out.wants_values()) consume_first_ = nullptr;
-    stream_.elements = 0;
-    stream_.places = places_;
   }
 
   HWY_INLINE const Sampler& sampler() const { return sampler_; }
   HWY_INLINE Stream& elements() { return stream_; }
+  /// Memory for rows, in place of the stream until the next begin().
+  HWY_INLINE RowStream& rows() { return rows_; }
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
   HWY_INLINE bool rates_in_w() const { return first_.out.wants_deep_gradient(); }
   HWY_INLINE bool bordered() const { return bordered_; }
@@ -61,6 +61,8 @@ class StreamSink : public Emitter<StreamSink> {
   void begin(size_t first, bool scattered) {
     first_.done = second_.done = first;
     scattered_ = scattered && !places_;
+    stream_.elements = 0;
+    stream_.places = places_;
   }
 
   HWY_INLINE size_t add(BatchTag d) {
@@ -101,7 +103,10 @@ class StreamSink : public Emitter<StreamSink> {
     if (lanes > 4) __builtin_prefetch(first_.texels.texel(static_cast<uint32_t>(index[lanes - 1])));
   }
 
-  Stream stream_;
+  union {
+    Stream stream_;
+    RowStream rows_;
+  };
   const Sampler& sampler_;
   const bool bordered_;
   bool scattered_ = false;
@@ -152,19 +157,18 @@ class RowRunner {
 
   /// Filters the block whose first lookup is `first`. Returns false if its lookups share no levels, or need a stream.
   template <class Filter>
-  HWY_INLINE bool run(const FilterCall& call, const typename Filter::Block& block, size_t first) {
+  HWY_INLINE bool run(const FilterCall& call, const typename Filter::Block& block, size_t first, RowStream* rows) {
     RowLevels levels;
     if (!consume_ || !Filter::share_levels(call.texture, block, &levels)) return false;
-    AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, &rows_);
+    AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, rows);
     to_.done = first;
-    consume_(rows_, &to_);
+    consume_(*rows, &to_);
     return true;
   }
 
  private:
   const ConsumeRows consume_;
   Consumption to_;
-  RowStream rows_;
 };
 
 /// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
@@ -188,7 +192,7 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
     if constexpr (kRows) {
-      if (!scattered && rows.template run<Filter>(call, block, first)) {
+      if (!scattered && rows.template run<Filter>(call, block, first, &sink.rows())) {
         for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
         continue;
       }

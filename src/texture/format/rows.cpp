@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Consumers of rows of quads, for samplers without border colour. Formats of floats have none: their blends take most of
-// the time, and as much code as all others together.
+// Consumers of rows of quads, for samplers without border colour. Formats of floats have none: their blends take most
+// of the time, and as much code as all others together.
 #include "texture/rows.h"
 
 #define SHD_FORMAT_KERNELS
