@@ -9,7 +9,7 @@
 namespace shd::texture {
 
 /// Lookups of a block, some of which are filtered in another way. Their copies take 6 KB of stack.
-constexpr size_t kPart = 64;
+constexpr size_t kPart = 48;
 
 /// Packed copies of some lookups of a block, and their results.
 struct Gathered {
