@@ -6,6 +6,12 @@
 //                                             the overloads of shapes-inl.h and places-inl.h, or one beside Block
 //   static bool is_scattered(texture, block)  returns whether the lookups should be prefetched (prefetch.h)
 //   emit(d, block, i, sink)                   emits the elements of the vector of lookups at i, and calls sink.finish()
+//
+// A linear filter may also have these, for blocks that become rows of quads (rows.h):
+//
+//   static bool share_levels(texture, block, levels)  finds the levels that all lookups of a block read, if there are
+//                                                     such levels
+//   static const float* lod_of(block)                 the levels of detail; null on the base level
 
 #if defined(SHD_TEXTURE_RUNNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RUNNER_INL_H_
