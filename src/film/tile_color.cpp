@@ -124,7 +124,7 @@ void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& f
     const TilePlanes& to = planes_[t];
     const float* const* column = from.channel + 4 * target_[t];
     for (uint32_t p = begin, next; p < end; p = next) {
-      next = to.stride == raster::kTile ? end : std::min(end, p - p % raster::kTile + raster::kTile);
+      next = to.stride == raster::kTile ? end : std::min(end, raster::next_row(p));
       const size_t first = row + (p - begin), at = position(p, t);
       for (uint32_t c = 0; c < 4; ++c) copy_floats(column[c] + first, next - p, to.plane[c] + at);
     }

@@ -65,7 +65,7 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
 
 void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer) {
   for (uint32_t begin = run.begin, end; begin < run.end; begin = end) {
-    end = std::min<uint32_t>(run.end, begin - begin % raster::kTile + raster::kTile);
+    end = std::min<uint32_t>(run.end, raster::next_row(begin));
     uint8_t* const to = pixel_at(framebuffer, area.left + begin % raster::kTile, area.top + begin / raster::kTile);
     std::memcpy(to, pixels, (end - begin) * sizeof *pixels);
     pixels += end - begin;

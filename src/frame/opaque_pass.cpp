@@ -82,8 +82,7 @@ void shade_visible(TileState* tile) {
   const bool has_one_color = is_overwritten || (tile->color_is_unclear && !tile->renderer.background.map);
   FragmentBatch batch(*tile);
   TextureBatch textured(tile);
-  tile->color_is_stored = is_overwritten && tile->is_drawn_once() && textured.writes_pixels();
-  if (tile->color_is_stored) textured.write_pixels();
+  tile->color_is_stored = is_overwritten && tile->is_drawn_once() && textured.begin_direct();
   if (is_overwritten) tile->color_is_unclear = false;
   tile->clear_color();
   tile->color.assume(has_one_color ? tile->renderer.frame.clear_color : nullptr);

@@ -28,10 +28,14 @@ bool TextureBatch::takes(uint32_t draw) {
   return takes_;
 }
 
-bool TextureBatch::writes_pixels() {
-  const Worker& worker = tile_.worker;
+bool TextureBatch::begin_direct() {
   const film::Framebuffer& framebuffer = tile_.framebuffer;
-  if (framebuffer.color_format != SHD_FORMAT_RGBA8 || framebuffer.samples != 1) return false;
+  direct_ = framebuffer.color_format == SHD_FORMAT_RGBA8 && framebuffer.samples == 1 && are_all_rgba8();
+  return direct_;
+}
+
+bool TextureBatch::are_all_rgba8() {
+  const Worker& worker = tile_.worker;
   for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
     const uint32_t begin = worker.order.start[slot], end = worker.order.start[slot + 1],
                    draw = worker.slots[slot]->draw;

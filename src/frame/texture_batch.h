@@ -13,11 +13,9 @@ class TextureBatch {
  public:
   explicit TextureBatch(TileState* tile) : tile_(*tile) {}
 
-  /// Whether the visible pixels of a tile can be written to the framebuffer as they are shaded: they are all of such
-  /// materials, and their pixels are RGBA8 of one sample.
-  bool writes_pixels();
-  /// Writes pixels to the framebuffer from now on, and not to the tile's colour.
-  void write_pixels() { direct_ = true; }
+  /// Lets pixels go to the framebuffer, and not to the tile's colour, if all that are visible are of such materials and
+  /// the framebuffer has RGBA8 pixels of one sample. Returns whether they go there.
+  bool begin_direct();
 
   /// Draws the runs that cover all samples, if the draw is of such a material and the triangle has enough pixels.
   /// Returns the number of other runs, which are moved to the front.
@@ -26,6 +24,8 @@ class TextureBatch {
  private:
   /// Whether the colour of a draw is one lookup, and no further planes are wanted.
   bool takes(uint32_t draw);
+  /// Whether all visible pixels of the tile can be written as RGBA8.
+  bool are_all_rgba8();
   /// Shades the rows and empties the batch.
   void flush(const geometry::ScreenTriangle& triangle);
 

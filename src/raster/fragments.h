@@ -52,6 +52,11 @@ struct PixelRun {
   uint32_t mask;  // samples, as bits
 };
 
+/// Returns the first pixel of the next row of the tile.
+constexpr uint32_t next_row(uint32_t pixel) {
+  return pixel - pixel % kTile + kTile;
+}
+
 /// A run of the triangle in a slot.
 struct SlotRun {
   uint32_t slot;

@@ -60,7 +60,7 @@ HWY_INLINE size_t ForEachRow(const TrianglePixels& pixels, const Body& body) {
   size_t at = 0;
   for (size_t i = 0; i < pixels.run_count; ++i) {
     for (uint32_t begin = pixels.run[i].begin, end; begin < pixels.run[i].end; begin = end) {
-      end = std::min<uint32_t>(pixels.run[i].end, begin - begin % kTile + kTile);
+      end = std::min<uint32_t>(pixels.run[i].end, next_row(begin));
       const uint32_t first = begin % kTile;
       body(RowPart{static_cast<float>(static_cast<int32_t>(begin / kTile)), first, first + (end - begin), at});
       at += end - begin;
@@ -187,12 +187,12 @@ namespace {
 HWY_EXPORT(FindColumns);
 HWY_EXPORT(InterpolateTexture);
 
-/// The largest magnitude of an attribute of a triangle, and that of its differences from corner 0.
+/// Returns a bound of the magnitudes of an attribute of a triangle and of its differences from corner 0; NaN if a value
+/// is NaN.
 double extent_of(const geometry::RowComponent& from, const uint32_t (&row)[3]) {
-  double value[3], most = 0;
-  for (size_t k = 0; k < 3; ++k) value[k] = from.rows[4 * size_t{row[k]} + from.component];
-  for (const double v : {value[0], value[1] - value[0], value[2] - value[0]}) most = std::max(most, std::fabs(v));
-  return most;
+  double sum = 0;
+  for (size_t k = 0; k < 3; ++k) sum += 2 * std::fabs(double{from.rows[4 * size_t{row[k]} + from.component]});
+  return sum;
 }
 
 /// Whether all results at the pixels of the tile are finite: the sum of the weights is linear in the picture, so its
@@ -228,7 +228,7 @@ bool is_plain(const geometry::Vertices& vertices, const TrianglePixels& pixels) 
   const double raw = 4 * products / nearest, slope = 2 * depth * std::max(width, height);
   const double step = (slope + raw * 3 * slope) * 2 / nearest;
   const double extent =
-      std::max(extent_of(geometry::u_of(vertices), pixels.row), extent_of(geometry::v_of(vertices), pixels.row));
+      extent_of(geometry::u_of(vertices), pixels.row) + extent_of(geometry::v_of(vertices), pixels.row);
   return step < 0x1p100 && extent < 0x1p100 && step * extent < 0x1p100;
 }
 

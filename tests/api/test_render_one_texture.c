@@ -27,10 +27,6 @@ struct way {
     {           \
         1, 1, 1 \
     }
-#define RED        \
-    {              \
-        1, 0.5f, 1 \
-    }
 static const struct way k_ways[] = {
     {"planes", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
      SHD_FORMAT_RGBA32F, 1, 1, 0, 0, 0},
@@ -95,8 +91,19 @@ static const struct way k_ways[] = {
      SHD_FORMAT_RGBA8, 1, 1, 0, 2, FLOOR},
     {"floor, one channel", SHD_FORMAT_R8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
      SHD_FORMAT_RGBA8, 1, 1, 0, 0, FLOOR},
-    {"floor, red", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, RED, 0,
-     SHD_FORMAT_RGBA8, 1, 1, 0, 0, FLOOR},
+    {"floor, red",
+     SHD_FORMAT_RGBA8,
+     SHD_FILTER_TRILINEAR,
+     SHD_WRAP_REPEAT,
+     SHD_PRECISION_FULL,
+     {1, 0.5f, 1},
+     0,
+     SHD_FORMAT_RGBA8,
+     1,
+     1,
+     0,
+     0,
+     FLOOR},
     {"floor, sRGB", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
      SHD_FORMAT_RGBA8_SRGB, 1, 1, 0, 1, FLOOR},
     {"floor, samples", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,

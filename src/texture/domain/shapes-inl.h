@@ -66,8 +66,8 @@ HWY_INLINE Lookups WithAllColumns(const Lookups& in) {
   return all;
 }
 
-/// Replaces what is not finite, and infinite coordinates. A copy, because a pointer to the points of a loop would keep
-/// them in memory.
+/// Replaces NaN and infinite coordinates by 0. Callers pass a copy: a pointer to the points of a loop would keep these
+/// in memory.
 template <class D>
 HWY_NOINLINE void MakeUsable(D d, Points<D>* p) {
   Derivatives<D>& j = p->derivatives;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Consumers of rows of quads, for samplers without border colour. Formats of floats have none: their blends take most
-// of the time, and as much code as all others together.
+// Consumers of rows of quads, for samplers without border colour. Formats of floats have none: most of their time goes
+// into blends, and their code would be as long as that of all other formats.
 #include "texture/rows.h"
 
 #define SHD_FORMAT_KERNELS
