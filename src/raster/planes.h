@@ -23,8 +23,8 @@ inline Cell cell_of(int32_t left, int32_t top, uint32_t pixel) {
   return cell_of(left + static_cast<int32_t>(pixel % kTile), top + static_cast<int32_t>(pixel / kTile));
 }
 
-/// A linear function of the raster position: at_middle + dx x + dy y, where x and y are relative to the middle of a cell
-/// [pixels].
+/// A linear function of the raster position: at_middle + dx x + dy y, where x and y are relative to the middle of a
+/// cell [pixels].
 struct Plane {
   float at_middle, dx, dy;
 };

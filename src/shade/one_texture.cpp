@@ -36,7 +36,8 @@ void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading,
   for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];
   texels.rgba8 = rgba8;
   texture::Lookups lookups = material::lookups_of(slot, uv, rows, workspace->columns.uv);
-  lookups.one_footprint = raster::is_affine(pixels.planes) && !slot.is_transformed;  // a transform may overflow
+  lookups.finite = !slot.is_transformed;  // a transform may overflow
+  lookups.one_footprint = lookups.finite && raster::is_affine(pixels.planes);
   texture::sample(*slot.texture, *slot.sampler, simd, lookups, texels);
   for (int c = 0; c < 3; ++c) {
     for (size_t i = 0; i < rows && material.diffuse[c] != 1.0f; ++i) out[c][i] *= material.diffuse[c];

@@ -64,6 +64,8 @@ MUTANTS = {
                           "unit.raster.interpolate"),
     "direct_alpha": Mutant("src/texture/format/consume_rows-inl.h", "0xff000000u", "0xfe000000u",
                            "api.render_one_texture"),
+    "code_tie": Mutant("src/texture/format/consume_rows-inl.h", "256.5f + 0x1p-13f", "256.5f + 0x1p-9f",
+                       "api.render_one_texture"),
     "row_split": Mutant("src/texture/filter/rows-inl.h",
                         "hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one))", "hn::Eq(x.i1, x.i0 + one)",
                         "unit.texture.rows"),
