@@ -28,11 +28,11 @@ bool TextureBatch::takes(uint32_t draw) {
 
 bool TextureBatch::begin_direct() {
   const film::Framebuffer& framebuffer = tile_.framebuffer;
-  direct_ = framebuffer.color_format == SHD_FORMAT_RGBA8 && framebuffer.samples == 1 && are_all_rgba8();
+  direct_ = !film::has_color_planes(framebuffer) && framebuffer.samples == 1 && takes_all();
   return direct_;
 }
 
-bool TextureBatch::are_all_rgba8() {
+bool TextureBatch::takes_all() {
   const Worker& worker = tile_.worker;
   for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
     const uint32_t begin = worker.order.start[slot], end = worker.order.start[slot + 1],
@@ -41,7 +41,6 @@ bool TextureBatch::are_all_rgba8() {
     for (uint32_t i = begin; i < end; ++i) pixels += length_of(worker.order.run[i]);
     if (pixels == 0) continue;
     if (pixels < kFewPixels || !takes(draw)) return false;
-    if (!shade::writes_rgba8(*tile_.renderer.frame.draws[draw].material)) return false;
   }
   return true;
 }
@@ -108,14 +107,20 @@ void TextureBatch::flush() {
   const shade::DrawShading shading = tile_.shading_of(draw_);
   const raster::TrianglePixels pixels = {planes_, tile_.left, tile_.top, runs_.run, runs_.count};
   shade::Radiance colors = worker.workspace.columns.radiance;
+  const bool codes =
+      direct_ && tile_.framebuffer.color_format == SHD_FORMAT_RGBA8 && shade::writes_rgba8(*shading.material);
   const bool in_place = !direct_ && runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
   shade::shade_one_texture(tile_.simd(), shading, pixels, rows_, &worker.workspace, colors.channel,
-                           direct_ ? pixels_ : nullptr);
-  if (!direct_) std::fill_n(colors.channel[3], rows_, 1.0f);
+                           codes ? pixels_ : nullptr);
+  if (!codes) std::fill_n(colors.channel[3], rows_, 1.0f);
   size_t row = 0;
   for (size_t i = 0; i < runs_.count && !in_place; ++i) {
-    if (direct_) {
+    if (codes) {
       film::store_pixels(tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
+    } else if (direct_) {
+      const float* const plane[4] = {colors.channel[0] + row, colors.channel[1] + row, colors.channel[2] + row,
+                                     colors.channel[3] + row};
+      film::store_pixels(tile_.simd(), tile_.area, runs_.run[i], plane, &tile_.framebuffer);
     } else {
       tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
     }

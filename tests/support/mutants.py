@@ -56,7 +56,7 @@ MUTANTS = {
     "texture_left": Mutant("src/raster/texture_places.cpp", "static_cast<float>(pixels.left) + 0.5f",
                            "static_cast<float>(pixels.left) + 1.5f", "unit.raster.interpolate"),
     "texture_cell": Mutant("src/frame/texture_batch.cpp", "left + raster::kTile);", "left + raster::kTile - 1);",
-                           "api.render_window"),
+                           "api.render_one_texture"),
     "plane_cell": Mutant("src/raster/interpolate.cpp", "const bool is_cell = (f.left | f.top) % kTile == 0;",
                          "const bool is_cell = true;", "unit.raster.interpolate"),
     "plane_sign": Mutant("src/raster/planes.cpp", "determinant < 0.0 ? -1.0 : 1.0", "1.0", "unit.raster.interpolate"),

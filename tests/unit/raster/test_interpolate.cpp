@@ -402,30 +402,38 @@ void test_counts(void**) {
   });
 }
 
-/// A pixel has the same bits in tiles that begin anywhere.
+/// A pixel has the same bits in tiles that begin anywhere: in a tile over four cells, and in the tile of its cell.
 void test_windows(void**) {
   Random random = {61};
+  raster::Fragments& f = g->fragments;
   for (int batch = 0; batch < 40; ++batch) {
     make_batch(&random, batch % 2 ? ordinary : some_of_same_w, 37);
-    const int32_t right = random.whole(0, 63), down = random.whole(0, 63);
-    raster::Fragments& f = g->fragments;
-    size_t count = 0;  // pixels that lie in both tiles
-    for (size_t i = 0; i < kBatch; ++i) {
-      const int32_t x = static_cast<int32_t>(f.pixel[i] % kTile), y = static_cast<int32_t>(f.pixel[i] / kTile);
-      if (x >= right && y >= down) set_fragment(count++, f.triangle[i], f.pixel[i]);
-    }
-    if (count == 0) continue;
-    finish(count);
+    f.left += random.whole(0, 63), f.top += random.whole(0, 63);
+    for (size_t i = 0; i < kBatch; ++i) set_fragment(i, f.triangle[i], f.pixel[i]);
+    const int32_t left = f.left, top = f.top;
+    uint32_t triangle[kBatch], pixel[kBatch];
+    memcpy(triangle, f.triangle, sizeof triangle);
+    memcpy(pixel, f.pixel, sizeof pixel);
     for_each_target([&](const core::SimdTarget& target, bool) {
+      f.left = left, f.top = top;
+      for (size_t i = 0; i < kBatch; ++i) set_fragment(i, triangle[i], pixel[i]);
+      finish(kBatch);
       raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &f);
       keep_rows();
-      const uint32_t shift = static_cast<uint32_t>(down * raster::kTile + right);
-      f.left += right, f.top += down;
-      for (size_t i = 0; i < data::padded(count); ++i) f.pixel[i] -= shift;
-      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &f);
-      compare_rows(target.name);
-      f.left -= right, f.top -= down;
-      for (size_t i = 0; i < data::padded(count); ++i) f.pixel[i] += shift;
+      const ColumnList whole = columns_of(g->first), columns = columns_of(f);
+      for (size_t i = 0; i < kBatch; ++i) {
+        const raster::Cell cell = raster::cell_of(left, top, pixel[i]);
+        const auto x = static_cast<int32_t>(pixel[i] % kTile) + left - cell.left;
+        const auto y = static_cast<int32_t>(pixel[i] / kTile) + top - cell.top;
+        f.left = cell.left, f.top = cell.top;
+        set_fragment(0, triangle[i], static_cast<uint32_t>(y * raster::kTile + x));
+        finish(1);
+        raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &f);
+        for (size_t c = 0; c < kColumns; ++c) {
+          if (memcmp(columns.column[c], whole.column[c] + i, sizeof(float)) != 0)
+            fail_msg("%s: row %zu has other bits in column %zu", target.name, i, c);
+        }
+      }
     });
   }
 }
