@@ -28,6 +28,17 @@ using simd::HWY_NAMESPACE::Vec3V;
 /// Columns that only some materials read.
 constexpr uint32_t kExtras = kTexture1 | kTangent | kAttributes | kPositionSteps;
 
+/// An attribute of a triangle: its value at corner 0, and the differences of the others to it.
+struct Sides {
+  float origin, side1, side2;
+
+  /// The value where no difference overflows, with the bits of PlainBlend().
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V At(D d, const Barycentric<V>& b) const {
+    return hn::Set(d, origin) + b.b1 * hn::Set(d, side1) + b.b2 * hn::Set(d, side2);
+  }
+};
+
 /// A triangle whose rows are interpolated, and what is wanted of them.
 struct TriangleRows {
   const geometry::Vertices& vertices;
@@ -35,6 +46,12 @@ struct TriangleRows {
   const float* eye;
   uint32_t wanted;
   TrianglePlanes planes;
+  Sides position[3], normal[3];
+
+  Sides SidesOf(const float* rows, size_t c) const {
+    const float origin = rows[4 * size_t{vertex[0]} + c];
+    return {origin, rows[4 * size_t{vertex[1]} + c] - origin, rows[4 * size_t{vertex[2]} + c] - origin};
+  }
 
   /// Component c of the corners' rows of four.
   template <class D, class V = hn::Vec<D>>
@@ -55,22 +72,19 @@ HWY_INLINE void Store(D d, const Attribute<V>& attribute, size_t at, float* valu
 /// Interpolates the position.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Vec3V<V> PositionAt(D d, const TriangleRows& triangle, const Barycentric<V>& b) {
-  const float* world = triangle.vertices.world.data();
-  const CornerValues<V> x = triangle.Corners(d, world, 0), y = triangle.Corners(d, world, 1),
-                        z = triangle.Corners(d, world, 2);
-  const Vec3V<V> p = {PlainBlend(x, b.b1, b.b2), PlainBlend(y, b.b1, b.b2), PlainBlend(z, b.b1, b.b2)};
+  const Sides(&sides)[3] = triangle.position;
+  const Vec3V<V> p = {sides[0].At(d, b), sides[1].At(d, b), sides[2].At(d, b)};
   if (HWY_LIKELY(hn::AllTrue(d, IsFinite(d, hn::Abs(p.x) + hn::Abs(p.y) + hn::Abs(p.z))))) return p;
-  return {Blend(d, x, b.b1, b.b2), Blend(d, y, b.b1, b.b2), Blend(d, z, b.b1, b.b2)};
+  const float* world = triangle.vertices.world.data();
+  return {Blend(d, triangle.Corners(d, world, 0), b.b1, b.b2), Blend(d, triangle.Corners(d, world, 1), b.b1, b.b2),
+          Blend(d, triangle.Corners(d, world, 2), b.b1, b.b2)};
 }
 
 /// Interpolates position, normal and wo of one vector of rows. Normals are units: their blends do not overflow.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateSpace(D d, const TriangleRows& triangle, const Barycentric<V>& b, size_t at, Fragments& f) {
   if (triangle.wanted & kNormal) {
-    const float* normals = triangle.vertices.normal.data();
-    const Vec3V<V> n = {PlainBlend(triangle.Corners(d, normals, 0), b.b1, b.b2),
-                        PlainBlend(triangle.Corners(d, normals, 1), b.b1, b.b2),
-                        PlainBlend(triangle.Corners(d, normals, 2), b.b1, b.b2)};
+    const Vec3V<V> n = {triangle.normal[0].At(d, b), triangle.normal[1].At(d, b), triangle.normal[2].At(d, b)};
     Store3(d, Normalize(d, n), f.nx, f.ny, f.nz, at);
   }
   if (!(triangle.wanted & (kPosition | kToEye))) return;
@@ -123,9 +137,10 @@ HWY_INLINE void InterpolateExtras(D d, const TriangleRows& triangle, V factor, c
 }
 
 /// Interpolates rows begin..end - 1, which belong to one triangle. The last vector may write past them.
-void InterpolateTriangle(const TriangleRows& triangle, size_t begin, size_t end, Fragments& f) {
+void InterpolateTriangle(const TriangleRows& rows, size_t begin, size_t end, Fragments& f) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
+  const TriangleRows triangle = rows;  // a copy that the stores cannot change
   const TrianglePlanes& planes = triangle.planes;
   const uint32_t wanted = triangle.wanted;
   for (size_t at = begin; at < end; at += hn::Lanes(d)) {
@@ -164,9 +179,13 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
   const size_t count = (f.count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
   for (size_t begin = 0, end; begin < count; begin = end) {
     end = EndOfSpan(f, begin, count);
-    TriangleRows triangle = {vertices, {}, eye, wanted, {}};
+    TriangleRows triangle = {vertices, {}, eye, wanted, {}, {}, {}};
     for (size_t k = 0; k < 3; ++k) triangle.vertex[k] = geometry::row_of(vertices, f.triangle[begin], k);
     find_planes(vertices, triangle.vertex, cell_of(f.left, f.top, f.pixel[begin]), wanted, &triangle.planes);
+    for (size_t c = 0; c < 3; ++c) {
+      triangle.position[c] = triangle.SidesOf(vertices.world.data(), c);
+      triangle.normal[c] = triangle.SidesOf(vertices.normal.data(), c);
+    }
     InterpolateTriangle(triangle, begin, end, f);
   }
 }
