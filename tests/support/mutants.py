@@ -24,6 +24,14 @@ BUILD = "build/mutants"
 # Source file, text that occurs once in it, replacement, CTest test that must fail.
 Mutant = collections.namedtuple("Mutant", "path text bug test")
 MUTANTS = {
+    "fixed_one": Mutant("src/texture/format/fixed-inl.h", "hn::Min(s, hn::Set(d, 0x1.fffcp-1f))", "s",
+                        "unit.texture.fixed"),
+    "fixed_part": Mutant("src/texture/lookup/fixed_lines.cpp", "2 * first + 1)", "2 * (first & 15) + 1)",
+                         "unit.texture.fixed"),
+    "fixed_inside": Mutant("src/texture/lookup/fixed_lines.cpp", "extent - (texel + texel)", "extent + texel",
+                           "unit.texture.fixed"),
+    "rows_repeated": Mutant("src/texture/filter/rows-inl.h", "    if (!blended_) repeat_first();\n", "",
+                            "unit.texture.fixed"),
     "tile_waits_inside": Mutant("src/texture/store/tiles/load.cpp", "load.around || wait.impatient, &load",
                                 "wait.impatient, &load", "unit.texture.tile_orders"),
     "tile_readers": Mutant("src/texture/store/tiles/slots.cpp",
