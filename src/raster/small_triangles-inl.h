@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles whose box in the tile is at most 8 x 8 pixels, set up one per lane. Same samples and depths as traverse-inl.h.
+// Triangles whose box in the tile is at most 8 x 8 pixels, set up one per lane. Samples and depths are those of
+// traverse-inl.h.
 #if defined(SHD_RASTER_SMALL_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_RASTER_SMALL_TRIANGLES_INL_H_
 #undef SHD_RASTER_SMALL_TRIANGLES_INL_H_
