@@ -84,7 +84,10 @@ void check_counts(const Verdicts& verdicts) {
     size_t sum = tally.unexplained;
     for (const size_t number : tally.explained) sum += number;
     check(sum == tally.refused && tally.refused <= tally.judged, what + ": the counts do not add up");
-    check((tally.judged > 0) == (who.is_own || !kJudgedRules[tally.rules].own), what + ": not judged");
+    // The default rules judge shd alone, and not the levels of FAST ANISOTROPIC.
+    const bool fast_levels = who.is_fast && kJudgedFilters[tally.filter] == SHD_FILTER_ANISOTROPIC;
+    const bool is_judged = !kJudgedRules[tally.rules].own || (who.is_own && !fast_levels);
+    check((tally.judged > 0) == is_judged, what + (is_judged ? ": not judged" : ": judged"));
     check((tally.refused > 0) == (tally.farthest > 0.0f), what + ": no distance");
     if (who.is_own) check(tally.refused == 0, what + ": " + std::to_string(tally.refused) + " of shd refused");
     if (who.is_own || who.family == "broken" || tally.unexplained == 0) continue;

@@ -90,7 +90,9 @@ void judge_filter(const JudgedTexture& texture, const Batch& batch, size_t filte
     const Implementation& implementation = verdicts->implementations[k];
     std::map<shd_profile, std::vector<float>> values;
     for (size_t r = 0; r < kJudgedRulesCount; ++r) {
-      if (kJudgedRules[r].own && !implementation.is_own) continue;
+      const bool has_bounds =
+          implementation.is_own && !(implementation.is_fast && batch.filter == SHD_FILTER_ANISOTROPIC);
+      if (kJudgedRules[r].own && !has_bounds) continue;
       const shd_profile profile = implementation.is_own ? kJudgedRules[r].profile : SHD_PROFILE_VULKAN;
       std::vector<float>& found = values[profile];
       if (found.empty()) found = implementation.filter(batch, profile);

@@ -79,7 +79,8 @@ struct Implementation {
   std::string name, family;  // the family has a list of departures
   /// Packed RGBA of every lookup. shd's results depend on the profile of the rules.
   std::function<std::vector<float>(const Batch& batch, shd_profile profile)> filter;
-  bool is_own = false;  // a target of shd, judged by shd's default rules too
+  bool is_own = false;   // a target of shd, judged by shd's default rules too
+  bool is_fast = false;  // with SHD_PRECISION_FAST, whose levels of ANISOTROPIC the default rules have no bounds for
 };
 /// Every target of shd with both precisions, then the peers of this build.
 std::vector<Implementation> judged_implementations();
