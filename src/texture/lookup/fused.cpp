@@ -152,7 +152,7 @@ class ChannelSink : public Emitter<ChannelSink> {
   Elements<kMaxLanes> element_;
 };
 
-/// Runs a filter over at most core::kNarrowLanes lookups, without what only longer batches need.
+/// Runs a filter over 1 to core::kNarrowLanes lookups, without what only longer batches need.
 template <class Filter>
 HWY_NOINLINE size_t RunFew(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);

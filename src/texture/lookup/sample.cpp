@@ -260,10 +260,11 @@ bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out)
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
-  if (lookups.count <= core::kNarrowLanes && !recording && is_plain(texture, sampler, out)) {
+  const bool few = lookups.count != 0 && lookups.count <= core::kNarrowLanes;  // filters emit a vector at least
+  if (few && !recording && is_plain(texture, sampler, out)) {
     const FormatKernels none = {};
-    if (const RunFilter few = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
-      return few({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
+    if (const RunFilter run = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
+      return run({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
   }
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
   if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
