@@ -251,93 +251,14 @@ void test_domain(void **state)
     }
 }
 
-/* ---- lookups along lines, which share their levels ---- */
-
-struct Line {
-    float step_u, step_v, lod;  // steps in texels of the base
-};
-const Line kLines[] = {{0.2f, 0.0f, 0.0f},  {-0.3f, 0.0f, 0.4f}, {1.0f, 0.0f, 0.0f},   {0.7f, 0.0f, 1.5f},
-                       {0.25f, 0.1f, 0.0f}, {0.0f, 0.15f, 0.6f}, {-0.4f, -0.2f, 1.3f}, {9.0f, 5.0f, 0.2f}};
-constexpr size_t kLineCount = 600;
-
-/// Values of `count` lookups of a line.
-std::vector<float> look_up_line(const shd_texture *texture, const shd_sampler *sampler, const Line &line, size_t row,
-                                size_t count)
-{
-    std::vector<float> u(count), v(count), lod(count, line.lod), out(4 * count);
-    for (size_t i = 0; i < count; ++i) {
-        u[i] = 0.1f + static_cast<float>(i) * line.step_u / 150.0f;
-        v[i] = (static_cast<float>(row) + 0.7f + static_cast<float>(i) * line.step_v) / 70.0f;
-    }
-    shd_lookups in = shd_lookups_default();
-    in.count = count;
-    in.u.data = u.data(), in.v.data = v.data(), in.lod.data = lod.data();
-    shd_texels to = shd_texels_default();
-    for (size_t c = 0; c < 4; ++c) to.channel[c].data = &out[c * count];
-    shd_assert_ok(shd_texture_sample(texture, sampler, &in, &to));
-    return out;
-}
-
-void check_lines(shd_texture *const *textures, const shd_sampler *sampler, const char *name)
-{
-    for (const Line &line : kLines) {
-        for (size_t row = 0; row < 18; ++row) {
-            const size_t count = row % 3 == 0 ? kLineCount : 255 + row % 3;
-            const std::vector<float> want = look_up_line(textures[kMemory], sampler, line, row, count);
-            for (int store = kBlocks; store <= kTilesOfBlocks; ++store) {
-                for (int pass = 0; pass < 2; ++pass) {  // the tiles of the second pass are at hand
-                    const std::vector<float> got = look_up_line(textures[store], sampler, line, row, count);
-                    if (std::memcmp(got.data(), want.data(), want.size() * sizeof(float)) != 0)
-                        fail_msg("%s, %s: row %zu of line %zu differs", kForms[store].name, name, row,
-                                 static_cast<size_t>(&line - kLines));
-                }
-            }
-        }
-    }
-}
-
-void test_lines(void **)
-{
-    const TextureShape shape = {"lines", 150, 70, 1, 0, SHD_PROJECTION_NONE};
-    for (int simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
-        shd_context_desc desc = shd_context_desc_default();
-        desc.simd = static_cast<shd_simd>(simd);
-        shd_context *context = nullptr;
-        if (shd_context_create(&desc, &context) != SHD_OK) continue;
-        StoredLevels levels(shape), blocks(shape);
-        shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
-        cache_desc.tile_bytes = 1024;
-        cache_desc.budget_bytes = 1 << 20;
-        shd_tile_cache *cache = nullptr;
-        shd_assert_ok(shd_tile_cache_create(context, &cache_desc, &cache));
-        shd_texture *textures[5];
-        for (int store = kMemory; store <= kTilesOfBlocks; ++store) {
-            textures[store] =
-                create(context, store == kTilesOfBlocks ? &blocks : &levels, kForms[store], SHD_TABLE_MIPMAP, cache);
-        }
-        for (shd_filter filter : {SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR}) {
-            for (shd_wrap wrap : kWraps) {
-                shd_sampler *const sampler = make_sampler(context, filter, wrap);
-                check_lines(textures, sampler, shd_context_simd_target(context));
-                shd_sampler_release(sampler);
-            }
-        }
-        for (shd_texture *texture : textures) shd_texture_release(texture);
-        shd_tile_cache_release(cache);
-        shd_context_release(context);
-    }
-}
-
 }  // namespace
 }  // namespace shd::tests
 
 int main(void)
 {
     using namespace shd::tests;
-    constexpr size_t kShapes = sizeof kDomains / sizeof *kDomains;
-    CMUnitTest tests[kShapes + 1];
-    for (size_t i = 0; i < kShapes; ++i)
+    CMUnitTest tests[sizeof kDomains / sizeof *kDomains];
+    for (size_t i = 0; i < sizeof kDomains / sizeof *kDomains; ++i)
         tests[i] = {kDomains[i].name, test_domain, nullptr, nullptr, const_cast<TextureShape *>(&kDomains[i])};
-    tests[kShapes] = {"lines", test_lines, nullptr, nullptr, nullptr};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

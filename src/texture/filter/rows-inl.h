@@ -43,9 +43,8 @@ struct RowLevels {
   bool blended;  // some lookup reads the coarse level
 };
 
-/// Finds the quads of a block on a level: their texels in memory, or kPlaced: columns and rows, for a store that places
-/// them. A wrap is a constant or a value.
-template <bool kPlaced, class WrapU, class WrapV>
+/// Finds the quads of a block on a level. A wrap is a constant or a value.
+template <class WrapU, class WrapV>
 HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, const PointBlock& block, uint32_t number,
                                WrapU wrap_u, WrapV wrap_v, RowQuads* out) {
   const BatchTag d;
@@ -62,19 +61,12 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
       RoundWeights(d, &x);
       RoundWeights(d, &y);
     }
+    const auto top = RowIndex(d, level, y.i0);
     hn::Store(x.s, d, out->s + i);
     hn::Store(y.s, d, out->t + i);
+    hn::Store(top + x.i0, di, out->upper + i);
     const bool split = !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one)));
     out->split[vector] = split;
-    if constexpr (kPlaced) {
-      hn::Store(x.i0, di, out->upper + i);
-      hn::Store(y.i0, di, out->other[0] + i);
-      hn::Store(x.i1, di, out->other[1] + i);
-      hn::Store(y.i1, di, out->other[2] + i);
-      continue;
-    }
-    const auto top = RowIndex(d, level, y.i0);
-    hn::Store(top + x.i0, di, out->upper + i);
     if (HWY_LIKELY(!split)) continue;
     const auto bottom = RowIndex(d, level, y.i1);
     hn::Store(top + x.i1, di, out->other[0] + i);
@@ -83,17 +75,15 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
   }
 }
 
-/// Finds the quads of a block on a level, for the store of the texture.
+/// Finds the quads of a block on a level.
 inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sampler, const PointBlock& block,
                                       uint32_t level, RowQuads* out) {
   const shd_wrap u = sampler.wrap_u, v = sampler.wrap_v;
-  if (HWY_UNLIKELY(!is_in_memory(texture))) {
-    AddressWrapped<true>(texture, sampler, block, level, u, v, out);
-  } else if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
+  if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
     const std::integral_constant<shd_wrap, SHD_WRAP_REPEAT> repeat;
-    AddressWrapped<false>(texture, sampler, block, level, repeat, repeat, out);
+    AddressWrapped(texture, sampler, block, level, repeat, repeat, out);
   } else {
-    AddressWrapped<false>(texture, sampler, block, level, u, v, out);
+    AddressWrapped(texture, sampler, block, level, u, v, out);
   }
 }
 
@@ -110,11 +100,6 @@ inline void AddressRows(const Texture& texture, const Sampler& sampler, const Po
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     hn::Store(hn::Load(d, lod + i) - fine, d, out->fraction + i);
   }
-}
-
-/// Returns a level as stores place it.
-inline RowLevel RowLevelOf(const Texture& texture, uint32_t level) {
-  return {static_cast<int32_t>(texture.layout.offset[level]), static_cast<int32_t>(level_size(texture.width, level))};
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -31,7 +31,6 @@
 #include "texture/filter/rows-inl.h"
 #include "texture/format/formats-inl.h"
 #include "texture/store/level-inl.h"
-#include "texture/store/place-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -160,22 +159,14 @@ struct HasRows<Filter, std::void_t<decltype(&Filter::share_levels)>> : std::true
 class RowRunner {
  public:
   explicit RowRunner(const FilterCall& call)
-      : consume_(call.record ? nullptr : call.format.rows),
-        place_(consume_ ? PlaceRowsOf(call.texture.store) : nullptr),
-        state_(call.placement.state),
-        to_(call, TexelSource(call), nullptr) {}
+      : consume_(call.record ? nullptr : call.format.rows), to_(call, TexelSource(call.texture), nullptr) {}
 
-  /// Filters the block whose first lookup is `first`. Returns false if its lookups share no levels, or need a stream,
-  /// which may have the memory of `rows`.
+  /// Filters the block whose first lookup is `first`. Returns false if its lookups share no levels, or need a stream.
   template <class Filter>
   HWY_INLINE bool run(const FilterCall& call, const typename Filter::Block& block, size_t first, RowStream* rows) {
     RowLevels levels;
     if (!consume_ || !Filter::share_levels(call.texture, block, &levels)) return false;
     AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, rows);
-    if (HWY_UNLIKELY(place_ != nullptr)) {
-      const RowLevel placed[2] = {RowLevelOf(call.texture, levels.fine), RowLevelOf(call.texture, levels.coarse)};
-      if (!place_(state_, placed, rows)) return false;
-    }
     to_.done = first;
     consume_(*rows, &to_);
     return true;
@@ -183,8 +174,6 @@ class RowRunner {
 
  private:
   const ConsumeRows consume_;
-  const PlaceRows place_;  // null: quads are in memory
-  void* const state_;
   Consumption to_;
 };
 
@@ -207,13 +196,13 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
                      ? FindShapes(call.texture, call.sampler, call.in, &block)  // without the time of a copy
                      : FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
     const bool scattered = Filter::is_scattered(call.texture, block);
+    sink.begin(first, scattered);
     if constexpr (kRows) {
       if (!scattered && rows.template run<Filter>(call, block, first, &sink.rows())) {
         for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
         continue;
       }
     }
-    sink.begin(first, scattered);
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
       if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
       if constexpr (!Sink::kBuffered) {
