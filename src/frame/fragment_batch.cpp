@@ -47,6 +47,11 @@ uint32_t covered(const ShadingPoints& points, const PixelEdges& edges) {
 
 }  // namespace
 
+FragmentBatch::FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {
+  worker_.workspace.fragments.left = tile.left;
+  worker_.workspace.fragments.top = tile.top;
+}
+
 void FragmentBatch::begin(uint32_t draw) {
   const Draw& d = tile_.renderer.frame.draws[draw];
   draw_ = draw;

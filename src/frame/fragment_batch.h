@@ -32,7 +32,7 @@ struct PixelEdges {
 /// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
 class FragmentBatch {
  public:
-  explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
+  explicit FragmentBatch(const TileState& tile);
 
   /// Adds runs of pixels of one triangle: one fragment per pixel, or one per sample.
   template <class Done>

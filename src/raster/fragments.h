@@ -15,16 +15,33 @@ namespace shd::raster {
 /// Rows of a batch. Whole vectors may run past count, and the columns of a batch stay in L2.
 constexpr size_t kBatch = 512;
 
+/// Elements of a column: the last vector of a triangle's rows may end past the batch.
+constexpr size_t kColumn = kBatch + 16;
+
+/// Columns of Fragments that are interpolated from vertices, as bits.
+enum Interpolated : uint32_t {
+  kPosition = 1,
+  kNormal = 2,
+  kToEye = 4,
+  kTexture = 8,  // uv and its derivatives
+  kBarycentrics = 16,
+  kTexture1 = 32,  // second uv set and its derivatives
+  kTangent = 64,
+  kAttributes = 128,
+  kInterpolateAll = 255,  // columns that programs read
+  kPositionSteps = 256    // derivatives of the position
+};
+
 /// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
-/// elements each, in one block.
+/// elements that are read, in one block.
 struct Fragments {
-  size_t count = 0;  // rows in use
+  size_t count = 0;           // rows in use
+  int32_t left = 0, top = 0;  // first pixel of the tile in the picture
   core::Array<float> block;
 
   uint32_t* pixel;      // row-major position in the tile
   uint32_t* mask;       // samples of the pixel, as bits
   uint32_t* triangle;   // index in its mesh
-  uint32_t* vertex[3];  // rows of geometry::Vertices
   float *x, *y;         // raster position [pixels]
   float* depth;         // 0..1
   float* bary[3];       // perspective-correct barycentric coordinates, >= 0, sum 1
@@ -45,6 +62,9 @@ struct Fragments {
 
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
+
+/// Returns the first row after `begin` whose triangle is another one, or `end`.
+size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end);
 
 /// Consecutive pixels of a tile, numbered row-major, in which one triangle is visible at the same samples.
 struct PixelRun {

@@ -25,6 +25,7 @@
 /// | triangle_setup.h   | one triangle over one tile: edges, depth and pixels                   |
 /// | coverage.h         | kernels: triangles into a tile's depths and slots, or into a mask     |
 /// | traverse-inl.h     | the covered samples of a triangle, vector by vector                   |
+/// | small_triangles-inl.h | triangles of at most 8 x 8 pixels, set up one per lane             |
 /// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
 /// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
 /// | nearest.h          | conservative coverage: the nearest triangle of each texel             |
@@ -32,7 +33,8 @@
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
 /// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one tile |
-/// | barycentric-inl.h  | barycentric coordinates with their derivatives, affine without perspective |
+/// | planes.h           | attributes of one triangle as planes over one cell of the picture     |
+/// | planes-inl.h       | their values at vectors of pixels, with derivatives                   |
 /// | varyings.h         | kernel: outputs of vertex programs, in three interpolations           |
 /// | attribute-inl.h    | barycentric interpolation, shared by these two kernels                |
 #pragma once

@@ -22,21 +22,7 @@
 namespace shd::shade {
 namespace {
 
-/// The first row from `begin` on whose triangle is another one, or `end`. Long runs are compared in groups of 16 rows.
-size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end) {
-  const uint32_t first = triangle[begin];
-  const auto goes_on = [&](size_t i) { return i < end && triangle[i] == first; };
-  size_t i = begin + 1;
-  while (goes_on(i) && i < begin + 16) ++i;
-  for (uint32_t different = 0; goes_on(i) && i + 16 <= end; i += 16) {
-    for (size_t k = 0; k < 16; ++k) different |= triangle[i + k] ^ first;
-    if (different) break;
-  }
-  while (goes_on(i)) ++i;
-  return i;
-}
-
-/// Fills the vertices and interpolated attributes of fragments whose x, y, depth and triangle are set.
+/// Fills the interpolated attributes of fragments whose x, y, pixel, depth and triangle are set.
 void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
                         raster::Fragments* f) {
   // Fragments up to the next whole vector repeat the last one.
@@ -45,15 +31,9 @@ void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading
     f->y[i] = f->y[f->count - 1];
     f->depth[i] = f->depth[f->count - 1];
     f->triangle[i] = f->triangle[f->count - 1];
+    f->pixel[i] = f->pixel[f->count - 1];
   }
-  const geometry::Vertices& vertices = *shading.vertices;
-  for (size_t begin = 0, end; begin < data::padded(f->count); begin = end) {
-    end = end_of_triangle(f->triangle, begin, data::padded(f->count));
-    for (size_t k = 0; k < 3; ++k) {
-      std::fill(f->vertex[k] + begin, f->vertex[k] + end, row_of(vertices, f->triangle[begin], k));
-    }
-  }
-  raster::interpolate(simd, vertices, eye, wanted, f);
+  raster::interpolate(simd, *shading.vertices, eye, wanted, f);
 }
 
 /// Makes the points of Gouraud or flat shading for each triangle of the batch, and columns.point.

@@ -178,6 +178,7 @@ struct Sampler {
   shd_precision precision;
   float probe_slack;
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
+  float fast_anisotropy;  // max_anisotropy of fast_lines()
   shd_stochastic stochastic;
   shd_missing_tiles missing_tiles;
   bool compares;
@@ -200,6 +201,18 @@ inline Sampler unwidened(const Sampler& sampler) {
   plain.width_x = plain.width_y = 1.0f;
   plain.blur_u = plain.blur_v = 0.0f;
   return plain;
+}
+
+/// Part of the way between two levels in which ANISOTROPIC with SHD_PRECISION_FAST blends them, at most.
+constexpr float kFastLevelBlend = 0.28125f;
+
+/// Copies a sampler with the lines of ANISOTROPIC with SHD_PRECISION_FAST.
+inline Sampler fast_lines(const Sampler& sampler) {
+  Sampler lines = sampler;
+  lines.max_anisotropy = sampler.fast_anisotropy;
+  const bool longer = sampler.level_steepness != 0.0f && sampler.level_steepness < 1.0f / kFastLevelBlend;
+  if (longer) lines.level_steepness = 1.0f / kFastLevelBlend;
+  return lines;
 }
 
 /// Returns the largest value of shd_filter that is a filter.
@@ -225,6 +238,7 @@ struct Lookups {
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
   const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
   bool one_footprint = false;        // each column of derivatives holds one finite value; false = not known
+  bool finite = false;               // all columns of floats hold finite values; false = not known
   const float* reference = nullptr;  // read by samplers with `compares`; null = 0
 
   /// Returns a column by its number, for code that treats all columns equally.

@@ -24,9 +24,18 @@ HWY_INLINE V CodeToUnit(D d, CodeScale scale, V code) {
   return code * hn::Set(d, scale.high) + code * hn::Set(d, scale.low);
 }
 
-/// Returns byte C of every word.
+/// Returns byte C of every word. A shuffle takes one operation where a shift and a mask take two.
 template <size_t C, class DI, class VI>
 HWY_INLINE VI Byte(DI di, VI words) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+  if constexpr (C == 1 || C == 2) {
+    constexpr uint8_t kNone = 0x80;
+    alignas(16) static constexpr uint8_t kFrom[16] = {C,     kNone, kNone, kNone, C + 4,  kNone, kNone, kNone,
+                                                      C + 8, kNone, kNone, kNone, C + 12, kNone, kNone, kNone};
+    const hn::Repartition<uint8_t, DI> bytes;
+    return hn::BitCast(di, hn::TableLookupBytesOr0(hn::BitCast(bytes, words), hn::LoadDup128(bytes, kFrom)));
+  }
+#endif
   const hn::RebindToUnsigned<DI> du;
   const auto shifted = hn::BitCast(di, hn::ShiftRight<static_cast<int>(8 * C)>(hn::BitCast(du, words)));
   return C == 3 ? shifted : shifted & hn::Set(di, 255);
@@ -35,6 +44,7 @@ HWY_INLINE VI Byte(DI di, VI words) {
 /// Fetches of four 8-bit codes in one word. fetch branches on the number of channels, which is constant over a batch.
 struct OneWord : QuadsOfPairs<OneWord> {
   static constexpr bool kFloat = false;
+  static constexpr bool kCodes8 = false;  // blends are codes of 8 bits
   template <class D>
   using Texel = Ints<D>;
 
@@ -80,11 +90,22 @@ struct OneWord : QuadsOfPairs<OneWord> {
   template <class D>
   static HWY_INLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
                                     Texel<D> (&quad)[4]) {
-    if (HWY_LIKELY(source.channels == 4)) {
-      const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
-      if (HWY_LIKELY(texels)) return LoadRowQuads(d, texels, upper, down, quad);
+    const auto index = hn::Load(hn::RebindToSigned<D>(), upper);
+    const uint8_t* const texels = TexelsOf(d, source, index);
+    if (HWY_UNLIKELY(!texels)) {
+      Texel<D> apart[4];  // a copy, so that the usual quads stay in registers
+      QuadsOfPairs::fetch_rows(d, source, upper, down, apart);
+      for (size_t k = 0; k < 4; ++k) quad[k] = apart[k];
+      return;
     }
-    QuadsOfPairs::fetch_rows(d, source, upper, down, quad);
+    if (HWY_LIKELY(source.channels == 4)) return LoadRowQuads(d, texels, upper, down, quad);
+    const uint8_t* const below = texels + ptrdiff_t{down} * source.texel_size;
+    const bool one = source.channels == 1;
+    const auto offset = one ? index : hn::ShiftLeft<1>(index);
+    quad[0] = GatherBytes(d, texels, offset);
+    quad[1] = one ? hn::ShiftRight<8>(quad[0]) : hn::ShiftRight<16>(quad[0]);
+    quad[2] = GatherBytes(d, below, offset);
+    quad[3] = one ? hn::ShiftRight<8>(quad[2]) : hn::ShiftRight<16>(quad[2]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
