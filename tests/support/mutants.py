@@ -120,8 +120,6 @@ MUTANTS = {
         "  SHD_TRY(read_handle(\"tessellation.displacement\", desc.displacement, core::ObjectType::kTexture, "
         "&out->texture));\n",
         "", "api.host_handles_more"),
-    "few_empty": Mutant("src/texture/lookup/sample.cpp", "few = lookups.count != 0 && ", "few = ",
-                        "unit.texture.profile_bits"),
     "slice_rows": Mutant("src/texture/filter/slices-inl.h",
                          " * UnitsAlong(d, level.down.whole, unit.shift_y)", " * level.down.whole",
                          "unit.texture.support_cells"),
