@@ -32,6 +32,7 @@ struct LightGroup {
 ///                       at most p d E: a short wo + l magnifies its own rounding (measured half of that); times
 ///                       N (n.l) in the normalised model
 ///   max(0, v.r)^p       as max(0, n.h)^p with d = 6e-7 (measured half of that)
+///                       Both powers are 0 where they are below 2^-96.
 ///   metallic-roughness  E and the lobe times 6e-6 + 1e-6 (1 + 2 / |wo + l|) / alpha + 4e-7 / n.l + 4e-7 / n.v, plus
 ///                       1e-6 of the sum of both specular lobes, for narrow highlights and grazing angles (measured
 ///                       0.4 of that)

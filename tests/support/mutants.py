@@ -51,6 +51,8 @@ MUTANTS = {
                          "color->channel[3] <= material.alpha_cutoff", "api.render_blend"),
     "snapped_rows": Mutant("src/light/shadow_fit.cpp", "std::floor(middle[1] / texel + 0.5) * texel", "middle[1]",
                            "api.shadow_casters"),
+    "small_powers": Mutant("src/simd/math-inl.h", "hn::And(hn::Ge(power, hn::Set(d, -96.0f))",
+                           "hn::And(hn::Ge(power, hn::Set(d, -126.0f))", "unit.simd.math"),
     "same_blue": Mutant("src/film/tile_color.cpp", "(other[0] ^ first[0]) | (other[1] ^ first[1])",
                         "other[0] ^ first[0]", "api.render_samples"),
     "texture_left": Mutant("src/raster/texture_places.cpp", "fill(weights_at(row, left + hn::ConvertTo(d, x))",
