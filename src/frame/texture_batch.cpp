@@ -66,7 +66,7 @@ size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::Pixe
       if (rows_ == raster::kMaxTextureRows) flush(triangle);
       const size_t end = std::min<size_t>(runs[i].end, run.begin + (raster::kMaxTextureRows - rows_));
       run.end = static_cast<uint16_t>(end);
-      runs_.run[runs_.count++] = run;
+      run_[run_count_++] = run;
       rows_ += length_of(run);
     }
   }
@@ -77,7 +77,7 @@ size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::Pixe
 raster::TrianglePixels TextureBatch::pixels_of(const geometry::ScreenTriangle& triangle) const {
   const geometry::Vertices& vertices = *tile_.shading_of(triangle.draw).vertices;
   raster::TrianglePixels pixels = {
-      {}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run, runs_.count};
+      {}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), run_, run_count_};
   for (size_t k = 0; k < 3; ++k) pixels.row[k] = geometry::row_of(vertices, triangle.primitive, k);
   return pixels;
 }
@@ -88,21 +88,21 @@ void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
   const shade::DrawShading shading = tile_.shading_of(triangle.draw);
   const raster::TrianglePixels pixels = pixels_of(triangle);
   shade::Radiance colors = worker.workspace.columns.radiance;
-  const bool in_place = !direct_ && runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
+  const bool in_place = !direct_ && run_count_ == 1 && tile_.color.point_to(run_[0], &colors);
   shade::shade_one_texture(tile_.simd(), shading, pixels, columns_, rows_, &worker.workspace, colors.channel,
                            direct_ ? pixels_ : nullptr);
   if (!direct_) std::fill_n(colors.channel[3], rows_, 1.0f);
   size_t row = 0;
-  for (size_t i = 0; i < runs_.count && !in_place; ++i) {
+  for (size_t i = 0; i < run_count_ && !in_place; ++i) {
     if (direct_) {
-      film::store_pixels(tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
+      film::store_pixels(tile_.area, run_[i], pixels_ + row, &tile_.framebuffer);
     } else {
-      tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
+      tile_.color.write_run(run_[i].begin, run_[i].end, colors, row);
     }
-    row += length_of(runs_.run[i]);
+    row += length_of(run_[i]);
   }
   worker.fragments += rows_;
-  runs_.count = rows_ = 0;
+  run_count_ = rows_ = 0;
 }
 
 }  // namespace shd::frame

@@ -33,7 +33,8 @@ class TextureBatch {
   raster::TrianglePixels pixels_of(const geometry::ScreenTriangle& triangle) const;
 
   TileState& tile_;
-  BatchRuns runs_;
+  size_t run_count_ = 0;
+  raster::PixelRun run_[raster::kBatch];
   raster::TextureColumns columns_;  // columns of the triangle that is drawn
   size_t rows_ = 0;
   uint32_t draw_ = ~0u;  // the latest draw

@@ -14,9 +14,12 @@ namespace shd::raster {
 
 /// Rows of a batch. Whole vectors may run past count, and the columns of a batch stay in L2.
 constexpr size_t kBatch = 512;
+/// Elements between the columns of a batch. Rows of all columns would share a few sets of the cache if they were
+/// kBatch apart.
+constexpr size_t kColumnStride = kBatch + 16;
 
-/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
-/// elements each, in one block.
+/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have
+/// kColumnStride elements each, in one block.
 struct Fragments {
   size_t count = 0;  // rows in use
   core::Array<float> block;
@@ -51,6 +54,18 @@ struct PixelRun {
   uint16_t begin, end;
   uint32_t mask;  // samples, as bits
 };
+
+/// The fragments of a batch as runs of pixels of one triangle, in the order of their rows.
+struct FragmentRuns {
+  float left, top;   // centre of the tile's first pixel [pixels]
+  bool sets_places;  // x, y and triangle of the rows follow from the runs, and are not set yet
+  size_t count = 0;
+  PixelRun run[kBatch];
+  uint32_t triangle[kBatch];  // of a run: index in its mesh
+};
+
+/// Sets x, y and triangle of the rows of runs. Up to three rows behind them are overwritten.
+void set_places(const FragmentRuns& runs, Fragments* out);
 
 /// Returns the first pixel of the next row of the tile.
 constexpr uint32_t next_row(uint32_t pixel) {

@@ -22,38 +22,29 @@
 namespace shd::shade {
 namespace {
 
-/// The first row from `begin` on whose triangle is another one, or `end`. Long runs are compared in groups of 16 rows.
-size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end) {
-  const uint32_t first = triangle[begin];
-  const auto goes_on = [&](size_t i) { return i < end && triangle[i] == first; };
-  size_t i = begin + 1;
-  while (goes_on(i) && i < begin + 16) ++i;
-  for (uint32_t different = 0; goes_on(i) && i + 16 <= end; i += 16) {
-    for (size_t k = 0; k < 16; ++k) different |= triangle[i + k] ^ first;
-    if (different) break;
-  }
-  while (goes_on(i)) ++i;
-  return i;
-}
-
-/// Fills the vertices and interpolated attributes of fragments whose x, y, depth and triangle are set.
+/// Fills the vertices and interpolated attributes of fragments. Fragments up to the next whole vector repeat the last
+/// one.
 void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
-                        raster::Fragments* f) {
-  // Fragments up to the next whole vector repeat the last one.
-  for (size_t i = f->count; i < data::padded(f->count); ++i) {
-    f->x[i] = f->x[f->count - 1];
-    f->y[i] = f->y[f->count - 1];
-    f->depth[i] = f->depth[f->count - 1];
-    f->triangle[i] = f->triangle[f->count - 1];
-  }
-  const geometry::Vertices& vertices = *shading.vertices;
-  for (size_t begin = 0, end; begin < data::padded(f->count); begin = end) {
-    end = end_of_triangle(f->triangle, begin, data::padded(f->count));
+                        const raster::FragmentRuns& runs, raster::Fragments* f) {
+  const size_t count = f->count, end = data::padded(count);
+  if (runs.sets_places) raster::set_places(runs, f);
+  std::fill(f->x + count, f->x + end, f->x[count - 1]);
+  std::fill(f->y + count, f->y + end, f->y[count - 1]);
+  std::fill(f->depth + count, f->depth + end, f->depth[count - 1]);
+  std::fill(f->triangle + count, f->triangle + end, f->triangle[count - 1]);
+  uint32_t vertex[3] = {};
+  size_t row = 0;
+  for (size_t i = 0; i < runs.count; ++i) {
+    const size_t begin = row;
+    row += size_t{runs.run[i].end} - runs.run[i].begin;
     for (size_t k = 0; k < 3; ++k) {
-      std::fill(f->vertex[k] + begin, f->vertex[k] + end, row_of(vertices, f->triangle[begin], k));
+      vertex[k] = row_of(*shading.vertices, runs.triangle[i], k);
+      // In fours: the rows behind belong to the next run.
+      for (size_t at = begin; at < row; at += 4) std::fill_n(f->vertex[k] + at, 4, vertex[k]);
     }
   }
-  raster::interpolate(simd, vertices, eye, wanted, f);
+  for (size_t k = 0; k < 3; ++k) std::fill(f->vertex[k] + count, f->vertex[k] + end, vertex[k]);
+  raster::interpolate(simd, *shading.vertices, eye, wanted, f);
 }
 
 /// Makes the points of Gouraud or flat shading for each triangle of the batch, and columns.point.
@@ -199,7 +190,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
   } else {
     material::show({simd, material, view, w->fragments, shading.object_to_world, columns.uv}, columns.lobes.lobe[0]);
   }
-  combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
+  w->nonfinite = combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
 }
 
 /// Shades a batch with a program of the caller.
@@ -250,9 +241,13 @@ void shade_points(const core::SimdTarget& simd, const material::Material& materi
 
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* w) {
-  complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
+  complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), w->runs, &w->fragments);
   if (shading.frequency != SHD_FREQUENCY_PHONG) make_points(shading, view.eye, w);
-  if (shading.material->model == SHD_MODEL_PROGRAM) return shade_program(simd, shading, w);
+  if (shading.material->model == SHD_MODEL_PROGRAM) {
+    shade_program(simd, shading, w);
+    w->nonfinite = count_nonfinite(simd, w->columns.radiance, w->fragments.count);
+    return;
+  }
   if (runs_caller_code(*shading.material)) make_varyings(simd, shading, w);
   shade_model(simd, shading, lights, view, w);
 }

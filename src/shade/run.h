@@ -31,10 +31,12 @@ struct DrawShading {
 
 /// Scratch of one worker.
 struct Workspace {
-  raster::Fragments fragments;  // the caller fills count, pixel, triangle, x, y and depth
+  raster::Fragments fragments;  // the caller fills count, pixel, mask and depth; x, y and triangle unless runs do
+  raster::FragmentRuns runs;    // of the fragments
   raster::Fragments points;     // corners or centroids
   raster::Varyings varyings;    // at the fragments at Phong frequency, otherwise at the points
   Columns columns;
+  size_t nonfinite = 0;             // fragments of the latest batch whose colour has a channel that is not finite
   core::Array<uint32_t> affecting;  // [padded] table indices of the lights that affect a batch
   core::Array<ActiveLight> active;  // [padded] these lights, with the factors of their cookies and shadows
 };
