@@ -16,6 +16,16 @@ TilePlanes offset(const TilePlanes& planes, size_t x, size_t y) {
   return moved;
 }
 
+/// Calls body(first, count, to) for each row of a run: `count` pixels from number `first` of the run on lie at `to`.
+template <class Body>
+void for_each_row(const TileArea& area, const raster::PixelRun& run, Framebuffer* framebuffer, const Body& body) {
+  for (uint32_t begin = run.begin, end; begin < run.end; begin = end) {
+    end = std::min<uint32_t>(run.end, raster::next_row(begin));
+    const uint32_t x = area.left + begin % raster::kTile, y = area.top + begin / raster::kTile;
+    body(begin - run.begin, end - begin, pixel_at(framebuffer, x, y));
+  }
+}
+
 }  // namespace
 
 TilePlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuffer) {
@@ -64,12 +74,17 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
 }
 
 void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer) {
-  for (uint32_t begin = run.begin, end; begin < run.end; begin = end) {
-    end = std::min<uint32_t>(run.end, raster::next_row(begin));
-    uint8_t* const to = pixel_at(framebuffer, area.left + begin % raster::kTile, area.top + begin / raster::kTile);
-    std::memcpy(to, pixels, (end - begin) * sizeof *pixels);
-    pixels += end - begin;
-  }
+  for_each_row(area, run, framebuffer, [&](size_t first, size_t count, uint8_t* to) {
+    std::memcpy(to, pixels + first, count * sizeof *pixels);
+  });
+}
+
+void store_pixels(const core::SimdTarget& simd, const TileArea& area, const raster::PixelRun& run,
+                  const float* const plane[4], Framebuffer* framebuffer) {
+  for_each_row(area, run, framebuffer, [&](size_t first, size_t count, uint8_t* to) {
+    const float* const row[4] = {plane[0] + first, plane[1] + first, plane[2] + first, plane[3] + first};
+    image::encode_pixels(simd, framebuffer->color_format, row, count, to);
+  });
 }
 
 }  // namespace shd::film

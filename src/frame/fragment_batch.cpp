@@ -18,7 +18,7 @@ struct RowValues {
 
 /// Sets kCount rows of a run that begins at row `begin`, from its pixel i on.
 template <uint32_t kCount>
-void set_columns(const RowValues& values, uint32_t i, size_t begin, raster::Fragments* f) {
+void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragments* f) {
   const size_t row = begin + i;
   uint32_t* __restrict pixel = f->pixel + row;
   uint32_t* __restrict mask = f->mask + row, * __restrict triangle = f->triangle + row;
@@ -47,6 +47,11 @@ uint32_t covered(const ShadingPoints& points, const PixelEdges& edges) {
 
 }  // namespace
 
+FragmentBatch::FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {
+  worker_.workspace.fragments.left = tile.left;
+  worker_.workspace.fragments.top = tile.top;
+}
+
 void FragmentBatch::begin(uint32_t draw) {
   const Draw& d = tile_.renderer.frame.draws[draw];
   draw_ = draw;
@@ -54,12 +59,6 @@ void FragmentBatch::begin(uint32_t draw) {
   per_sample_ = tile_.shades_samples(d);
   sets_depths_ = shade::runs_caller_code(*d.material);
   keeps_triangles_ = !is_plain(*d.material);
-  const bool is_bake = tile_.renderer.frame.bake != nullptr;
-  sets_rows_ = keeps_triangles_ || sets_depths_ || is_bake || tile_.pattern.count > 1 || tile_.framebuffer.aovs;
-  raster::FragmentRuns& runs = worker_.workspace.runs;
-  runs.sets_places = !sets_rows_;
-  runs.left = static_cast<float>(tile_.left) + 0.5f;
-  runs.top = static_cast<float>(tile_.top) + 0.5f;
 }
 
 ShadingPoints FragmentBatch::shading_points(const geometry::ScreenTriangle& triangle) const {
@@ -123,29 +122,31 @@ void FragmentBatch::move_to_nearest(size_t begin, size_t end) const {
   }
 }
 
-/// Sets the columns of rows behind the table's last one.
-void FragmentBatch::set_rows(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
-                             const raster::PixelRun& run) {
+/// Appends pixels of the latest triangle to the table, which must have room for them.
+void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
+                           const raster::PixelRun& run) {
   raster::Fragments& f = worker_.workspace.fragments;
-  const size_t begin = f.count, end = begin + (size_t{run.end} - run.begin);
+  const size_t begin = f.count;
   const uint32_t first = run.begin, count = uint32_t{run.end} - run.begin;
   const RowValues values = {first, run.mask, triangle.primitive, static_cast<float>(tile_.left) + 0.5f,
                             static_cast<float>(tile_.top) + 0.5f};
   if (count == 1) {
-    set_columns<1>(values, 0, begin, &f);
+    set_rows<1>(values, 0, begin, &f);
   } else if (begin + data::padded(count) <= raster::kBatch) {
-    for (uint32_t i = 0; i < count; i += 4) set_columns<4>(values, i, begin, &f);
+    for (uint32_t i = 0; i < count; i += 4) set_rows<4>(values, i, begin, &f);
   } else {
-    for (uint32_t i = 0; i < count; ++i) set_columns<1>(values, i, begin, &f);
+    for (uint32_t i = 0; i < count; ++i) set_rows<1>(values, i, begin, &f);
   }
+  f.count += count;
+  worker_.runs.run[worker_.runs.count++] = run;
   if (points.per_sample || run.mask != tile_.all_samples()) {
-    for (size_t row = begin; row < end; ++row) move_to_centroid(points, row);
+    for (size_t row = begin; row < f.count; ++row) move_to_centroid(points, row);
   }
-  if (tile_.renderer.frame.bake) move_to_nearest(begin, end);
-  if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, end);
+  if (tile_.renderer.frame.bake) move_to_nearest(begin, f.count);
+  if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
   if (!keeps_triangles_) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
-  for (size_t i = begin; i < end; ++i) worker_.triangles.of[i] = latest;
+  for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
 }
 
 /// Sets the depths that a program reads: the depth of a row is taken at the first sample that the triangle covers.

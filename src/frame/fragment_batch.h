@@ -32,7 +32,7 @@ struct PixelEdges {
 /// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
 class FragmentBatch {
  public:
-  explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
+  explicit FragmentBatch(const TileState& tile);
 
   /// Adds runs of pixels of one triangle: one fragment per pixel, or one per sample.
   template <class Done>
@@ -55,7 +55,7 @@ class FragmentBatch {
     }
     worker_.workspace.fragments.count = 0;
     worker_.triangles.count = 0;
-    worker_.workspace.runs.count = 0;
+    worker_.runs.count = 0;
   }
 
  private:
@@ -98,15 +98,7 @@ class FragmentBatch {
   uint32_t samples_at(const ShadingPoints& points, const PixelEdges& edges) const;
   void move_to_centroid(const ShadingPoints& points, size_t row) const;
   void move_to_nearest(size_t begin, size_t end) const;
-  /// Appends pixels of the latest triangle to the table, which must have room for them.
-  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run) {
-    raster::FragmentRuns& runs = worker_.workspace.runs;
-    runs.triangle[runs.count] = triangle.primitive;
-    runs.run[runs.count++] = run;
-    if (sets_rows_) set_rows(triangle, points, run);
-    worker_.workspace.fragments.count += size_t{run.end} - run.begin;
-  }
-  void set_rows(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
+  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
   void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);
   void shade(uint32_t draw);
@@ -117,7 +109,6 @@ class FragmentBatch {
   uint32_t draw_ = ~0u;
   size_t max_triangles_ = 0;
   bool per_sample_ = false, sets_depths_ = false, keeps_triangles_ = false;
-  bool sets_rows_ = false;  // the columns of the rows are set with them; otherwise runs are recorded only
 };
 
 }  // namespace shd::frame

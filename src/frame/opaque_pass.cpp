@@ -25,7 +25,7 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
 }
 
 /// Writes the colours of a shaded batch to its samples.
-void write_colors(const raster::FragmentRuns& runs, const shade::Radiance& radiance, uint32_t all_samples,
+void write_colors(const BatchRuns& runs, const shade::Radiance& radiance, uint32_t all_samples,
                   film::TileColor* tile_color) {
   size_t row = 0;
   for (size_t i = 0; i < runs.count; ++i) {
@@ -43,7 +43,7 @@ void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
   worker.nonfinite_fragments += worker.workspace.nonfinite;
-  write_colors(worker.workspace.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
+  write_colors(worker.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   film::find_rows(f, &worker.aovs);
   film::write_aovs(tile->simd(), tile->area, {*draw.material, draw.object_to_world, draw.index}, f,

@@ -14,7 +14,7 @@ class TextureBatch {
   explicit TextureBatch(TileState* tile) : tile_(*tile) {}
 
   /// Lets pixels go to the framebuffer, and not to the tile's colour, if all that are visible are of such materials and
-  /// the framebuffer has RGBA8 pixels of one sample. Returns whether they go there.
+  /// the framebuffer has interleaved pixels of one sample. Returns whether they go there.
   bool begin_direct();
 
   /// Draws the runs that cover all samples, if the draw is of such a material and the triangle has enough pixels.
@@ -24,18 +24,20 @@ class TextureBatch {
  private:
   /// Whether the colour of a draw is one lookup, and no further planes are wanted.
   bool takes(uint32_t draw);
-  /// Whether all visible pixels of the tile can be written as RGBA8.
-  bool are_all_rgba8();
+  /// Whether all visible pixels of the tile are of such materials, in triangles with enough pixels.
+  bool takes_all();
+  /// Draws the pixels of the triangle in a cell.
+  void draw_cell(const geometry::ScreenTriangle& triangle, const raster::Cell& cell, const raster::PixelRun* runs,
+                 size_t count);
+  /// Adds the pixels of a run that lie in a cell.
+  void add_in_cell(const raster::PixelRun& run, const raster::Cell& cell);
+  void add(const raster::PixelRun& pixels);
   /// Shades the rows and empties the batch.
-  void flush(const geometry::ScreenTriangle& triangle);
-
-  /// The runs of the batch, as pixels of a triangle.
-  raster::TrianglePixels pixels_of(const geometry::ScreenTriangle& triangle) const;
+  void flush();
 
   TileState& tile_;
-  size_t run_count_ = 0;
-  raster::PixelRun run_[raster::kBatch];
-  raster::TextureColumns columns_;  // columns of the triangle that is drawn
+  BatchRuns runs_;
+  raster::TrianglePlanes planes_;  // planes of the triangle that is drawn, in one cell
   size_t rows_ = 0;
   uint32_t draw_ = ~0u;  // the latest draw
   bool takes_ = false;   // whether its colour is one lookup

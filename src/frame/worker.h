@@ -26,6 +26,12 @@ struct BatchTriangles {
   uint16_t of[raster::kBatch];  // [fragment] index into `triangle`; unused for is_plain() materials
 };
 
+/// The rows of a batch as runs, in order: rows of a run are consecutive.
+struct BatchRuns {
+  size_t count = 0;
+  raster::PixelRun run[raster::kBatch];
+};
+
 /// Memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
   uint32_t index;
@@ -38,6 +44,7 @@ struct Worker {
   film::ColorBlock color;
   shade::Workspace workspace;
   BatchTriangles triangles;
+  BatchRuns runs;
   film::Unordered unordered;
   film::AovScratch aovs;
   core::Array<volume::March> march;               // one if the frame has volumes

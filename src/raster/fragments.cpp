@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fragments.h"
 
-#include <algorithm>
-
 #include "raster/changes.h"
 
 namespace shd::raster {
@@ -11,7 +9,7 @@ namespace {
 /// Visits every column of the table once, for allocation.
 template <class Visit>
 void visit_columns(Fragments& f, Visit visit) {
-  for (uint32_t** column : {&f.pixel, &f.mask, &f.triangle, &f.vertex[0], &f.vertex[1], &f.vertex[2]}) {
+  for (uint32_t** column : {&f.pixel, &f.mask, &f.triangle}) {
     visit(reinterpret_cast<void**>(column));
   }
   for (float** column :
@@ -95,35 +93,28 @@ size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<SlotRun
 void allocate(const core::Allocator& allocator, Fragments* out) {
   size_t columns = 0;
   visit_columns(*out, [&](void**) { ++columns; });
-  out->block = core::Array<float>(allocator, columns * kColumnStride);
+  out->block = core::Array<float>(allocator, columns * kColumn);
   out->block.fill_zero();
   float* next = out->block.data();
   visit_columns(*out, [&](void** column) {
     *column = next;
-    next += kColumnStride;
+    next += kColumn;
   });
   out->count = 0;
 }
 
-void set_places(const FragmentRuns& runs, Fragments* out) {
-  size_t row = 0;
-  for (size_t i = 0; i < runs.count; ++i) {
-    for (uint32_t begin = runs.run[i].begin, end; begin < runs.run[i].end; begin = end) {
-      end = std::min<uint32_t>(runs.run[i].end, next_row(begin));
-      const float y = runs.top + static_cast<float>(static_cast<int32_t>(begin / kTile));
-      const auto first = static_cast<int32_t>(begin % kTile);
-      float *__restrict to_x = out->x + row, *__restrict to_y = out->y + row;
-      uint32_t* __restrict triangle = out->triangle + row;
-      for (uint32_t at = 0; at < end - begin; at += 4) {
-        for (uint32_t k = 0; k < 4; ++k) {
-          to_x[at + k] = runs.left + static_cast<float>(first + static_cast<int32_t>(at + k));
-          to_y[at + k] = y;
-          triangle[at + k] = runs.triangle[i];
-        }
-      }
-      row += end - begin;
-    }
+size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end) {
+  constexpr size_t kGroup = 16;  // rows of long runs that are compared together
+  const uint32_t first = triangle[begin];
+  const auto goes_on = [&](size_t i) { return i < end && triangle[i] == first; };
+  size_t i = begin + 1;
+  while (goes_on(i) && i < begin + kGroup) ++i;
+  for (uint32_t different = 0; goes_on(i) && i + kGroup <= end; i += kGroup) {
+    for (size_t k = 0; k < kGroup; ++k) different |= triangle[i + k] ^ first;
+    if (different) break;
   }
+  while (goes_on(i)) ++i;
+  return i;
 }
 
 void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out) {

@@ -14,20 +14,34 @@ namespace shd::raster {
 
 /// Rows of a batch. Whole vectors may run past count, and the columns of a batch stay in L2.
 constexpr size_t kBatch = 512;
-/// Elements between the columns of a batch. Rows of all columns would share a few sets of the cache if they were
-/// kBatch apart.
-constexpr size_t kColumnStride = kBatch + 16;
 
-/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have
-/// kColumnStride elements each, in one block.
+/// Elements of a column: the last vector of a triangle's rows may end past the batch.
+constexpr size_t kColumn = kBatch + 16;
+
+/// Columns of Fragments that are interpolated from vertices, as bits.
+enum Interpolated : uint32_t {
+  kPosition = 1,
+  kNormal = 2,
+  kToEye = 4,
+  kTexture = 8,  // uv and its derivatives
+  kBarycentrics = 16,
+  kTexture1 = 32,  // second uv set and its derivatives
+  kTangent = 64,
+  kAttributes = 128,
+  kInterpolateAll = 255,  // columns that programs read
+  kPositionSteps = 256    // derivatives of the position
+};
+
+/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
+/// elements that are read, in one block.
 struct Fragments {
-  size_t count = 0;  // rows in use
+  size_t count = 0;           // rows in use
+  int32_t left = 0, top = 0;  // first pixel of the tile in the picture
   core::Array<float> block;
 
   uint32_t* pixel;      // row-major position in the tile
   uint32_t* mask;       // samples of the pixel, as bits
   uint32_t* triangle;   // index in its mesh
-  uint32_t* vertex[3];  // rows of geometry::Vertices
   float *x, *y;         // raster position [pixels]
   float* depth;         // 0..1
   float* bary[3];       // perspective-correct barycentric coordinates, >= 0, sum 1
@@ -49,23 +63,14 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
+/// Returns the first row after `begin` whose triangle is another one, or `end`.
+size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end);
+
 /// Consecutive pixels of a tile, numbered row-major, in which one triangle is visible at the same samples.
 struct PixelRun {
   uint16_t begin, end;
   uint32_t mask;  // samples, as bits
 };
-
-/// The fragments of a batch as runs of pixels of one triangle, in the order of their rows.
-struct FragmentRuns {
-  float left, top;   // centre of the tile's first pixel [pixels]
-  bool sets_places;  // x, y and triangle of the rows follow from the runs, and are not set yet
-  size_t count = 0;
-  PixelRun run[kBatch];
-  uint32_t triangle[kBatch];  // of a run: index in its mesh
-};
-
-/// Sets x, y and triangle of the rows of runs. Up to three rows behind them are overwritten.
-void set_places(const FragmentRuns& runs, Fragments* out);
 
 /// Returns the first pixel of the next row of the tile.
 constexpr uint32_t next_row(uint32_t pixel) {

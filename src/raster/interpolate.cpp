@@ -12,7 +12,7 @@
 #include <hwy/highway.h>
 
 #include "raster/attribute-inl.h"
-#include "raster/barycentric-inl.h"
+#include "raster/planes-inl.h"
 #include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -25,109 +25,168 @@ using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Component c of rows of four, interpolated.
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b) {
-  return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
-}
+/// Columns that only some materials read.
+constexpr uint32_t kExtras = kTexture1 | kTangent | kAttributes | kPositionSteps;
 
-/// Interpolates a texture coordinate and its derivatives.
-template <class D, class V>
-HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out,
-                           float* out_dx, float* out_dy) {
-  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
-  const Steps<V> steps = StepsOf(d, corner, b);
-  hn::StoreU(steps.dx, d, out_dx + at);
-  hn::StoreU(steps.dy, d, out_dy + at);
-}
+/// An attribute of a triangle: its value at corner 0, and the differences of the others to it.
+struct Sides {
+  float origin, side1, side2;
 
-/// Interpolates position, normal and wo of one vector of rows.
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
-                                 const Barycentric<V>& b, const float* eye, uint32_t wanted, size_t at, Fragments& f) {
-  const float *world = vertices.world.data(), *normals = vertices.normal.data();
-  if (wanted & kNormal) {
-    const Vec3V<V> n = Normalize(d, Vec3V<V>{Attribute(d, normals, 0, rows, b), Attribute(d, normals, 1, rows, b),
-                                             Attribute(d, normals, 2, rows, b)});
-    Store3(d, n, f.nx, f.ny, f.nz, at);
+  /// The value where no difference overflows, with the bits of PlainBlend().
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V At(D d, const Barycentric<V>& b) const {
+    return hn::Set(d, origin) + b.b1 * hn::Set(d, side1) + b.b2 * hn::Set(d, side2);
   }
-  if (!(wanted & (kPosition | kToEye))) return;
-  const Vec3V<V> p = {Attribute(d, world, 0, rows, b), Attribute(d, world, 1, rows, b),
-                      Attribute(d, world, 2, rows, b)};
+};
+
+/// A triangle whose rows are interpolated, and what is wanted of them.
+struct TriangleRows {
+  const geometry::Vertices& vertices;
+  uint32_t vertex[3];  // rows of `vertices`
+  const float* eye;
+  uint32_t wanted;
+  TrianglePlanes planes;
+  Sides position[3], normal[3];
+
+  Sides SidesOf(const float* rows, size_t c) const {
+    const float origin = rows[4 * size_t{vertex[0]} + c];
+    return {origin, rows[4 * size_t{vertex[1]} + c] - origin, rows[4 * size_t{vertex[2]} + c] - origin};
+  }
+
+  /// Component c of the corners' rows of four.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE CornerValues<V> Corners(D d, const float* rows, size_t c) const {
+    return {{hn::Set(d, rows[4 * size_t{vertex[0]} + c]), hn::Set(d, rows[4 * size_t{vertex[1]} + c]),
+             hn::Set(d, rows[4 * size_t{vertex[2]} + c])}};
+  }
+};
+
+/// Stores a texture coordinate and its derivatives.
+template <class D, class V>
+HWY_INLINE void Store(D d, const Attribute<V>& attribute, size_t at, float* value, float* dx, float* dy) {
+  hn::StoreU(attribute.value, d, value + at);
+  hn::StoreU(attribute.dx, d, dx + at);
+  hn::StoreU(attribute.dy, d, dy + at);
+}
+
+/// Interpolates the position.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vec3V<V> PositionAt(D d, const TriangleRows& triangle, const Barycentric<V>& b) {
+  const Sides(&sides)[3] = triangle.position;
+  const Vec3V<V> p = {sides[0].At(d, b), sides[1].At(d, b), sides[2].At(d, b)};
+  if (HWY_LIKELY(hn::AllTrue(d, IsFinite(d, hn::Abs(p.x) + hn::Abs(p.y) + hn::Abs(p.z))))) return p;
+  const float* world = triangle.vertices.world.data();
+  return {Blend(d, triangle.Corners(d, world, 0), b.b1, b.b2), Blend(d, triangle.Corners(d, world, 1), b.b1, b.b2),
+          Blend(d, triangle.Corners(d, world, 2), b.b1, b.b2)};
+}
+
+/// Interpolates position, normal and wo of one vector of rows. Normals are units: their blends do not overflow.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void InterpolateSpace(D d, const TriangleRows& triangle, const Barycentric<V>& b, size_t at, Fragments& f) {
+  if (triangle.wanted & kNormal) {
+    const Vec3V<V> n = {triangle.normal[0].At(d, b), triangle.normal[1].At(d, b), triangle.normal[2].At(d, b)};
+    Store3(d, Normalize(d, n), f.nx, f.ny, f.nz, at);
+  }
+  if (!(triangle.wanted & (kPosition | kToEye))) return;
+  const Vec3V<V> p = PositionAt(d, triangle, b);
   Store3(d, p, f.px, f.py, f.pz, at);
-  if (!(wanted & kToEye)) return;
+  if (!(triangle.wanted & kToEye)) return;
+  const float* eye = triangle.eye;
   const Vec3V<V> to_eye = {hn::Set(d, eye[0]) - p.x, hn::Set(d, eye[1]) - p.y, hn::Set(d, eye[2]) - p.z};
-  const Vec3V<V> o = Normalize(d, to_eye);
-  Store3(d, o, f.ox, f.oy, f.oz, at);
+  Store3(d, Normalize(d, to_eye), f.ox, f.oy, f.oz, at);
 }
 
 /// Derivatives of the position by pixel steps, of one vector of rows.
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void DifferentiatePosition(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
-                                      const Barycentric<V>& b, size_t at, Fragments& f) {
-  for (int c = 0; c < 3; ++c) {
-    const float* const world = vertices.world.data();
-    const V origin = rows[0].Get(d, world, c);
-    const V side1 = rows[1].Get(d, world, c) - origin, side2 = rows[2].Get(d, world, c) - origin;
-    hn::Store(FiniteOrZero(d, side1 * b.b1_dx + side2 * b.b2_dx), d, f.dpdx[c] + at);
-    hn::Store(FiniteOrZero(d, side1 * b.b1_dy + side2 * b.b2_dy), d, f.dpdy[c] + at);
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void DifferentiatePosition(D d, const TriangleRows& triangle, V factor, const Barycentric<V>& b, size_t at,
+                                      Fragments& f) {
+  const TrianglePlanes& planes = triangle.planes;
+  const Attribute<V> b1 = WithSteps(d, planes.b1, planes.inverse_w, factor, b.b1),
+                     b2 = WithSteps(d, planes.b2, planes.inverse_w, factor, b.b2);
+  for (size_t c = 0; c < 3; ++c) {
+    const CornerValues<V> p = triangle.Corners(d, triangle.vertices.world.data(), c);
+    const V side1 = p.a[1] - p.a[0], side2 = p.a[2] - p.a[0];
+    hn::StoreU(FiniteOrZero(d, side1 * b1.dx + side2 * b2.dx), d, f.dpdx[c] + at);
+    hn::StoreU(FiniteOrZero(d, side1 * b1.dy + side2 * b2.dy), d, f.dpdy[c] + at);
   }
 }
 
 /// Interpolates columns that only some materials read.
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
-                                  const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
-  if (wanted & kPositionSteps) DifferentiatePosition(d, vertices, rows, b, at, f);
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void InterpolateExtras(D d, const TriangleRows& triangle, V factor, const Barycentric<V>& b,
+                                  const PixelsAt<V>& pixels, size_t at, Fragments& f) {
+  const uint32_t wanted = triangle.wanted;
+  const geometry::Vertices& vertices = triangle.vertices;
+  const TrianglePlanes& planes = triangle.planes;
+  if (wanted & kPositionSteps) DifferentiatePosition(d, triangle, factor, b, at, f);
   if (wanted & kTexture1 && vertices.texture1.size()) {
-    Coordinate(d, ValuesOf(d, geometry::u1_of(vertices), rows), b, at, f.u1, f.du1dx, f.du1dy);
-    Coordinate(d, ValuesOf(d, geometry::v1_of(vertices), rows), b, at, f.v1, f.dv1dx, f.dv1dy);
+    Store(d, CoordinateAt(d, planes.u1, planes.inverse_w, factor, pixels), at, f.u1, f.du1dx, f.du1dy);
+    Store(d, CoordinateAt(d, planes.v1, planes.inverse_w, factor, pixels), at, f.v1, f.dv1dx, f.dv1dy);
   }
   if (wanted & kTangent && vertices.tangent.size()) {
     float* const out[4] = {f.tx, f.ty, f.tz, f.tw};
-    for (int c = 0; c < 4; ++c) hn::Store(Attribute(d, vertices.tangent.data(), c, rows, b), d, out[c] + at);
+    for (size_t c = 0; c < 4; ++c) {
+      hn::StoreU(Blend(d, triangle.Corners(d, vertices.tangent.data(), c), b.b1, b.b2), d, out[c] + at);
+    }
   }
-  for (int k = 0; wanted & kAttributes && k < SHD_MAX_ATTRIBUTES; ++k) {
+  for (size_t k = 0; wanted & kAttributes && k < SHD_MAX_ATTRIBUTES; ++k) {
     const core::Array<float>& four = vertices.attribute[k / 4];
-    if (four.size()) hn::Store(Attribute(d, four.data(), k % 4, rows, b), d, f.attribute[k] + at);
+    if (four.size() == 0) continue;
+    hn::StoreU(Blend(d, triangle.Corners(d, four.data(), k % 4), b.b1, b.b2), d, f.attribute[k] + at);
   }
 }
 
-/// Interpolates one vector of rows from row `at` on.
-template <class D, class Rows>
-HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
-                                uint32_t wanted, size_t at, Fragments& f) {
-  const auto corners = CornersOf(d, vertices, rows);
-  const auto b = WeightsAt(d, corners, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
-  if (wanted & kBarycentrics) {
-    hn::Store(b.b0, d, f.bary[0] + at);
-    hn::Store(b.b1, d, f.bary[1] + at);
-    hn::Store(b.b2, d, f.bary[2] + at);
+/// Interpolates rows begin..end - 1, which belong to one triangle. The last vector may write past them.
+void InterpolateTriangle(const TriangleRows& rows, size_t begin, size_t end, Fragments& f) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const TriangleRows triangle = rows;  // a copy that the stores cannot change
+  const TrianglePlanes& planes = triangle.planes;
+  const uint32_t wanted = triangle.wanted;
+  for (size_t at = begin; at < end; at += hn::Lanes(d)) {
+    const PixelsAt<V> pixels = {hn::LoadU(d, f.x + at) - hn::Set(d, planes.middle_x),
+                                hn::LoadU(d, f.y + at) - hn::Set(d, planes.middle_y)};
+    const V factor = FactorOf(d, planes.inverse_w, pixels);
+    if (wanted & kTexture) {
+      Store(d, CoordinateAt(d, planes.u, planes.inverse_w, factor, pixels), at, f.u, f.dudx, f.dudy);
+      Store(d, CoordinateAt(d, planes.v, planes.inverse_w, factor, pixels), at, f.v, f.dvdx, f.dvdy);
+    }
+    if (!(wanted & ~uint32_t{kTexture})) continue;
+    const Barycentric<V> b = WeightsAt(d, planes, factor, pixels);
+    if (wanted & kBarycentrics) {
+      hn::StoreU(b.b0, d, f.bary[0] + at);
+      hn::StoreU(b.b1, d, f.bary[1] + at);
+      hn::StoreU(b.b2, d, f.bary[2] + at);
+    }
+    InterpolateSpace(d, triangle, b, at, f);
+    if (wanted & kExtras) InterpolateExtras(d, triangle, factor, b, pixels, at, f);
   }
-  InterpolateSpace(d, vertices, rows, b, eye, wanted, at, f);
-  if (wanted & kTexture) {
-    Coordinate(d, ValuesOf(d, geometry::u_of(vertices), rows), b, at, f.u, f.dudx, f.dudy);
-    Coordinate(d, ValuesOf(d, geometry::v_of(vertices), rows), b, at, f.v, f.dvdx, f.dvdy);
-  }
-  InterpolateExtras(d, vertices, rows, b, wanted, at, f);
+}
+
+/// Returns the first row after `begin` with another triangle or in another cell, or `end`.
+HWY_INLINE size_t EndOfSpan(const Fragments& f, size_t begin, size_t end) {
+  end = end_of_triangle(f.triangle, begin, end);
+  const bool is_cell = (f.left | f.top) % kTile == 0;
+  if (HWY_LIKELY(is_cell)) return end;
+  const Cell cell = cell_of(f.left, f.top, f.pixel[begin]);
+  size_t i = begin + 1;
+  while (i < end && cell_of(f.left, f.top, f.pixel[i]) == cell) ++i;
+  return i;
 }
 
 void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t wanted, Fragments& f) {
   const hn::ScalableTag<float> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  const size_t lanes = hn::Lanes(d);
-  for (size_t at = 0; at < f.count; at += lanes) {
-    if (ShareTriangle(d, f, at)) {
-      const OneRow rows[3] = {{f.vertex[0][at]}, {f.vertex[1][at]}, {f.vertex[2][at]}};
-      InterpolateRows(d, vertices, rows, eye, wanted, at, f);
-    } else {
-      const auto first = [&](int k) {
-        const hn::RebindToUnsigned<decltype(d)> du;
-        return hn::BitCast(di, hn::ShiftLeft<2>(hn::Load(du, f.vertex[k] + at)));
-      };
-      const RowPerLane<decltype(d)> rows[3] = {{first(0)}, {first(1)}, {first(2)}};
-      InterpolateRows(d, vertices, rows, eye, wanted, at, f);
+  const size_t count = (f.count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
+  for (size_t begin = 0, end; begin < count; begin = end) {
+    end = EndOfSpan(f, begin, count);
+    TriangleRows triangle = {vertices, {}, eye, wanted, {}, {}, {}};
+    for (size_t k = 0; k < 3; ++k) triangle.vertex[k] = geometry::row_of(vertices, f.triangle[begin], k);
+    find_planes(vertices, triangle.vertex, cell_of(f.left, f.top, f.pixel[begin]), wanted, &triangle.planes);
+    for (size_t c = 0; c < 3; ++c) {
+      triangle.position[c] = triangle.SidesOf(vertices.world.data(), c);
+      triangle.normal[c] = triangle.SidesOf(vertices.normal.data(), c);
     }
+    InterpolateTriangle(triangle, begin, end, f);
   }
 }
 

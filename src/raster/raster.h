@@ -32,7 +32,8 @@
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
 /// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one tile |
-/// | barycentric-inl.h  | barycentric coordinates with their derivatives, affine without perspective |
+/// | planes.h           | attributes of one triangle as planes over one cell of the picture     |
+/// | planes-inl.h       | their values at vectors of pixels, with derivatives                   |
 /// | varyings.h         | kernel: outputs of vertex programs, in three interpolations           |
 /// | attribute-inl.h    | barycentric interpolation, shared by these two kernels                |
 #pragma once

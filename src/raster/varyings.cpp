@@ -14,27 +14,14 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// All lanes belong to the same triangle.
-struct OneTriangle {
+/// Rows of the vertices of a triangle.
+struct Triangle {
   size_t vertex[3];
 
   /// Component c of vertex k, of rows of `stride`.
   template <class D>
   HWY_INLINE hn::Vec<D> Get(D d, const float* rows, size_t stride, int k, size_t c) const {
     return hn::Set(d, rows[stride * vertex[k] + c]);
-  }
-};
-
-/// Each lane has its own vertices. A gather is not possible: its 32-bit indices are too small for 16 values of 2^28
-/// vertices.
-struct TrianglePerLane {
-  const uint32_t* vertex[3];
-
-  template <class D>
-  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, size_t stride, int k, size_t c) const {
-    HWY_ALIGN float lane[data::kRowPad];
-    for (size_t i = 0; i < hn::Lanes(d); ++i) lane[i] = rows[stride * vertex[k][i] + c];
-    return hn::Load(d, lane);
   }
 };
 
@@ -45,7 +32,7 @@ struct Weights {
 
 /// Screen-space barycentrics of raster position (px, py); `perspective` where they do not exist, and where the vertices
 /// have one w, so that both are equal.
-template <class D, class Triangle, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D>>
 HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& triangle, V px, V py,
                                     const Weights<V>& perspective) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -78,44 +65,41 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
   return {b1, hn::Min(hn::Max(raw2, zero), one - b1)};
 }
 
-/// Interpolates one vector of rows from row `at` on.
-template <class D, class Triangle>
-HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Triangle& triangle,
-                                const shd_interpolation* modes, bool any_affine, const Fragments& f, size_t at,
-                                float* const* out) {
-  using V = hn::Vec<D>;
-  const Weights<V> perspective = {hn::Load(d, f.bary[1] + at), hn::Load(d, f.bary[2] + at)};
-  Weights<V> affine = perspective;
-  if (any_affine) {
-    affine =
-        ScreenWeights(d, vertices.raster.data(), triangle, hn::Load(d, f.x + at), hn::Load(d, f.y + at), perspective);
-  }
+/// Interpolates rows begin..end - 1, which belong to one triangle. The last vector may write past them.
+void InterpolateTriangle(const geometry::Vertices& vertices, const Triangle& triangle, const shd_interpolation* modes,
+                         size_t begin, size_t end, const Fragments& f, float* const* out) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
   const size_t count = vertices.varying_count;
   const float* rows = vertices.varying.data();
-  for (size_t c = 0; c < count; ++c) {
-    V value = triangle.Get(d, rows, count, 0, c);
-    if (modes[c] != SHD_INTERPOLATION_FLAT) {
-      const Weights<V>& b = modes[c] == SHD_INTERPOLATION_AFFINE ? affine : perspective;
-      value = Blend(d, value, triangle.Get(d, rows, count, 1, c), triangle.Get(d, rows, count, 2, c), b.b1, b.b2);
+  bool any_affine = false;
+  for (size_t c = 0; c < count; ++c) any_affine |= modes[c] == SHD_INTERPOLATION_AFFINE;
+  for (size_t at = begin; at < end; at += hn::Lanes(d)) {
+    const Weights<V> perspective = {hn::LoadU(d, f.bary[1] + at), hn::LoadU(d, f.bary[2] + at)};
+    Weights<V> affine = perspective;
+    if (any_affine) {
+      affine = ScreenWeights(d, vertices.raster.data(), triangle, hn::LoadU(d, f.x + at), hn::LoadU(d, f.y + at),
+                             perspective);
     }
-    hn::Store(value, d, out[c] + at);
+    for (size_t c = 0; c < count; ++c) {
+      CornerValues<V> value;
+      for (int k = 0; k < 3; ++k) value.a[k] = triangle.Get(d, rows, count, k, c);
+      const Weights<V>& b = modes[c] == SHD_INTERPOLATION_AFFINE ? affine : perspective;
+      const bool flat = modes[c] == SHD_INTERPOLATION_FLAT;
+      hn::StoreU(flat ? value.a[0] : Blend(d, value, b.b1, b.b2), d, out[c] + at);
+    }
   }
 }
 
 void InterpolateVaryings(const geometry::Vertices& vertices, const shd_interpolation* modes, const Fragments& f,
                          float* const* out) {
   const hn::ScalableTag<float> d;
-  const size_t lanes = hn::Lanes(d);
-  bool any_affine = false;
-  for (uint32_t c = 0; c < vertices.varying_count; ++c) any_affine |= modes[c] == SHD_INTERPOLATION_AFFINE;
-  for (size_t at = 0; at < f.count; at += lanes) {
-    if (ShareTriangle(d, f, at)) {
-      const OneTriangle triangle = {{f.vertex[0][at], f.vertex[1][at], f.vertex[2][at]}};
-      InterpolateRows(d, vertices, triangle, modes, any_affine, f, at, out);
-    } else {
-      const TrianglePerLane triangle = {{f.vertex[0] + at, f.vertex[1] + at, f.vertex[2] + at}};
-      InterpolateRows(d, vertices, triangle, modes, any_affine, f, at, out);
-    }
+  const size_t count = (f.count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
+  for (size_t begin = 0, end; begin < count; begin = end) {
+    end = end_of_triangle(f.triangle, begin, count);
+    Triangle triangle;
+    for (size_t k = 0; k < 3; ++k) triangle.vertex[k] = geometry::row_of(vertices, f.triangle[begin], k);
+    InterpolateTriangle(vertices, triangle, modes, begin, end, f, out);
   }
 }
 
@@ -128,9 +112,9 @@ namespace shd::raster {
 HWY_EXPORT(InterpolateVaryings);
 
 void allocate(const core::Allocator& allocator, uint32_t count, Varyings* out) {
-  out->block = core::Array<float>(allocator, count * kBatch);
+  out->block = core::Array<float>(allocator, count * kColumn);
   out->block.fill_zero();
-  for (uint32_t c = 0; c < count; ++c) out->column[c] = out->block.data() + c * kBatch;
+  for (uint32_t c = 0; c < count; ++c) out->column[c] = out->block.data() + c * kColumn;
 }
 
 void interpolate_varyings(const core::SimdTarget& simd, const geometry::Vertices& vertices,

@@ -12,8 +12,8 @@
 
 namespace shd::raster {
 
-/// Varyings of vertex programs at the rows of a batch: columns of kBatch elements in one block. Empty if no draw of the
-/// frame has varyings.
+/// Varyings of vertex programs at the rows of a batch: columns of kColumn elements in one block. Empty if no draw of
+/// the frame has varyings.
 struct Varyings {
   core::Array<float> block;
   float* column[SHD_MAX_VARYINGS] = {};
@@ -22,8 +22,8 @@ struct Varyings {
 /// Allocates `count` columns. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t count, Varyings* out);
 
-/// Interpolates the varyings of `fragments`, whose barycentrics and vertices must be set. Rows past count up to the
-/// next whole vector must repeat the last one, and rows must be sorted by triangle.
+/// Interpolates the varyings of `fragments`, whose barycentrics and triangles must be set. Rows past count up to the
+/// next whole vector must repeat the last one. Elements past that vector may change.
 ///
 /// PERSPECTIVE blends by the perspective-correct barycentrics. AFFINE blends by the screen-space barycentrics: the
 /// areas between the point (x, y) and the projected vertices (X / W, Y / W) of the unclipped triangle, clamped to it.

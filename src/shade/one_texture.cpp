@@ -26,18 +26,18 @@ bool writes_rgba8(const material::Material& material) {
 }
 
 void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,
-                       const raster::TextureColumns& columns, size_t rows, Workspace* workspace, float* const out[3],
-                       uint32_t* rgba8) {
+                       size_t rows, Workspace* workspace, float* const out[3], uint32_t* rgba8) {
   const material::Material& material = *shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   raster::Fragments& f = workspace->fragments;
-  const bool one_footprint = raster::interpolate_texture(simd, *shading.vertices, pixels, columns, &f);
+  raster::interpolate_texture(simd, pixels, &f);
   const float* const uv[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
   texture::Texels texels = {};
   for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];
   texels.rgba8 = rgba8;
   texture::Lookups lookups = material::lookups_of(slot, uv, rows, workspace->columns.uv);
-  lookups.one_footprint = one_footprint && !slot.is_transformed;  // a transform may overflow
+  lookups.finite = !slot.is_transformed;  // a transform may overflow
+  lookups.one_footprint = lookups.finite && raster::is_affine(pixels.planes);
   texture::sample(*slot.texture, *slot.sampler, simd, lookups, texels);
   for (int c = 0; c < 3; ++c) {
     for (size_t i = 0; i < rows && material.diffuse[c] != 1.0f; ++i) out[c][i] *= material.diffuse[c];

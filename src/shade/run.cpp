@@ -22,28 +22,17 @@
 namespace shd::shade {
 namespace {
 
-/// Fills the vertices and interpolated attributes of fragments. Fragments up to the next whole vector repeat the last
-/// one.
+/// Fills the interpolated attributes of fragments whose x, y, pixel, depth and triangle are set.
 void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
-                        const raster::FragmentRuns& runs, raster::Fragments* f) {
-  const size_t count = f->count, end = data::padded(count);
-  if (runs.sets_places) raster::set_places(runs, f);
-  std::fill(f->x + count, f->x + end, f->x[count - 1]);
-  std::fill(f->y + count, f->y + end, f->y[count - 1]);
-  std::fill(f->depth + count, f->depth + end, f->depth[count - 1]);
-  std::fill(f->triangle + count, f->triangle + end, f->triangle[count - 1]);
-  uint32_t vertex[3] = {};
-  size_t row = 0;
-  for (size_t i = 0; i < runs.count; ++i) {
-    const size_t begin = row;
-    row += size_t{runs.run[i].end} - runs.run[i].begin;
-    for (size_t k = 0; k < 3; ++k) {
-      vertex[k] = row_of(*shading.vertices, runs.triangle[i], k);
-      // In fours: the rows behind belong to the next run.
-      for (size_t at = begin; at < row; at += 4) std::fill_n(f->vertex[k] + at, 4, vertex[k]);
-    }
+                        raster::Fragments* f) {
+  // Fragments up to the next whole vector repeat the last one.
+  for (size_t i = f->count; i < data::padded(f->count); ++i) {
+    f->x[i] = f->x[f->count - 1];
+    f->y[i] = f->y[f->count - 1];
+    f->depth[i] = f->depth[f->count - 1];
+    f->triangle[i] = f->triangle[f->count - 1];
+    f->pixel[i] = f->pixel[f->count - 1];
   }
-  for (size_t k = 0; k < 3; ++k) std::fill(f->vertex[k] + count, f->vertex[k] + end, vertex[k]);
   raster::interpolate(simd, *shading.vertices, eye, wanted, f);
 }
 
@@ -241,7 +230,7 @@ void shade_points(const core::SimdTarget& simd, const material::Material& materi
 
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* w) {
-  complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), w->runs, &w->fragments);
+  complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
   if (shading.frequency != SHD_FREQUENCY_PHONG) make_points(shading, view.eye, w);
   if (shading.material->model == SHD_MODEL_PROGRAM) {
     shade_program(simd, shading, w);

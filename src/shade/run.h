@@ -31,8 +31,7 @@ struct DrawShading {
 
 /// Scratch of one worker.
 struct Workspace {
-  raster::Fragments fragments;  // the caller fills count, pixel, mask and depth; x, y and triangle unless runs do
-  raster::FragmentRuns runs;    // of the fragments
+  raster::Fragments fragments;  // the caller fills count, pixel, triangle, x, y and depth
   raster::Fragments points;     // corners or centroids
   raster::Varyings varyings;    // at the fragments at Phong frequency, otherwise at the points
   Columns columns;

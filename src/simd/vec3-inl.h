@@ -28,9 +28,9 @@ HWY_INLINE Vec3V<V> Load3(D d, const float* x, const float* y, const float* z, s
 
 template <class D, class V>
 HWY_INLINE void Store3(D d, const Vec3V<V>& v, float* x, float* y, float* z, size_t i) {
-  hn::Store(v.x, d, x + i);
-  hn::Store(v.y, d, y + i);
-  hn::Store(v.z, d, z + i);
+  hn::StoreU(v.x, d, x + i);
+  hn::StoreU(v.y, d, y + i);
+  hn::StoreU(v.z, d, z + i);
 }
 
 /// Returns a vector that is the same in every lane.

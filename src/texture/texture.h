@@ -225,6 +225,7 @@ struct Lookups {
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
   const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
   bool one_footprint = false;        // each column of derivatives holds one finite value; false = not known
+  bool finite = false;               // all columns of floats hold finite values; false = not known
   const float* reference = nullptr;  // read by samplers with `compares`; null = 0
 
   /// Returns a column by its number, for code that treats all columns equally.

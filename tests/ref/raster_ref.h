@@ -117,6 +117,11 @@ inline Weights homogeneous_weights(const float (*v)[4], double x, double y) {
   return w;
 }
 
+/// W at the point of the weights; a point that is seen has W > 0.
+inline Real interpolated_w(const float (*v)[4], const Weights& weights) {
+  return weights.b[0] * v[0][3] + weights.b[1] * v[1][3] + weights.b[2] * v[2][3];
+}
+
 /// A float calculation in exact arithmetic: its true value, and a bound of the rounding error of the float result.
 /// Running error analysis: Higham, "Accuracy and Stability of Numerical Algorithms" (2002), section 3.3.
 struct Bounded {

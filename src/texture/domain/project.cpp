@@ -77,7 +77,7 @@ size_t Project(const Lookups& in, ProjectedBlock* out) {
   });
   Lookups& points = out->points;
   points = in;
-  points.one_footprint = false;
+  points.one_footprint = points.finite = false;
   points.u = out->u, points.v = out->v, points.w = points.dwdx = points.dwdy = nullptr;
   points.dudx = steps_given ? out->step[0] : nullptr, points.dvdx = steps_given ? out->step[1] : nullptr;
   points.dudy = steps_given ? out->step[2] : nullptr, points.dvdy = steps_given ? out->step[3] : nullptr;

@@ -92,6 +92,10 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   j.dvdx = hn::LoadU(d, in.dvdx + i);
   j.dudy = hn::LoadU(d, in.dudy + i);
   j.dvdy = hn::LoadU(d, in.dvdy + i);
+  if (HWY_LIKELY(in.finite)) {
+    p.finite = hn::Eq(hn::Zero(d), hn::Zero(d));
+    return p;
+  }
   // x - x is 0 for finite x and NaN for others.
   const auto point = (p.u - p.u) + (p.v - p.v);
   const auto along_x = (j.dudx - j.dudx) + (j.dvdx - j.dvdx);
@@ -140,11 +144,12 @@ HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   const BatchTag d;
   const size_t lanes = hn::Lanes(d);
   Tail tail;
-  Lookups in = block;
-  for (size_t to = 0; to < block.count; to += lanes) {
-    const bool whole = block.count - to >= lanes;
-    if (HWY_UNLIKELY(!whole)) in = tail.copy(block, to);
-    body(d, static_cast<const Lookups&>(in), whole ? to : 0, to);
+  // The whole vectors, then the incomplete one. Within each loop the columns are constants.
+  for (size_t begin = 0, end = block.count / lanes * lanes; begin < block.count; begin = end, end = block.count) {
+    if (begin == end) continue;
+    const bool whole = begin == 0 && end >= lanes;
+    const Lookups in = whole ? block : tail.copy(block, begin);
+    for (size_t to = begin; to < end; to += lanes) body(d, in, to - (whole ? 0 : begin), to);
   }
 }
 
@@ -159,7 +164,7 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   out->count = in.count;
   ForEachVector(WithAllColumns(in), [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto points = LoadPoints(d, from, i);
-    if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
+    if (HWY_UNLIKELY(!in.finite && !hn::AllTrue(d, points.finite))) {
       nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, in.count - to)));
     }
     hn::Store(ReduceCoordinate(d, sampler.wrap_u, points.u), d, out->u + to);
@@ -244,7 +249,7 @@ HWY_INLINE size_t FillOneLod(const Texture& texture, const Sampler& sampler, con
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto u = hn::LoadU(d, from.u + i), v = hn::LoadU(d, from.v + i);
     const auto finite = hn::Eq((u - u) + (v - v), hn::Zero(d));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+    if (HWY_UNLIKELY(!in.finite && !hn::AllTrue(d, finite))) {
       nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));
       u = FiniteOrZero(d, u);
       v = FiniteOrZero(d, v);

@@ -12,6 +12,7 @@
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain; unorm channels stay codes
 //   finish<C>(d, value)       result of a value in the lerp domain
 //   kFloat                    texels may be infinite or NaN, and their blends may overflow
+//   kCodes8                   blends are codes of 8 bits before rounding, for formats with rows
 //
 // The source is the TexelSource of the stream, or that of unpacked texels (unpacked-inl.h).
 //

@@ -40,43 +40,112 @@ HWY_INLINE hn::Vec<D> BlendRowQuads(D d, const Blend<F, false>& b, const RowQuad
   return b.blend(d, top, bottom, t);
 }
 
+/// Writes a vector of opaque pixels from their codes.
+template <class V>
+HWY_INLINE void StoreOpaque(V codes, uint32_t* pixels) {
+  const hn::RebindToUnsigned<BatchTag> du;
+  hn::StoreU(hn::Or(codes, hn::Set(du, 0xff000000u)), du, pixels);
+}
+
 /// Writes a vector of opaque pixels, as image::encode_pixels() does.
 template <class V>
 HWY_INLINE void StorePixels(const V (&color)[3], uint32_t* pixels) {
+  StoreOpaque(image::HWY_NAMESPACE::Unorm8Codes<3>(color), pixels);
+}
+
+/// Writes a vector of opaque pixels from blends of the Format F.
+template <class F, class V>
+HWY_INLINE void StoreFinished(V r, V g, V b, uint32_t* pixels) {
+  const BatchTag d;
+  StorePixels({F::template finish<0>(d, r), F::template finish<1>(d, g), F::template finish<2>(d, b)}, pixels);
+}
+template <class F, class V>
+HWY_NOINLINE void StoreNearTie(V r, V g, V b, uint32_t* pixels) {
+  StoreFinished<F>(r, g, b, pixels);
+}
+
+/// Writes opaque pixels whose channels are codes of 8 bits before rounding, with the bits of StorePixels(). A value in
+/// 0..1 is the code over 255 with an error below 2^-15 codes, so the nearest code is that of the blend itself unless it
+/// lies within 2^-13 of a tie. The sum is a multiple of 2^-15, with the code in the bits 15..22.
+template <class F, class V>
+HWY_INLINE void StoreCodes(const V (&code)[3], uint32_t* pixels) {
+  using image::HWY_NAMESPACE::CodeAtByte;
+  const BatchTag d;
   const hn::RebindToUnsigned<BatchTag> du;
-  hn::StoreU(hn::Or(image::HWY_NAMESPACE::Unorm8Codes<3>(color), hn::Set(du, 0xff000000u)), du, pixels);
+  const auto below = hn::Set(du, 0x7ff8u);
+  hn::Vec<decltype(du)> bits[3];
+  for (size_t c = 0; c < 3; ++c) bits[c] = hn::BitCast(du, code[c] + hn::Set(d, 256.5f + 0x1p-13f));
+  const auto least = hn::Min(hn::Min(hn::And(bits[0], below), hn::And(bits[1], below)), hn::And(bits[2], below));
+  if (HWY_UNLIKELY(!hn::AllFalse(du, hn::Eq(least, hn::Zero(du)))))
+    return StoreNearTie<F>(code[0], code[1], code[2], pixels);
+  StoreOpaque(hn::Or(hn::Or(CodeAtByte<0>(bits[0]), CodeAtByte<1>(bits[1])), CodeAtByte<2>(bits[2])), pixels);
+}
+
+/// Blends channel C of the quads of both levels.
+template <class F>
+struct RowBlend {
+  using D = BatchTag;
+  using V = hn::Vec<D>;
+
+  const RowStream& rows;
+  const TexelSource source;
+  const Blend<F, false> blend;
+
+  /// Sets the channels of `wanted` of the vector of lookups at i.
+  template <class Wanted>
+  HWY_INLINE void At(size_t i, const Wanted& wanted, V (&value)[4]) const {
+    const D d;
+    typename F::template Texel<D> quad[4];
+    FetchRowQuads<F>(d, source, rows.quads[0], i, quad);
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendRowQuads<c>(d, blend, rows.quads[0], i, quad); });
+    if (!rows.blended) return;
+    FetchRowQuads<F>(d, source, rows.quads[1], i, quad);
+    const auto fraction = hn::Load(d, rows.fraction + i);
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
+      value[c] = blend.blend(d, value[c], BlendRowQuads<c>(d, blend, rows.quads[1], i, quad), fraction);
+    });
+  }
+};
+
+/// The channels of opaque pixels.
+struct ColorChannels {
+  template <class Body>
+  HWY_INLINE void for_each(const Body& body) const {
+    body(std::integral_constant<size_t, 0>());
+    body(std::integral_constant<size_t, 1>());
+    body(std::integral_constant<size_t, 2>());
+  }
+};
+
+/// Blends the quads of a block and writes opaque pixels.
+template <class F>
+HWY_NOINLINE void WritePixels(const RowBlend<F>& blend, uint32_t* pixels) {
+  const BatchTag d;
+  for (size_t i = 0; i < blend.rows.count; i += hn::Lanes(d)) {
+    hn::Vec<BatchTag> value[4];
+    blend.At(i, ColorChannels(), value);
+    if constexpr (F::kCodes8) {
+      StoreCodes<F>({value[0], value[1], value[2]}, pixels + i);
+    } else {
+      StoreFinished<F>(value[0], value[1], value[2], pixels + i);
+    }
+  }
 }
 
 /// Blends the quads of a block and writes values of the Format F; a ConsumeRows.
 template <class F>
 void ConsumeRowsOf(const RowStream& rows, Consumption* consumption) {
-  using D = BatchTag;
-  const D d;
-  const TexelSource source = consumption->texels;
-  const Blend<F, false> b(*consumption);
-  const WantedChannels wanted = WantedBy<Blend<F, false>>(consumption->out);
+  const BatchTag d;
+  const RowBlend<F> blend = {rows, consumption->texels, Blend<F, false>(*consumption)};
   const Texels& out = consumption->out;
   const size_t done = consumption->done, left = consumption->count - done;
+  if (out.rgba8) return WritePixels(blend, out.rgba8 + done);
+  const WantedChannels wanted = WantedBy<Blend<F, false>>(out);
   for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    typename F::template Texel<D> quad[4];
-    hn::Vec<D> value[4] = {};
-    FetchRowQuads<F>(d, source, rows.quads[0], i, quad);
-    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendRowQuads<c>(d, b, rows.quads[0], i, quad); });
-    if (rows.blended) {
-      FetchRowQuads<F>(d, source, rows.quads[1], i, quad);
-      const auto fraction = hn::Load(d, rows.fraction + i);
-      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
-        value[c] = b.blend(d, value[c], BlendRowQuads<c>(d, b, rows.quads[1], i, quad), fraction);
-      });
-    }
-    if (out.rgba8) {
-      const hn::Vec<D> color[3] = {b.template finish<0>(d, value[0]), b.template finish<1>(d, value[1]),
-                                   b.template finish<2>(d, value[2])};
-      StorePixels(color, out.rgba8 + done + i);
-      continue;
-    }
+    hn::Vec<BatchTag> value[4] = {};
+    blend.At(i, wanted, value);
     wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
-      StoreFirst(d, b.template finish<c>(d, value[c]), left - i, out.channel[c] + done + i);
+      StoreFirst(d, Blend<F, false>::template finish<c>(d, value[c]), left - i, out.channel[c] + done + i);
     });
   }
 }

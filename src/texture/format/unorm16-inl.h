@@ -45,6 +45,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 struct Unorm16 : TwoWords {
   static constexpr bool kFloat = false;
+  static constexpr bool kCodes8 = false;
 
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {

@@ -46,6 +46,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 struct Unorm8 : OneWord {
+  static constexpr bool kCodes8 = true;
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
     return hn::ConvertTo(d, Byte<C>(hn::RebindToSigned<D>(), texel));

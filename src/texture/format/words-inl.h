@@ -24,9 +24,18 @@ HWY_INLINE V CodeToUnit(D d, CodeScale scale, V code) {
   return code * hn::Set(d, scale.high) + code * hn::Set(d, scale.low);
 }
 
-/// Returns byte C of every word.
+/// Returns byte C of every word. A shuffle takes one operation where a shift and a mask take two.
 template <size_t C, class DI, class VI>
 HWY_INLINE VI Byte(DI di, VI words) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+  if constexpr (C == 1 || C == 2) {
+    constexpr uint8_t kNone = 0x80;
+    alignas(16) static constexpr uint8_t kFrom[16] = {C,     kNone, kNone, kNone, C + 4,  kNone, kNone, kNone,
+                                                      C + 8, kNone, kNone, kNone, C + 12, kNone, kNone, kNone};
+    const hn::Repartition<uint8_t, DI> bytes;
+    return hn::BitCast(di, hn::TableLookupBytesOr0(hn::BitCast(bytes, words), hn::LoadDup128(bytes, kFrom)));
+  }
+#endif
   const hn::RebindToUnsigned<DI> du;
   const auto shifted = hn::BitCast(di, hn::ShiftRight<static_cast<int>(8 * C)>(hn::BitCast(du, words)));
   return C == 3 ? shifted : shifted & hn::Set(di, 255);
@@ -35,6 +44,7 @@ HWY_INLINE VI Byte(DI di, VI words) {
 /// Fetches of four 8-bit codes in one word. fetch branches on the number of channels, which is constant over a batch.
 struct OneWord : QuadsOfPairs<OneWord> {
   static constexpr bool kFloat = false;
+  static constexpr bool kCodes8 = false;  // blends are codes of 8 bits
   template <class D>
   using Texel = Ints<D>;
 

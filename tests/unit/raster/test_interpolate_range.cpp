@@ -34,11 +34,11 @@ const extreme_case k_extremes[] = {
 /// vertices.
 void check_finite(const char* name, float low, float high) {
   const raster::Fragments& f = g->fragments;
-  const float* const columns[] = {f.bary[0], f.bary[1], f.bary[2], f.px, f.py, f.pz,   f.nx,   f.ny,   f.nz,
-                                  f.ox,      f.oy,      f.oz,      f.u,  f.v,  f.dudx, f.dvdx, f.dudy, f.dvdy};
+  const ColumnList columns = columns_of(f);
   for (size_t i = 0; i < f.count; ++i) {
-    for (size_t c = 0; c < 18; ++c) {
-      if (!std::isfinite(columns[c][i])) fail_msg("%s: row %zu column %zu is %g", name, i, c, columns[c][i]);
+    for (size_t c = 0; c < kColumns; ++c) {
+      const float value = columns.column[c][i];
+      if (!std::isfinite(value)) fail_msg("%s: row %zu column %zu is %g", name, i, c, double{value});
     }
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) {
@@ -70,18 +70,22 @@ void run_extreme(const char* name, const float* attribute) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
     check_finite(name, low, high);
-    if (!first) return compare_blocks(target.name);
-    keep_block();
+    if (!first) return compare_rows(target.name);
+    keep_rows();
   });
 }
 
 void test_extreme(void** state) {
   const auto* c = static_cast<const extreme_case*>(*state);
   set_extreme(c->raster, c->attribute);
-  const float places[][2] = {{5.5f, 5.5f}, {0.5f, 0.5f}, {65535.5f, 65535.5f}, {65535.5f, 0.5f}};
-  for (size_t i = 0; i < 64; ++i) set_fragment(i, 0, places[i % 4][0], places[i % 4][1]);
-  finish(64);
-  run_extreme(c->name, c->attribute);
+  // The first and the last tile of the largest picture.
+  for (const int32_t place : {0, 65536 - raster::kTile}) {
+    g->fragments.left = g->fragments.top = place;
+    const uint32_t pixels[] = {5 * kTile + 5, 0, kTile * kTile - 1, kTile - 1};
+    for (size_t i = 0; i < 64; ++i) set_fragment(i, 0, pixels[i % 4]);
+    finish(64);
+    run_extreme(c->name, c->attribute);
+  }
 }
 
 /// Finite floats with random bit patterns.
@@ -94,9 +98,9 @@ void test_random_bits(void**) {
     }
     for (float& a : attribute) a = random.scaled(n % 2 ? 100.0 : -149.0, 127.99);
     set_extreme(v, attribute);
+    choose_tile(&random);
     for (size_t i = 0; i < 64; ++i) {
-      set_fragment(i, 0, static_cast<float>(random.whole(0, 65535)) + 0.5f,
-                   static_cast<float>(random.whole(0, 65535)) + 0.5f);
+      set_fragment(i, 0, static_cast<uint32_t>(random.whole(0, kTile * kTile - 1)));
     }
     finish(64);
     run_extreme("random", attribute);

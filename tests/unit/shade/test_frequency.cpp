@@ -134,7 +134,7 @@ void corner(size_t i, float x, float y, float w) {
 void make_scene(Random* random, size_t fragments) {
   const float normal[3] = {0.0f, 0.6f, 0.8f};
   for (uint32_t t = 0; t < kTriangles; ++t) {
-    const float x = random->real(0, 500), y = random->real(0, 500), place[3][2] = {{-9, -7}, {8, -6}, {1, 12}};
+    const float x = random->real(2, 62), y = random->real(2, 62), place[3][2] = {{-9, -7}, {8, -6}, {1, 12}};
     for (size_t k = 0; k < 3; ++k) {
       const float p[3] = {random->real(-2, 2), random->real(-2, 2), 0.0f};
       const float on_plane[3] = {p[0], p[1], -0.75f * p[1]};

@@ -1616,8 +1616,8 @@ namespace Shd.Native
     /// 14.5, antialiased lines). Points are squares around the vertices. Both lie on the grid of 8 subpixel bits and cover
     /// samples as triangles do, so a line or point narrower than 1 may fall between samples. Depth varies along a line and
     /// is constant across it; a point has the depth of its vertex. depth_bias_slope uses these depths instead of the
-    /// triangle's. Attributes are interpolated at the pixel, with barycentric coordinates clamped to the triangle; a
-    /// triangle without area gives the mean of its corners.
+    /// triangle's. Attributes are interpolated at the pixel, with barycentric coordinates clamped to the triangle, and
+    /// texture coordinates clamped to those of its vertices; a triangle without area gives the mean of its corners.
     ///
     /// Culling drops all lines and points of a triangle. A triangle without area is dropped if `cull` is not NONE. Clipping
     /// at the near and far plane adds no edges. A vertex beyond these planes has no point, and an edge without length has no
