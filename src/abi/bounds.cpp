@@ -9,6 +9,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup.h"
+#include "texture/domain/profile.h"
 #include "texture/oracle/bounds/bounds.h"
 #include "texture/oracle/bounds/fold.h"
 
@@ -48,6 +49,8 @@ shd_result check_bounded(const texture::Texture& texture, const texture::Sampler
   }
   if (sampler.blur_u != 0.0f || sampler.blur_v != 0.0f) return refuse("sampler.blur_u, blur_v: not 0, which");
   if (sampler.level_steepness != 1.0f) return refuse("sampler.level_blend: not 1, which");
+  const bool lines = sampler.filter == SHD_FILTER_ANISOTROPIC && !texture::is_foreign(sampler.profile);
+  if (lines && sampler.precision == SHD_PRECISION_FAST) return refuse("sampler.precision: FAST of ANISOTROPIC");
   if (rules & SHD_LEVEL_RULE_PROFILE && sampler.profile == SHD_PROFILE_OIIO) return refuse("sampler.profile: OIIO");
   return SHD_OK;
 }

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "raster/depth_bounds-inl.h"
+#include "raster/small_triangles-inl.h"
 #include "raster/traverse-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,6 +47,15 @@ class Passes {
   const MaskV smaller_, larger_, equal_;
 };
 
+/// Passes for one depth; the same for NaN.
+template <Unlike kUnlike>
+HWY_INLINE bool PassesOne(const DepthTest& test, float z, float stored) {
+  if (kUnlike == Unlike::kSmaller) return (z < stored) != test.equal;
+  if (kUnlike == Unlike::kLarger) return (stored < z) != test.equal;
+  const bool smaller = test.less != test.equal && z < stored, larger = test.greater != test.equal && stored < z;
+  return (smaller || larger) != test.equal;
+}
+
 /// Compile-time variant of a kernel. Rejected alternatives: a kernel for each of the eight comparisons was five times
 /// the code and no faster; one kernel for all of them, always clipped, was a quarter of the code but up to a third
 /// slower.
@@ -77,40 +87,75 @@ HWY_INLINE void WithVariant(uint32_t samples, const DepthTest& test, bool clippe
 /// For a smaller box, covering the pixels costs less than testing the bounds.
 constexpr int32_t kMinBoundedPixels = 128;
 
+/// Where cover() draws, and how.
+struct CoverTarget {
+  const CoverArea& area;
+  const DepthState& state;
+  Tile& tile;
+  bool has_slots;
+};
+
+template <class Variant>
+HWY_INLINE void CoverSmall(const CoverTarget& target, const SmallTriangles& triangles, size_t i, uint32_t number) {
+  const DepthTest test = depth_test(target.state.compare);
+  float* depth = target.tile.depth.data();
+  uint32_t* slot = target.tile.slot.data();
+  const bool writes = target.state.writes, has_slots = target.has_slots;
+  ForEachSmall<Variant::kSamples>(triangles, i, target.area.pattern.count, [&](size_t at, float z) {
+    const float stored = depth[at];
+    const bool pass = PassesOne<Variant::kUnlike>(test, z, stored);
+    if (writes) depth[at] = pass ? z : stored;
+    if (has_slots) slot[at] = pass ? number : slot[at];
+  });
+}
+
+template <class Variant>
+HWY_NOINLINE void CoverLarge(const CoverTarget& target, const geometry::ScreenTriangle& triangle, uint32_t number,
+                             Bounds& bounds) {
+  const Tag d;
+  const hn::RebindToUnsigned<Tag> du;
+  const DepthState& state = target.state;
+  const geometry::PixelBox box = box_in_tile(triangle, target.area);
+  if (geometry::is_empty(box)) return;
+  const int32_t pixels = (box.max_x - box.min_x + 1) * (box.max_y - box.min_y + 1);
+  if (pixels >= kMinBoundedPixels && !is_biased(state) && !bounds.MayPass(BlockBox(box), triangle)) return;
+  TriangleSetup setup;
+  if (!set_up(triangle, target.area, state, box, &setup)) return;
+  if (!setup.is_narrow) return cover_wide(setup, state, number, &target.tile);
+  const Passes<Variant::kUnlike> passes(depth_test(state.compare));
+  float* depth = target.tile.depth.data();
+  uint32_t* slot = target.tile.slot.data();
+  const bool has_slots = target.has_slots;
+  const auto id = hn::Set(du, number);
+  ForEachCovered<Variant>(setup, [&](size_t at, MaskV inside, V z) {
+    const auto stored = hn::Load(d, depth + at);
+    const auto pass = hn::And(inside, passes(z, stored));
+    if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
+    if (has_slots) {
+      hn::Store(hn::IfThenElse(hn::RebindMask(du, pass), id, hn::Load(du, slot + at)), du, slot + at);
+    }
+  });
+}
+
 template <class Variant>
 void CoverWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
                const uint32_t* entries, size_t count, uint32_t first_slot, Tile& tile) {
-  const Tag d;
-  const hn::RebindToUnsigned<Tag> du;
-  const bool has_slots = first_slot != kNoSlot;
-  const bool is_biased = state.bias != 0.0f || state.slope_bias != 0.0f;
-  const DepthTest test = depth_test(state.compare);
-  const Passes<Variant::kUnlike> passes(test);
-  Bounds bounds(trend_of(test), state.writes, tile);
-  float* depth = tile.depth.data();
-  uint32_t* slot = tile.slot.data();
-  for (size_t i = 0; i < count; ++i) {
-    const geometry::ScreenTriangle& triangle = triangles[entries[i]];
-    const geometry::PixelBox box = box_in_tile(triangle, area);
-    if (geometry::is_empty(box)) continue;
-    const int32_t pixels = (box.max_x - box.min_x + 1) * (box.max_y - box.min_y + 1);
-    if (pixels >= kMinBoundedPixels && !is_biased && !bounds.MayPass(BlockBox(box), triangle)) continue;
-    TriangleSetup setup;
-    if (!set_up(triangle, area, state, box, &setup)) continue;
-    const uint32_t number = has_slots ? first_slot + static_cast<uint32_t>(i) : kNoSlot;
-    if (!setup.is_narrow) {
-      cover_wide(setup, state, number, &tile);
-      continue;
-    }
-    const auto id = hn::Set(du, number);
-    ForEachCovered<Variant>(setup, [&](size_t at, MaskV inside, V z) {
-      const auto stored = hn::Load(d, depth + at);
-      const auto pass = hn::And(inside, passes(z, stored));
-      if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
-      if (has_slots) {
-        hn::Store(hn::IfThenElse(hn::RebindMask(du, pass), id, hn::Load(du, slot + at)), du, slot + at);
+  const CoverTarget target = {area, state, tile, first_slot != kNoSlot};
+  Bounds bounds(trend_of(depth_test(state.compare)), state.writes, tile);
+  SmallTriangles small;
+  small.is_small = 0;
+  const size_t lanes = hn::Lanes(Tag());
+  for (size_t begin = 0; begin < count; begin += lanes) {
+    const size_t end = std::min(begin + lanes, count);
+    if (!is_biased(state)) SetUpSmall(area, triangles, entries + begin, end - begin, small);
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t number = target.has_slots ? first_slot + static_cast<uint32_t>(i) : kNoSlot;
+      if (small.is_small >> (i - begin) & 1) {
+        CoverSmall<Variant>(target, small, i - begin, number);
+      } else {
+        CoverLarge<Variant>(target, triangles[entries[i]], number, bounds);
       }
-    });
+    }
   }
 }
 

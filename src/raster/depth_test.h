@@ -14,6 +14,10 @@ struct DepthState {
   float bias, slope_bias;  // slope_bias is a factor of the larger of |dz/dx| and |dz/dy| per pixel
 };
 
+constexpr bool is_biased(const DepthState& state) {
+  return state.bias != 0.0f || state.slope_bias != 0.0f;
+}
+
 using DepthTest = data::Comparison;
 using data::passes;
 

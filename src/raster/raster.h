@@ -25,6 +25,7 @@
 /// | triangle_setup.h   | one triangle over one tile: edges, depth and pixels                   |
 /// | coverage.h         | kernels: triangles into a tile's depths and slots, or into a mask     |
 /// | traverse-inl.h     | the covered samples of a triangle, vector by vector                   |
+/// | small_triangles-inl.h | triangles of at most 8 x 8 pixels, set up one per lane             |
 /// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
 /// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
 /// | nearest.h          | conservative coverage: the nearest triangle of each texel             |

@@ -12,21 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Returns a.low b.low + a.high b.high of the signed 16-bit halves of each 32-bit lane, modulo 2^32.
-template <class V>
-HWY_INLINE V PairDot(V a, V b) {
-#if HWY_TARGET == HWY_AVX3
-  return V{_mm512_madd_epi16(a.raw, b.raw)};
-#elif HWY_TARGET == HWY_AVX2
-  return V{_mm256_madd_epi16(a.raw, b.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-  return V{_mm_madd_epi16(a.raw, b.raw)};
-#else
-  const auto low = [](V pair) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(pair)); };
-  return low(a) * low(b) + hn::ShiftRight<16>(a) * hn::ShiftRight<16>(b);
-#endif
-}
-
 /// Returns (a b + 2^14) >> 15 of each pair of 16-bit halves in 0..32767.
 template <class V>
 HWY_INLINE V RoundedProducts(V a, V b) {
@@ -41,6 +26,24 @@ HWY_INLINE V RoundedProducts(V a, V b) {
   const auto half = hn::Set(d, 1 << 14), mask = hn::Set(d, 0xffff);
   const auto low = hn::ShiftRight<15>((a & mask) * (b & mask) + half);
   return low | hn::ShiftLeft<16>(hn::ShiftRight<15>(hn::ShiftRight<16>(a) * hn::ShiftRight<16>(b) + half));
+#endif
+}
+
+/// Returns a + ((b - a) s + 2^14 >> 15) of each pair of 16-bit halves in 0..32767.
+template <class V>
+HWY_INLINE V MixHalves(V a, V b, V s) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  const hn::DFromV<V> d;
+  const hn::Repartition<int16_t, hn::DFromV<V>> half;  // differences have a sign
+  const auto by_half = [&](V x) { return hn::BitCast(half, x); };
+  const auto product = RoundedProducts(hn::BitCast(d, hn::Sub(by_half(b), by_half(a))), s);
+  return hn::BitCast(d, hn::Add(by_half(a), by_half(product)));
+#else
+  const hn::DFromV<V> d;
+  const auto one_half = hn::Set(d, 1 << 14), mask = hn::Set(d, 0xffff);
+  const auto mix = [&](V from, V to, V by) { return from + hn::ShiftRight<15>((to - from) * by + one_half); };
+  const auto low = mix(a & mask, b & mask, s & mask);
+  return low | hn::ShiftLeft<16>(mix(hn::ShiftRight<16>(a), hn::ShiftRight<16>(b), hn::ShiftRight<16>(s)));
 #endif
 }
 

@@ -2,7 +2,8 @@
 /// @file
 /// Rows of quads: what linear filters hand to a format, in place of a stream, for a block of lookups that share their
 /// levels, as neighbouring pixels of a surface do. Levels, sizes and operations are then constants of the block, and
-/// the lower row of a quad lies at a constant distance. Texels lie in memory; none is the border.
+/// the lower row of a quad lies at a constant distance. Texels lie in memory; none is the border. Blocks whose lookups
+/// share no levels become rows too if the consumer takes rows only; all their quads are split.
 #pragma once
 
 #include <cstddef>

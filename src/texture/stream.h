@@ -151,25 +151,15 @@ struct RowStream;
 /// Blends the quads of a block of lookups with the bits of a Consume, and writes the results (rows.h).
 using ConsumeRows = void (*)(const RowStream& rows, Consumption* consumption);
 
-struct FixedVector;
-
-/// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
-struct FixedKernels {
-  /// Adds the quads of vectors of lookups to their sums.
-  void (*sum)(const TexelSource& source, FixedVector* vectors, size_t count);
-  /// Writes the channels of vectors of lookups, nothing from lookup `end` on.
-  void (*store)(const FixedVector* vectors, size_t count, size_t end, const Texels& out);
-};
-
 /// Derivatives that a call computes in addition to values, or instead: none, in u and v, or in w.
 enum class Gradient { kNone, kPlane, kDeep };
 
 /// The consumers of one format on one target, for one sampler.
 struct FormatKernels {
-  Consume values;      // values, with the border colour if the sampler's lookups may read it
-  Consume gradient;    // derivatives in u and v, or in w; null if none are wanted
-  ConsumeRows rows;    // values of rows of quads; null if derivatives are wanted, or filters emit none
-  FixedKernels fixed;  // values in fixed point
+  Consume values;    // values, with the border colour if the sampler's lookups may read it
+  Consume gradient;  // derivatives in u and v, or in w; null if none are wanted
+  ConsumeRows rows;  // values of rows of quads; null if derivatives are wanted, or filters emit none
+  bool rows_only;    // every block becomes rows, because `rows` has other bits than `values`
 };
 
 /// Arguments of a filter: one batch of lookups and the consumers of the format.
@@ -200,8 +190,8 @@ using RunFilter = size_t (*)(const FilterCall& call);
 struct Kernels {
   RunFilter run;
   RunFilter fused;  // null, or filter and format compiled together for values without border (fused.cpp)
-  RunFilter fixed;  // null, or the filter in fixed point, for values without border (fixed.cpp)
-  FormatKernels format;
+  RunFilter fast;   // null, or the filter of values with SHD_PRECISION_FAST, whose consumers are in fast_format
+  FormatKernels format, fast_format;
   Consume record;
   PlaceStream place;  // placement of the texture's store; null if filters write indices
 };

@@ -178,6 +178,7 @@ struct Sampler {
   shd_precision precision;
   float probe_slack;
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
+  float fast_anisotropy;  // max_anisotropy of fast_lines()
   shd_stochastic stochastic;
   shd_missing_tiles missing_tiles;
   bool compares;
@@ -200,6 +201,18 @@ inline Sampler unwidened(const Sampler& sampler) {
   plain.width_x = plain.width_y = 1.0f;
   plain.blur_u = plain.blur_v = 0.0f;
   return plain;
+}
+
+/// Part of the way between two levels in which ANISOTROPIC with SHD_PRECISION_FAST blends them, at most.
+constexpr float kFastLevelBlend = 0.28125f;
+
+/// Copies a sampler with the lines of ANISOTROPIC with SHD_PRECISION_FAST.
+inline Sampler fast_lines(const Sampler& sampler) {
+  Sampler lines = sampler;
+  lines.max_anisotropy = sampler.fast_anisotropy;
+  const bool longer = sampler.level_steepness != 0.0f && sampler.level_steepness < 1.0f / kFastLevelBlend;
+  if (longer) lines.level_steepness = 1.0f / kFastLevelBlend;
+  return lines;
 }
 
 /// Returns the largest value of shd_filter that is a filter.
@@ -254,10 +267,10 @@ struct Texels {
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
   bool wants_values() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
   bool wants_gradient() const {
-    for (size_t c = 0; c < 4; ++c) {
-      if (du[c] || dv[c] || dw[c]) return true;
-    }
-    return false;
+    const auto bits = [](const float* column) { return reinterpret_cast<uintptr_t>(column); };
+    uintptr_t any = 0;
+    for (size_t c = 0; c < 4; ++c) any |= bits(du[c]) | bits(dv[c]) | bits(dw[c]);
+    return any != 0;
   }
   bool wants_deep_gradient() const { return dw[0] || dw[1] || dw[2] || dw[3]; }
 };

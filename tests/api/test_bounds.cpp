@@ -284,7 +284,9 @@ void check_own(shd_context *context, const Scene &scene, const Own &own, shd_pre
                shd_magnification magnification)
 {
     if (scene.image.sampler.filter == SHD_FILTER_ANISOTROPIC && magnification == SHD_MAGNIFICATION_NEAREST) return;
-    if (scene.kind.depth && own.profile != SHD_PROFILE_LEAST_ERROR && own.profile != SHD_PROFILE_EXACT) return;
+    const bool foreign = own.profile != SHD_PROFILE_LEAST_ERROR && own.profile != SHD_PROFILE_EXACT;
+    if (scene.kind.depth && foreign) return;
+    if (scene.image.sampler.filter == SHD_FILTER_ANISOTROPIC && precision == SHD_PRECISION_FAST && !foreign) return;
     Scene copy = {scene.kind, scene.pixels, scene.image, scene.lookups};
     copy.image.sampler.profile = own.profile;
     copy.image.sampler.precision = precision;

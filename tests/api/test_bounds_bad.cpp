@@ -135,6 +135,8 @@ const Refused kRefused[] = {
     {"nearest",
      [](auto *, auto *s) { s->filter = SHD_FILTER_ANISOTROPIC, s->magnification = SHD_MAGNIFICATION_NEAREST; },
      "sampler.magnification: NEAREST of ANISOTROPIC"},
+    {"fast", [](auto *, auto *s) { s->filter = SHD_FILTER_ANISOTROPIC, s->precision = SHD_PRECISION_FAST; },
+     "sampler.precision: FAST of ANISOTROPIC"},
     {"blur", [](auto *, auto *s) { s->blur_v = 0.1f; }, "sampler.blur_u, blur_v"},
     {"level_blend", [](auto *, auto *s) { s->level_blend = 0.5f; }, "sampler.level_blend"},
     {"lat_long", [](auto *t, auto *) { t->projection = SHD_PROJECTION_LAT_LONG; },

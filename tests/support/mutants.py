@@ -24,6 +24,14 @@ BUILD = "build/mutants"
 # Source file, text that occurs once in it, replacement, CTest test that must fail.
 Mutant = collections.namedtuple("Mutant", "path text bug test")
 MUTANTS = {
+    "fixed_one": Mutant("src/texture/format/fixed-inl.h", "hn::Min(s, hn::Set(d, 0x1.fffcp-1f))", "s",
+                        "unit.texture.fixed"),
+    "fixed_part": Mutant("src/texture/lookup/fixed_lines.cpp", "2 * first + 1)", "2 * (first & 15) + 1)",
+                         "unit.texture.fixed"),
+    "fixed_inside": Mutant("src/texture/lookup/fixed_lines.cpp", "extent - (texel + texel)", "extent + texel",
+                           "unit.texture.fixed"),
+    "rows_repeated": Mutant("src/texture/filter/rows-inl.h", "    if (!blended_) repeat_first();\n", "",
+                            "unit.texture.fixed"),
     "tile_waits_inside": Mutant("src/texture/store/tiles/load.cpp", "load.around || wait.impatient, &load",
                                 "wait.impatient, &load", "unit.texture.tile_orders"),
     "tile_readers": Mutant("src/texture/store/tiles/slots.cpp",
@@ -68,6 +76,12 @@ MUTANTS = {
                            "api.render_one_texture"),
     "code_tie": Mutant("src/texture/format/consume_rows-inl.h", "256.5f + 0x1p-13f", "256.5f + 0x1p-9f",
                        "api.render_one_texture"),
+    "call_hulls": Mutant("src/abi/call_in_place.h", "other.before >= most + (size - 1)", "other.before >= most",
+                         "api.lookup_small"),
+    "call_channels": Mutant("src/abi/call_in_place.h", "apart(3, 0) && apart(3, 1) && ", "apart(3, 0) && ",
+                            "api.lookup_small"),
+    "call_strides": Mutant("src/abi/call_in_place.h", "(count != 1 || strides > PTRDIFF_MAX)", "strides > PTRDIFF_MAX",
+                           "api.lookup_small"),
     "row_split": Mutant("src/texture/filter/rows-inl.h",
                         "hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one))", "hn::Eq(x.i1, x.i0 + one)",
                         "unit.texture.rows"),

@@ -358,7 +358,7 @@ struct ProbePlacement {
     auto blended = lod, widths = ratio;
     if (HWY_UNLIKELY(!blends_all)) {
       blended = BlendLevels(d, sampler, lod);
-      widths = ratio * simd::HWY_NAMESPACE::Exp2(d, lod - blended);
+      widths = ratio * simd::HWY_NAMESPACE::ExpSeries(d, lod - blended);  // Exp2() of at most 1/2
     }
     const auto probes = hn::Max(RoundUp(widths - hn::Set(d, sampler.probe_slack)), one);
     const auto half_step = f.length / (probes + probes);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "texture/rows.h"
 #include "texture/store/storage.h"
 
 namespace shd::texture {
@@ -50,6 +51,18 @@ void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* ind
   };
   if (op & (kQuad | kNewLine)) ask(index0);
   if (op & (kQuad | kRow)) ask(index2);
+}
+
+void prefetch_rows(const TexelSource& source, const RowStream& rows, size_t lanes) {
+  for (size_t k = 0; k < (rows.blended ? 2 : 1); ++k) {
+    const RowQuads& quads = rows.quads[k];
+    __asm__ volatile("");  // as above
+    for (size_t i = 0; i < rows.count; ++i) {
+      const int32_t lower = quads.split[i / lanes] ? quads.other[1][i] : quads.upper[i] + quads.down;
+      __builtin_prefetch(source.texel(static_cast<uint32_t>(quads.upper[i])));
+      __builtin_prefetch(source.texel(static_cast<uint32_t>(lower)));
+    }
+  }
 }
 
 void InputColumns::find(const Lookups& in) {

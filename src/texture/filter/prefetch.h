@@ -43,4 +43,7 @@ class InputColumns {
 void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* index0, const int32_t* index2,
                       size_t lanes);
 
+/// Prefetches the texels of rows of quads, whose vectors have `lanes` lookups.
+void prefetch_rows(const TexelSource& source, const RowStream& rows, size_t lanes);
+
 }  // namespace shd::texture

@@ -43,6 +43,23 @@ struct RowLevels {
   bool blended;  // some lookup reads the coarse level
 };
 
+/// Writes the quads of the vector of lookups at i.
+template <class D>
+HWY_INLINE void WriteQuads(D d, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y, bool split,
+                           size_t i, RowQuads* out) {
+  const hn::RebindToSigned<D> di;
+  const auto top = RowIndex(d, level, y.i0);
+  hn::Store(x.s, d, out->s + i);
+  hn::Store(y.s, d, out->t + i);
+  hn::Store(top + x.i0, di, out->upper + i);
+  out->split[i / hn::Lanes(d)] = split;
+  if (HWY_LIKELY(!split)) return;
+  const auto bottom = RowIndex(d, level, y.i1);
+  hn::Store(top + x.i1, di, out->other[0] + i);
+  hn::Store(bottom + x.i0, di, out->other[1] + i);
+  hn::Store(bottom + x.i1, di, out->other[2] + i);
+}
+
 /// Finds the quads of a block on a level. A wrap is a constant or a value.
 template <class WrapU, class WrapV>
 HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, const PointBlock& block, uint32_t number,
@@ -54,24 +71,14 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
   const bool rounded = sampler.rounded_weights;
   const size_t lanes = hn::Lanes(d), count = block.count;
   out->down = static_cast<int32_t>(level_size(texture.width, number));
-  for (size_t i = 0, vector = 0; i < count; i += lanes, ++vector) {
+  for (size_t i = 0; i < count; i += lanes) {
     auto x = WrapLinear(d, wrap_u, hn::Load(d, block.u + i), level.across);
     auto y = WrapLinear(d, wrap_v, hn::Load(d, block.v + i), level.down);
     if (HWY_UNLIKELY(rounded)) {
       RoundWeights(d, &x);
       RoundWeights(d, &y);
     }
-    const auto top = RowIndex(d, level, y.i0);
-    hn::Store(x.s, d, out->s + i);
-    hn::Store(y.s, d, out->t + i);
-    hn::Store(top + x.i0, di, out->upper + i);
-    const bool split = !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one)));
-    out->split[vector] = split;
-    if (HWY_LIKELY(!split)) continue;
-    const auto bottom = RowIndex(d, level, y.i1);
-    hn::Store(top + x.i1, di, out->other[0] + i);
-    hn::Store(bottom + x.i0, di, out->other[1] + i);
-    hn::Store(bottom + x.i1, di, out->other[2] + i);
+    WriteQuads(d, level, x, y, !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one))), i, out);
   }
 }
 
@@ -100,6 +107,69 @@ inline void AddressRows(const Texture& texture, const Sampler& sampler, const Po
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     hn::Store(hn::Load(d, lod + i) - fine, d, out->fraction + i);
   }
+}
+
+/// Takes the quads of a block that shares no levels, vector by vector.
+class RowSink {
+ public:
+  using D = BatchTag;
+
+  RowSink(const Sampler& sampler, size_t count, RowStream* rows) : sampler_(sampler), rows_(*rows) {
+    rows_.count = count;
+    rows_.blended = false;
+  }
+
+  void quad(D d, uint32_t, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
+    write(d, level, u, v, 0);
+    blended_ = false;
+  }
+  void quad(D d, uint32_t, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, hn::Vec<D> share) {
+    write(d, level, u, v, 1);
+    hn::Store(share, d, rows_.fraction + at_);
+    blended_ = rows_.blended = true;
+  }
+  void finish() {
+    if (!blended_) repeat_first();
+    at_ += hn::Lanes(D());
+  }
+
+ private:
+  HWY_NOINLINE void write(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, size_t quad) {
+    LinearTaps<D> x = WrapLinear(d, sampler_.wrap_u, u, level.across);
+    LinearTaps<D> y = WrapLinear(d, sampler_.wrap_v, v, level.down);
+    if (HWY_UNLIKELY(sampler_.rounded_weights)) {
+      RoundWeights(d, &x);
+      RoundWeights(d, &y);
+    }
+    WriteQuads(d, level, x, y, true, at_, &rows_.quads[quad]);
+  }
+  /// Makes the second quads of a vector without them, with the share 0, for blocks in which other vectors have them.
+  void repeat_first() {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const RowQuads& from = rows_.quads[0];
+    RowQuads& to = rows_.quads[1];
+    const auto copy = [&](const int32_t* source, int32_t* target) { hn::Store(hn::Load(di, source), di, target); };
+    hn::Store(hn::Load(d, from.s + at_), d, to.s + at_);
+    hn::Store(hn::Load(d, from.t + at_), d, to.t + at_);
+    copy(from.upper + at_, to.upper + at_);
+    for (size_t k = 0; k < 3; ++k) copy(from.other[k] + at_, to.other[k] + at_);
+    to.split[at_ / hn::Lanes(d)] = true;
+    hn::Store(hn::Zero(d), d, rows_.fraction + at_);
+  }
+
+  const Sampler& sampler_;
+  RowStream& rows_;
+  size_t at_ = 0;
+  bool blended_ = false;
+};
+
+/// Finds the quads of a block that shares no levels.
+template <class Filter>
+HWY_NOINLINE void AddressEach(const Filter& filter, const typename Filter::Block& block, RowStream* out) {
+  const BatchTag d;
+  RowSink sink(filter.sampler, block.count, out);
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -155,18 +155,26 @@ struct HasRows : std::false_type {};
 template <class Filter>
 struct HasRows<Filter, std::void_t<decltype(&Filter::share_levels)>> : std::true_type {};
 
-/// Filters blocks of lookups that share their levels by rows of quads.
+/// Filters blocks of lookups by rows of quads: those that share their levels and are not scattered, or all blocks.
 class RowRunner {
  public:
   explicit RowRunner(const FilterCall& call)
       : consume_(call.record ? nullptr : call.format.rows), to_(call, TexelSource(call.texture), nullptr) {}
 
-  /// Filters the block whose first lookup is `first`. Returns false if its lookups share no levels, or need a stream.
+  /// Filters the block whose first lookup is `first`. Returns false if its lookups need a stream.
   template <class Filter>
-  HWY_INLINE bool run(const FilterCall& call, const typename Filter::Block& block, size_t first, RowStream* rows) {
+  HWY_INLINE bool run(const FilterCall& call, const Filter& filter, const typename Filter::Block& block, size_t first,
+                      bool scattered, RowStream* rows) {
     RowLevels levels;
-    if (!consume_ || !Filter::share_levels(call.texture, block, &levels)) return false;
-    AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, rows);
+    if (!consume_ || (scattered && !call.format.rows_only)) return false;
+    if (HWY_LIKELY(call.texture.layers == 1 && Filter::share_levels(call.texture, block, &levels))) {
+      AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, rows);
+    } else if (call.format.rows_only) {
+      AddressEach(filter, block, rows);
+    } else {
+      return false;
+    }
+    if (HWY_UNLIKELY(scattered)) prefetch_rows(to_.texels, *rows, hn::Lanes(BatchTag()));
     to_.done = first;
     consume_(*rows, &to_);
     return true;
@@ -198,7 +206,7 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
     if constexpr (kRows) {
-      if (!scattered && rows.template run<Filter>(call, block, first, &sink.rows())) {
+      if (rows.run(call, filter, block, first, scattered, &sink.rows())) {
         for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
         continue;
       }

@@ -23,8 +23,9 @@ template <class F, class D>
 HWY_INLINE void FetchRowQuads(D d, const TexelSource& source, const RowQuads& rows, size_t i,
                               typename F::template Texel<D> (&quad)[4]) {
   if (HWY_UNLIKELY(rows.split[i / hn::Lanes(d)])) {
-    quad[0] = F::fetch(d, source, rows.upper + i);
-    for (size_t k = 0; k < 3; ++k) quad[k + 1] = F::fetch(d, source, rows.other[k] + i);
+    typename F::template Texel<D> apart[4];  // a copy, so that the usual quads stay in registers
+    F::fetch_split(d, source, rows.upper, rows.other, i, apart);
+    for (size_t k = 0; k < 4; ++k) quad[k] = apart[k];
     return;
   }
   F::fetch_rows(d, source, rows.upper + i, rows.down, quad);

@@ -26,11 +26,10 @@ Consume DeepGradientOf(image::Component component);
 
 /// Values of rows of quads; null if a component type has no such consumer.
 ConsumeRows RowsOf(image::Component component);
+/// Values of rows of quads of 8-bit unorm texels, blended in 16 bits. `channels`: those that the texture stores.
+ConsumeRows FixedRowsOf(uint32_t channels);
 /// Encodes the values of lookups first..first + count - 1 as opaque pixels. A whole vector may be written at the end.
 void EncodePixels(const Texels& out, size_t first, size_t count);
-
-/// Returns the fixed-point kernels of a component type; null if it has none.
-FixedKernels FixedOf(image::Component component);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

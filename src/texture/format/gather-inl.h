@@ -90,18 +90,16 @@ HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
   return hn::IfThenElse(in_low, hn::TableLookupLanes(low, indices), hn::TableLookupLanes(high, indices));
 }
 
-/// A window of two vectors of words along a row that may contain the words at index and index + 1 of every lane. It has
-/// three vectors if `wide`.
+/// A window of two vectors of words along a row that may contain the words at index and index + 1 of every lane.
 template <class D>
 struct RowWindow {
   Ints<D> left, right;  // index - first, index - first + 1
   int32_t first;        // first word of the window
   bool fits;            // the window contains both words of every lane
-  bool wide;
 };
 
-/// Returns the window of indices. kWide: the window may be wide. This makes formats of floats slower.
-template <bool kWide = false, class D>
+/// Returns the window of indices.
+template <class D>
 HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
   const hn::RebindToSigned<D> di;
   const hn::RebindToUnsigned<D> du;
@@ -109,8 +107,7 @@ HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
   const int32_t begin = index[0], end = index[lanes - 1], span = begin < end ? end - begin : begin - end;
   RowWindow<D> window;
   window.first = begin < end ? begin : end;
-  window.wide = kWide && span > 2 * lanes - 2;
-  const int32_t last = (window.wide ? 3 : 2) * lanes - 2;
+  const int32_t last = 2 * lanes - 2;
   window.fits = span <= last;
   if (!window.fits) return window;
   window.left = hn::Load(di, index) - hn::Set(di, window.first);
@@ -121,7 +118,7 @@ HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
 }
 
 /// Loads the words at index and index + 1 from a window that fits, moved so that it begins at `first`.
-template <bool kWide = false, class D>
+template <class D>
 HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& window, int32_t first, Ints<D>* left,
                            Ints<D>* right) {
   const hn::RebindToSigned<D> di;
@@ -129,11 +126,6 @@ HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& windo
   const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + hn::Lanes(di));
   *left = LookUpRow(d, low, high, window.left);
   *right = LookUpRow(d, low, high, window.right);
-  if (HWY_LIKELY(!kWide || !window.wide)) return;
-  const auto lanes = hn::Set(di, static_cast<int32_t>(hn::Lanes(di))), last = lanes + lanes - hn::Set(di, 1);
-  const auto third = hn::LoadU(di, words + 2 * hn::Lanes(di));
-  *left = hn::IfThenElse(hn::Gt(window.left, last), LookUpRow(d, third, third, window.left - lanes), *left);
-  *right = hn::IfThenElse(hn::Gt(window.right, last), LookUpRow(d, third, third, window.right - lanes), *right);
 }
 
 /// Loads two consecutive words from each index, which counts units of `kStride` bytes.
@@ -154,7 +146,8 @@ HWY_INLINE bool LoadHalfWindows(D, const uint8_t* texels, const int32_t* upper, 
   const __m256i index = _mm256_load_si256(reinterpret_cast<const __m256i*>(upper));
   const __m256i first = _mm256_min_epi32(_mm256_shuffle_epi32(index, 0x00), _mm256_shuffle_epi32(index, 0xff));
   const __m256i place = _mm256_sub_epi32(index, first);
-  if (HWY_UNLIKELY(!_mm256_testz_si256(place, _mm256_set1_epi32(~7)))) return false;
+  const __m256i eights = _mm256_srli_epi32(place, 3);
+  if (HWY_UNLIKELY(!_mm256_testz_si256(eights, eights))) return false;
   const auto* const words = reinterpret_cast<const int32_t*>(texels);
   const int32_t* const low = words + (upper[0] < upper[3] ? upper[0] : upper[3]);
   const int32_t* const high = words + (upper[4] < upper[7] ? upper[4] : upper[7]);
@@ -281,10 +274,17 @@ struct QuadsOfPairs {
     Format::fetch_pair(d, source, upper, &quad[0], &quad[1]);
     Format::fetch_pair(d, source, lower, &quad[2], &quad[3]);
   }
+  /// Fetches quads whose texels need not be neighbours: the indices of the first ones, and those of the others.
+  template <class D, class Texel, class Others>
+  static HWY_NOINLINE void fetch_split(D d, const TexelSource& source, const int32_t* first, const Others& others,
+                                       size_t i, Texel (&quad)[4]) {
+    quad[0] = Format::fetch(d, source, first + i);
+    for (size_t k = 0; k < 3; ++k) quad[k + 1] = Format::fetch(d, source, others[k] + i);
+  }
   /// Fetches quads whose lower row lies `down` texels after the upper one.
   template <class D, class Texel>
-  static HWY_INLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
-                                    Texel (&quad)[4]) {
+  static HWY_NOINLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
+                                      Texel (&quad)[4]) {
     TexelSource below = source;
     const ptrdiff_t bytes = ptrdiff_t{down} * source.texel_size;
     below.origin += bytes;

@@ -90,11 +90,22 @@ struct OneWord : QuadsOfPairs<OneWord> {
   template <class D>
   static HWY_INLINE void fetch_rows(D d, const TexelSource& source, const int32_t* upper, int32_t down,
                                     Texel<D> (&quad)[4]) {
-    if (HWY_LIKELY(source.channels == 4)) {
-      const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
-      if (HWY_LIKELY(texels)) return LoadRowQuads(d, texels, upper, down, quad);
+    const auto index = hn::Load(hn::RebindToSigned<D>(), upper);
+    const uint8_t* const texels = TexelsOf(d, source, index);
+    if (HWY_UNLIKELY(!texels)) {
+      Texel<D> apart[4];  // a copy, so that the usual quads stay in registers
+      QuadsOfPairs::fetch_rows(d, source, upper, down, apart);
+      for (size_t k = 0; k < 4; ++k) quad[k] = apart[k];
+      return;
     }
-    QuadsOfPairs::fetch_rows(d, source, upper, down, quad);
+    if (HWY_LIKELY(source.channels == 4)) return LoadRowQuads(d, texels, upper, down, quad);
+    const uint8_t* const below = texels + ptrdiff_t{down} * source.texel_size;
+    const bool one = source.channels == 1;
+    const auto offset = one ? index : hn::ShiftLeft<1>(index);
+    quad[0] = GatherBytes(d, texels, offset);
+    quad[1] = one ? hn::ShiftRight<8>(quad[0]) : hn::ShiftRight<16>(quad[0]);
+    quad[2] = GatherBytes(d, below, offset);
+    quad[3] = one ? hn::ShiftRight<8>(quad[2]) : hn::ShiftRight<16>(quad[2]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {

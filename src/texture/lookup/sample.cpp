@@ -24,9 +24,31 @@
 #include "texture/filter/filters-inl.h"
 #include "texture/format/formats-inl.h"
 #include "texture/format/record-inl.h"
-#include "texture/lookup/fixed-inl.h"
+#include "texture/lookup/fixed_lines-inl.h"
 #include "texture/lookup/fused-inl.h"
 #include "texture/store/place-inl.h"
+
+#ifndef SHD_TEXTURE_HAS_FAST_VALUES
+#define SHD_TEXTURE_HAS_FAST_VALUES
+namespace shd::texture {
+
+/// Whether a filter blends the quads of at most two levels.
+inline bool is_linear(shd_filter filter) {
+  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
+}
+
+/// Whether SHD_PRECISION_FAST has values of its own. Elsewhere they are those of SHD_PRECISION_FULL.
+/// Rejected: sRGB, with texels decoded to 15 bits by a table. It had 0.5 (AVX-512) to 0.9 (AVX2, SSE4) of the speed of
+/// floats, because every texel takes three loads from the table.
+inline bool has_fast_values(const Texture& texture, const Sampler& sampler) {
+  if (sampler.precision != SHD_PRECISION_FAST || texture.component != image::Component::kUnorm8) return false;
+  if (!is_in_memory(texture) || needs_w(texture) || has_border(sampler)) return false;
+  const bool lines = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL;
+  return lines || is_linear(sampler.filter);
+}
+
+}  // namespace shd::texture
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -81,9 +103,10 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
     kernels.fused = FusedOf(sampler.filter, component);
     if (texture.layers == 1) kernels.format.rows = RowsOf(component);
   }
-  if (sampler.precision == SHD_PRECISION_FAST) {
-    kernels.format.fixed = FixedOf(component);
-    if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
+  if (HWY_UNLIKELY(has_fast_values(texture, sampler))) {
+    kernels.fast = sampler.filter == SHD_FILTER_ANISOTROPIC ? RunFixedLines : kernels.run;
+    kernels.fast_format.rows = FixedRowsOf(texture.channels);
+    kernels.fast_format.rows_only = true;
   }
 }
 
@@ -94,6 +117,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(FindKernels);
+HWY_EXPORT(FewOf);
 
 /// Returns whether every output is the stored channel of its number, as those of textures of four channels usually are.
 bool is_stored_as_read(const Texture& texture) {
@@ -168,13 +192,13 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   const auto find_kernels = [&](Gradient kind) {
     HWY_DISPATCH_TABLE(FindKernels)[target](texture, sampler, kind, &kernels);
   };
-  const auto run = [&](RunFilter filter, const Texels& to) {
+  const auto run = [&](RunFilter filter, const FormatKernels& format, const Texels& to) {
     if (HWY_UNLIKELY(recording != nullptr)) {
       return filter({texture,
                      sampler,
                      lookups,
                      to,
-                     kernels.format,
+                     format,
                      kernels.record,
                      recording,
                      {place_taps, recording, nullptr, recording->columns.data()}});
@@ -183,7 +207,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
                    sampler,
                    lookups,
                    to,
-                   kernels.format,
+                   format,
                    nullptr,
                    nullptr,
                    {kernels.place, store.state, store.origin, store.places}});
@@ -191,11 +215,11 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
   const bool deep = gradient && texture.depth != 0 && wanted.wants_deep_gradient();
   find_kernels(deep ? Gradient::kDeep : gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
-  if (recording) return run(kernels.run, wanted);
-  if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
-  if (!gradient) return run(kernels.fixed, wanted);
-  if (wanted.wants_values()) run(kernels.fixed, without_gradient(wanted));
-  return run(kernels.run, without_values(wanted));
+  if (recording) return run(kernels.run, kernels.format, wanted);
+  if (!kernels.fast) return run(kernels.fused ? kernels.fused : kernels.run, kernels.format, wanted);
+  if (!gradient) return run(kernels.fast, kernels.fast_format, wanted);
+  if (wanted.wants_values()) run(kernels.fast, kernels.fast_format, without_gradient(wanted));
+  return run(kernels.run, kernels.format, without_values(wanted));
 }
 
 /// sample_stored() of a texture whose streams are placed. Calls for other textures do not pay for its stack frame.
@@ -247,10 +271,23 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
   }
   return nonfinite;
 }
+
+/// Whether the stored channels of lookups are what a filter of one image in memory gives, in full precision.
+bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out) {
+  const bool texels = is_in_memory(texture) && !needs_w(texture) && !texture.decoded && is_stored_as_read(texture);
+  const bool values = sampler.magnification == SHD_MAGNIFICATION_DEFAULT && sampler.precision == SHD_PRECISION_FULL &&
+                      !sampler.compares && !has_border(sampler);
+  return texels && values && !out.coarser && !out.rgba8 && !out.wants_gradient();
+}
 }  // namespace
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
+  if (lookups.count <= core::kNarrowLanes && !recording && is_plain(texture, sampler, out)) {
+    const FormatKernels none = {};
+    if (const RunFilter few = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
+      return few({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
+  }
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
   if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
   if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
@@ -261,12 +298,11 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
 }
 
 bool writes_rgba8(const Texture& texture, const Sampler& sampler) {
-  const bool linear = sampler.filter == SHD_FILTER_BILINEAR || sampler.filter == SHD_FILTER_BILINEAR_MIP ||
-                      sampler.filter == SHD_FILTER_TRILINEAR;
-  return linear && sampler.precision == SHD_PRECISION_FULL && !sampler.compares &&
-         sampler.magnification == SHD_MAGNIFICATION_DEFAULT && !has_border(texture, sampler) &&
-         image::is_unorm(texture.component) && is_in_memory(texture) && texture.layers == 1 && !needs_w(texture) &&
-         is_stored_as_read(texture);
+  if (sampler.compares || sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return false;
+  if (!is_stored_as_read(texture)) return false;
+  if (has_fast_values(texture, sampler)) return true;
+  return is_linear(sampler.filter) && !has_border(texture, sampler) && image::is_unorm(texture.component) &&
+         is_in_memory(texture) && texture.layers == 1 && !needs_w(texture);
 }
 
 shd_filter last_filter() {

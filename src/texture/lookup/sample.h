@@ -59,7 +59,8 @@ struct Recording;
 /// Directions: EXACT averages BILINEAR over the points of the image whose directions lie in the footprint, which is the
 /// parallelogram on the plane of the face or on the map. Its position and its sides are doubles (docs/filter-exact.md).
 ///
-/// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed.h; measured 2^-12).
+/// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed-inl.h). Anisotropic has the lines of
+/// fast_lines(), whose places are sums of rounded steps: plus 2^-22 (w + h) for footprints of up to 4 textures.
 ///
 /// Profiles (profile.h): levels of detail and positions of probes are within 4e-6 of the profile's, 3e-6 max_anisotropy
 /// for anisotropic. Weights and fractions that a profile rounds to 8 bits are rounded to nearest.

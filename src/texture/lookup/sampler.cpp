@@ -16,19 +16,19 @@ shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
 }
 
 /// Returns the largest ratio of the axes of a footprint, so that no lookup reads more than max_texels texels.
-float max_anisotropy_of(const shd_sampler_desc& desc) {
+float max_anisotropy_of(const shd_sampler_desc& desc, float level_blend) {
   if (desc.max_texels == 0) return desc.max_anisotropy;
   const auto texels = static_cast<float>(desc.max_texels);
   if (desc.filter == SHD_FILTER_EWA) return std::min(desc.max_anisotropy, texels / 16.0f - 1.0f);
   if (desc.filter != SHD_FILTER_ANISOTROPIC) return desc.max_anisotropy;
-  const float probes = std::floor(texels / (desc.level_blend < 0x1p-24f ? 4.0f : 8.0f));
+  const float probes = std::floor(texels / (level_blend < 0x1p-24f ? 4.0f : 8.0f));
   switch (desc.profile) {
     case SHD_PROFILE_LEAST_ERROR:
     case SHD_PROFILE_EXACT: {
       // A footprint of ratio r has at most ceil(sqrt(2) r - probe_slack) probes, or ceil(r - probe_slack) if all levels
       // are blended.
       const float widths = probes + desc.probe_slack;
-      return std::min(desc.max_anisotropy, desc.level_blend < 1.0f ? 0.707f * widths : widths);
+      return std::min(desc.max_anisotropy, level_blend < 1.0f ? 0.707f * widths : widths);
     }
     case SHD_PROFILE_OIIO: return std::min(desc.max_anisotropy, 0.5f * (probes + 1.0f));
     default: return std::min(desc.max_anisotropy, probes);
@@ -52,7 +52,8 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.width_y = desc.width_y;
   sampler.blur_u = desc.blur_u;
   sampler.blur_v = desc.blur_v;
-  sampler.max_anisotropy = max_anisotropy_of(desc);
+  sampler.max_anisotropy = max_anisotropy_of(desc, desc.level_blend);
+  sampler.fast_anisotropy = max_anisotropy_of(desc, std::min(desc.level_blend, kFastLevelBlend));
   sampler.probe_weights = probe_weights_of(desc);
   sampler.cubic = desc.cubic;
   sampler.box = desc.box;

@@ -502,6 +502,65 @@ void test_masks(void**) {
   set_samples(1);
 }
 
+/// Draws a triangle sample by sample, from its mask and its plane.
+void draw_slowly(const core::SimdTarget& target, const raster::CoverArea& area, const raster::DepthState& state,
+                 const ScreenTriangle& t, uint32_t slot, Tile* tile) {
+  static raster::CoverMask mask;
+  raster::cover_mask(target, area, state, t, *tile, &mask);
+  const raster::DepthSlope slope = raster::make_depth_slope(t, state);
+  for (int32_t y = mask.box.min_y; y <= mask.box.max_y; ++y) {
+    for (int32_t x = mask.box.min_x; x <= mask.box.max_x; ++x) {
+      const auto pixel = static_cast<size_t>(y * kTile + x);
+      for (uint32_t rest = mask.bits[pixel]; rest; rest &= rest - 1) {
+        const auto s = static_cast<uint32_t>(__builtin_ctz(rest));
+        const raster::DepthPlane plane = raster::plane_at(slope, area.pattern.point[s]);
+        if (state.writes) {
+          tile->depth[pixel * tile->samples + s] = raster::depth_at(plane, area.left + x, area.top + y);
+        }
+        tile->slot[pixel * tile->samples + s] = slot;
+      }
+    }
+  }
+}
+
+/// Triangles of all sizes drawn by one call, in a whole tile and in a box of it, against the same triangles drawn one
+/// after the other, sample by sample.
+void test_batches(void**) {
+  Random random = {29};
+  const Shape shapes[] = {tiny, tiny, tiny, small, vertices_on_centres, sliver, tile_crossing, axis_aligned};
+  for (const uint32_t samples : {1u, 2u, 4u, 8u, 16u}) {
+    set_samples(samples);
+    for (int n = 0; n < 120; ++n) {
+      ScreenTriangle t[40];
+      uint32_t entries[40], count = 0;
+      const auto wanted = static_cast<uint32_t>(random.whole(1, 40));
+      const bool is_small = n % 2 == 0;
+      while (count < wanted) {
+        ScreenTriangle& next = t[count] = {};
+        shapes[random.whole(0, is_small ? 2 : 7)](&random, 64, 128, &next);
+        for (float& z : next.z) z = random.whole(0, 3) ? random.real(0.0, 1.0) : 0.5f;
+        if (turn(&next)) entries[wanted - 1 - count] = count, ++count;
+      }
+      raster::CoverArea area = area_at(64, 128, samples);
+      if (n % 3 == 0) area.box = {64 + random.whole(0, 30), 128 + random.whole(0, 30), 64 + 33, 128 + 35};
+      const raster::DepthState state = {static_cast<shd_compare>(random.whole(SHD_COMPARE_LESS, SHD_COMPARE_ALWAYS)),
+                                        n % 5 != 0, n % 7 ? 0.0f : 0.01f, 0.0f};
+      for_each_target([&](const core::SimdTarget& target, bool) {
+        clear(&g_tile);
+        for (float& depth : g_tile.depth) depth = 0.5f;
+        // Bounds of depths, which only larger triangles have, do not see NaN.
+        if (is_small) std::fill_n(g_tile.depth.data() + 700, 300, __builtin_nanf(""));
+        copy(g_tile, &g_first);
+        raster::forget_bounds(&g_first);
+        raster::cover(target, area, state, t, entries, count, 3, &g_tile);
+        for (uint32_t i = 0; i < count; ++i) draw_slowly(target, area, state, t[entries[i]], 3 + i, &g_first);
+        if (!are_same(g_tile, g_first)) fail_msg("%s: batch %d of %u, %u samples", target.name, n, count, samples);
+      });
+    }
+  }
+  set_samples(1);
+}
+
 /// Pixels outside the box do not change, for any depth.
 void test_box(void**) {
   const uint32_t entry = 0;
@@ -579,6 +638,7 @@ int main() {
   }
   tests[n++] = {"bounds", test_bounds, nullptr, nullptr, nullptr};
   tests[n++] = {"masks", test_masks, nullptr, nullptr, nullptr};
+  tests[n++] = {"batches", test_batches, nullptr, nullptr, nullptr};
   tests[n++] = {"box", test_box, nullptr, nullptr, nullptr};
   tests[n++] = {"depth/bias", test_bias, nullptr, nullptr, nullptr};
   tests[n++] = {"fans/10^6_triangles", test_fans, nullptr, nullptr, nullptr};

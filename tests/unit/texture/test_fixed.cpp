@@ -16,6 +16,7 @@ constexpr shd_filter kFixedFilters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR
                                         SHD_FILTER_ANISOTROPIC};
 constexpr shd_wrap kFixedWraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_MIRROR_ONCE};
 constexpr float kBound = 0x1p-11f;
+constexpr float kLineBlend = 0.28125f;  // the largest level_blend of ANISOTROPIC
 
 Batch t_fast, t_full;
 shd::texture::ProbeBlock t_probes;
@@ -39,9 +40,16 @@ shd_sampler_desc full_desc(shd_sampler_desc desc) {
   return desc;
 }
 
+/// SHD_PRECISION_FULL with the shapes of SHD_PRECISION_FAST.
+shd_sampler_desc shapes_desc(shd_sampler_desc desc) {
+  desc = full_desc(desc);
+  if (desc.filter == SHD_FILTER_ANISOTROPIC) desc.level_blend = fminf(desc.level_blend, kLineBlend);
+  return desc;
+}
+
 /// Shapes of at most kBlock lookups, which are tested elsewhere.
 void find_shapes(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups) {
-  const Sampler sampler = make_sampler(desc);
+  const Sampler sampler = make_sampler(shapes_desc(desc));
   const auto target = shd::core::baseline_target();
   shd::texture::find_probes(texture, sampler, target, lookups, &t_probes);
   if (desc.filter == SHD_FILTER_ANISOTROPIC) return;
@@ -73,18 +81,26 @@ void check_bits(const char* what, size_t i, int c, float got, float want) {
   }
 }
 
-void check_bound(const Batch& fast, const Batch& full) {
+/// The bound to SHD_PRECISION_FULL. Both round the places of probes to floats, which moves them by 2^-23 of the
+/// texture.
+float bound_of(const Texture& texture, const shd_sampler_desc& desc) {
+  if (desc.filter != SHD_FILTER_ANISOTROPIC) return kBound;
+  return kBound + 0x1p-22f * static_cast<float>(texture.width + texture.height);
+}
+
+void check_bound(const Batch& fast, const Batch& full, float bound) {
   for (size_t c = 0; c < 4; ++c) {
     for (size_t i = 0; i < fast.count; ++i) {
-      if (fabsf(fast.out[c][i] - full.out[c][i]) <= kBound) continue;
+      if (fabsf(fast.out[c][i] - full.out[c][i]) <= bound) continue;
       fail_msg("point %zu channel %zu: fast %.9g, full %.9g", i, c, static_cast<double>(fast.out[c][i]),
                static_cast<double>(full.out[c][i]));
     }
   }
 }
 
-/// Compares the first kBlock points with the oracle on every target, and all points with SHD_PRECISION_FULL.
-void check_fast(const char* what, const Texture& texture, const shd_sampler_desc& desc, bool lod) {
+/// Compares the first kBlock points with the oracle on every target, and all points with SHD_PRECISION_FULL. `bounded`:
+/// lines of probes are not so long that the places of SHD_PRECISION_FULL have large errors.
+void check_fast(const char* what, const Texture& texture, const shd_sampler_desc& desc, bool lod, bool bounded = true) {
   ref::Level levels[shd::texture::kMaxLevels];
   const ref::Image image = oracle_image(texture, desc, levels);
   Lookups lookups = t_fast.lookups(!lod, lod);
@@ -92,14 +108,15 @@ void check_fast(const char* what, const Texture& texture, const shd_sampler_desc
   memcpy(t_full.out, t_fast.out, sizeof t_fast.out);
   static Batch full;
   memcpy(&full, &t_fast, sizeof full);
-  assert_int_equal(run_everywhere(texture, full_desc(desc), lookups, &full), nonfinite);
-  check_bound(t_fast, full);
+  assert_int_equal(run_everywhere(texture, shapes_desc(desc), lookups, &full), nonfinite);
+  if (bounded || desc.filter != SHD_FILTER_ANISOTROPIC) check_bound(t_fast, full, bound_of(texture, desc));
   lookups.count = lookups.count < shd::texture::kBlock ? lookups.count : shd::texture::kBlock;
   find_shapes(texture, desc, lookups);
-  const bool blended = desc.filter == SHD_FILTER_TRILINEAR || desc.filter == SHD_FILTER_ANISOTROPIC;
+  const bool lines = desc.filter == SHD_FILTER_ANISOTROPIC;
   for (size_t i = 0; i < lookups.count; i += SHD_ORACLE_STRIDE) {
+    const ref::FixedPoint point = point_of(desc, i);
     for (int c = 0; c < 4; ++c) {
-      const float want = ref::fixed_value(image, point_of(desc, i), blended, c);
+      const float want = lines ? ref::fixed_line_value(image, point, c) : ref::fixed_value(image, point, c);
       check_bits(what, i, c, t_fast.out[c][i], want);
     }
   }
@@ -131,7 +148,7 @@ void test_hostile(void**) {
         desc.lod_bias = pair % 3 == 0 ? -15.0f : 0.5f;
         desc.width_x = pair % 4 == 0 ? 64.0f : 1.0f;
         desc.max_anisotropy = 64;
-        check_fast("hostile", *texture, desc, false);
+        check_fast("hostile", *texture, desc, false, false);
       }
     }
     free_texture(texture);
@@ -183,6 +200,32 @@ void test_constant(void**) {
       });
       free_texture(texture);
     }
+  }
+}
+
+/// Lines of 1 to 64 probes on axes that repeat, for every size.
+void test_lines(void** state) {
+  const auto& c = *static_cast<const SizeCase*>(*state);
+  make_points(&t_fast);
+  Random random{31};
+  for (size_t i = 0; i < kPoints; ++i) {  // at most 64 times as long as wide, and some of them along an axis
+    const float length = random.real(0.02f, 0.5f), width = length * random.real(1.0f / 70, 0.2f);
+    const float x = random.real(-1, 1), y = i % 4 == 0 ? 0.0f : random.real(-1, 1);
+    t_fast.dudx[i] = length * x, t_fast.dvdx[i] = length * y;
+    t_fast.dudy[i] = -width * y, t_fast.dvdy[i] = width * x;
+  }
+  for (const shd_format format : kFixedFormats) {
+    Texture* texture = random_texture(format, c.width, c.height, true);
+    for (const float limit : {1.5f, 7.0f, 16.0f, 33.0f, 64.0f}) {
+      for (const float blend : {0.0f, 0.1f, kLineBlend, 0.5f, 1.0f}) {
+        shd_sampler_desc desc = fast_desc(SHD_FILTER_ANISOTROPIC, 0);
+        desc.max_anisotropy = limit;
+        desc.level_blend = blend;
+        desc.profile = blend == 0.5f ? SHD_PROFILE_EXACT : SHD_PROFILE_LEAST_ERROR;
+        check_fast(c.name, *texture, desc, false);
+      }
+    }
+    free_texture(texture);
   }
 }
 
@@ -267,8 +310,8 @@ void test_profiles(void**) {
         shd_sampler_desc desc = fast_desc(kFixedFilters[pair / 16], pair);
         desc.profile = profile;
         run_everywhere(*texture, desc, t_fast.lookups(true, false), &t_fast);
-        run_everywhere(*texture, full_desc(desc), t_full.lookups(true, false), &t_full);
-        check_bound(t_fast, t_full);
+        run_everywhere(*texture, shapes_desc(desc), t_full.lookups(true, false), &t_full);
+        check_bound(t_fast, t_full, bound_of(*texture, desc));
       }
     }
     free_texture(texture);
@@ -284,7 +327,7 @@ bool same_bits(const Texture& texture, const shd_sampler_desc& desc) {
   return memcmp(t_fast.out, t_full.out, sizeof t_fast.out) == 0;
 }
 
-/// Formats, filters and wraps without fixed point have the bits of SHD_PRECISION_FULL, and the others do not.
+/// Formats, filters and wraps without values of 16 bits have the bits of SHD_PRECISION_FULL, and the others do not.
 void test_fallback(void**) {
   Texture* rgba8 = random_texture(SHD_FORMAT_RGBA8, 64, 32, true);
   for (const shd_format format : kFormats) {
@@ -348,6 +391,12 @@ void test_gradient(void**) {
 int main() {
   CMUnitTest tests[32];
   size_t n = add_sizes("size", test_size, tests);
+  static char names[kSizeCount][32];
+  for (const SizeCase& size : kSizes) {
+    snprintf(names[n % kSizeCount], sizeof names[0], "lines/%s", size.name);
+    tests[n] = {names[n % kSizeCount], test_lines, nullptr, nullptr, const_cast<SizeCase*>(&size)};
+    ++n;
+  }
   tests[n++] = {"hostile", test_hostile, nullptr, nullptr, nullptr};
   tests[n++] = {"bound", test_bound, nullptr, nullptr, nullptr};
   tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};

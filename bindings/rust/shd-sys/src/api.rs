@@ -1677,9 +1677,12 @@ pub struct shd_precision(pub u32);
 impl shd_precision {
     /// weights and sums are binary32 floats
     pub const FULL: Self = Self(0);
-    /// Weights of texels are integers of 14 bits, and texels are summed in integers. Values are within 2^-11 of
-    /// SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
-    /// of detail and probes are the same.
+    /// Texels are blended in integers of 16 bits, with fractions of 15 bits. Values are within 2^-11 of
+    /// SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits.
+    ///
+    /// Levels of detail are the same. In LEAST_ERROR and EXACT, ANISOTROPIC blends levels in a part of the way between
+    /// them: it has the levels and probes of a level_blend of at most 9/32. Its values are within
+    /// 2^-11 + 2^-22 (width + height) of SHD_PRECISION_FULL with that level_blend, for footprints of up to 4 textures.
     ///
     /// It applies to 2D textures of 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP,
     /// TRILINEAR and ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other
