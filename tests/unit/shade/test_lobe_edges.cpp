@@ -12,6 +12,7 @@ const ModelCase k_models[] = {
     {"phong/ungated", SHD_MODEL_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"blinn_phong", SHD_MODEL_BLINN_PHONG, 0, 64, 0.5f},
     {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
+    {"blinn_phong/p=0", SHD_MODEL_BLINN_PHONG, 0, 0, 0.5f},
     {"combined", SHD_MODEL_COMBINED, 0, 64, 0.5f},
     {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 64, 0.5f},
     {"toon", SHD_MODEL_TOON, 0, 64, 0.5f},
