@@ -83,7 +83,7 @@ void shade_visible(TileState* tile) {
   TextureBatch textured(tile);
   tile->color_is_stored = is_overwritten && tile->is_drawn_once() && textured.begin_direct();
   if (is_overwritten) tile->color_is_unclear = false;
-  tile->clear_color();
+  tile->clear_bare(worker.order.bare);
   tile->color.assume(has_one_color ? tile->renderer.frame.clear_color : nullptr);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;
