@@ -64,7 +64,7 @@ MUTANTS = {
     "bare_mixed": Mutant("src/raster/fragments.cpp", "if (bare_samples) out->bare", "if (false) out->bare",
                          "api.render_targets"),
     "bare_width": Mutant("src/film/tile_planes.cpp", "std::min(end - begin, area.width - x)", "end - begin - 1",
-                         "api.render"),
+                         "api.render_targets"),
     "usual_select": Mutant("src/simd/choices-inl.h", "Select(M mask, V value, V) {\n    usual = hn::And(usual, mask);",
                            "Select(M, V value, V) {", "unit.shade.lobe_edges"),
     "usual_floor": Mutant("src/simd/choices-inl.h", "usual = hn::And(usual, hn::Ge(x, floor));", "(void)floor;",
