@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "abi/lookup.h"
+#include "data/column.h"
 #include "texture/texture.h"
 
 namespace shd::abi {
@@ -21,96 +23,86 @@ class CallInPlace {
   [[gnu::always_inline]] bool read(const shd_lookups* lookups, const shd_texels* texels, bool needs_w, bool compares) {
     if (!has_size(lookups, sizeof *lookups)) return false;
     if (!has_size(texels, sizeof *texels) && !has_size(texels, 0)) return false;
-    const size_t count = in.count = lookups->count;
-    if (count - 1 >= batch_detail::kTaskElements) return false;
-    Hull inputs, outputs;
-    in.u = inputs.use(lookups->u);
-    in.v = inputs.use(lookups->v);
-    in.dudx = inputs.use(lookups->dudx);
-    in.dvdx = inputs.use(lookups->dvdx);
-    in.dudy = inputs.use(lookups->dudy);
-    in.dvdy = inputs.use(lookups->dvdy);
-    in.lod = inputs.use(lookups->lod);
-    in.layer = inputs.use(lookups->layer);
-    in.random = inputs.use(lookups->random);
-    if (HWY_UNLIKELY(needs_w)) {
-      in.w = inputs.use(lookups->w);
-      in.dwdx = inputs.use(lookups->dwdx);
-      in.dwdy = inputs.use(lookups->dwdy);
+    count_ = in.count = lookups->count;
+    if (count_ == 0 || count_ > batch_detail::kTaskElements) return false;
+    for (size_t c = 0; c < texture::kPlaneColumns; ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
+    in.w = in.dwdx = in.dwdy = nullptr;
+    if (needs_w) use_third(*lookups);
+    if (HWY_UNLIKELY(compares)) in.reference = use(lookups->reference, &read_);
+    for (size_t c = 0; c < std::size(kIntegerRows); ++c) in.integer(c) = use(lookups->*kIntegerRows[c].column, &read_);
+    for (size_t c = 0; c < 4; ++c) {
+      out.channel[c] = use(texels->channel[c], &written_);
+      out.du[c] = out.dv[c] = out.dw[c] = nullptr;
     }
-    if (HWY_UNLIKELY(compares)) in.reference = inputs.use(lookups->reference);
-    out.channel[0] = outputs.use(texels->channel[0]);
-    out.channel[1] = outputs.use(texels->channel[1]);
-    out.channel[2] = outputs.use(texels->channel[2]);
-    out.channel[3] = outputs.use(texels->channel[3]);
-    for (size_t c = 0; c < 4; ++c) out.du[c] = out.dv[c] = nullptr;
-    if (!in.u || !in.v || (needs_w && !in.w) || outputs.most == 0 || wants_more(*texels)) return false;
-    const size_t strides = inputs.strides | outputs.strides;
-    if ((inputs.addresses | outputs.addresses | strides) % batch_detail::kElementSize != 0) return false;
-    if ((strides & ~batch_detail::kElementSize) != 0 && (count != 1 || strides > PTRDIFF_MAX)) return false;
-    const size_t size = count * batch_detail::kElementSize;
-    return (inputs.is_apart(outputs, size) && channels_apart(size)) || columns_apart(size);
+    return sound_ && !wants_more(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 && are_apart();
   }
 
  private:
-  /// The bits of columns, and the range of their first bytes. Absent columns are not in the range.
-  struct Hull {
-    uintptr_t addresses = 0;
-    size_t strides = 0;
-    uintptr_t before = UINTPTR_MAX, most = 0;  // the byte before the least address, and the greatest address
+  /// The first bytes of columns, and the least and the greatest of them.
+  template <size_t kMax>
+  struct Places {
+    size_t count = 0;
+    uintptr_t first[kMax];
+    uintptr_t least = UINTPTR_MAX, most = 0;
 
-    template <class Column>
-    [[gnu::always_inline]] decltype(Column::data) use(const Column& column) {
-      const auto address = reinterpret_cast<uintptr_t>(column.data);
-      addresses |= address;
-      strides |= column.stride;
-      before = address - 1 < before ? address - 1 : before;  // UINTPTR_MAX for absent columns
+    void add(uintptr_t address) {
+      first[count++] = address;
+      least = address < least ? address : least;
       most = address > most ? address : most;
-      return column.data;
-    }
-
-    /// Whether no column of `size` bytes shares a byte with one of the other hull.
-    bool is_apart(const Hull& other, size_t size) const {
-      return other.before >= most + (size - 1) || before >= other.most + (size - 1);
     }
   };
+
+  size_t count_;
+  bool sound_ = true;
+  Places<kLookupColumns> read_;
+  Places<4> written_;
 
   template <class Desc>
   static bool has_size(const Desc* desc, size_t size) {
     return desc && reinterpret_cast<uintptr_t>(desc) % alignof(Desc) == 0 && desc->struct_size == size;
   }
 
+  /// Returns the elements of a column.
+  template <class Column, size_t kMax>
+  decltype(Column::data) use(const Column& column, Places<kMax>* places) {
+    if (!column.data) return nullptr;
+    const auto address = reinterpret_cast<uintptr_t>(column.data);
+    const bool adjacent = data::is_packed(column.stride) || (count_ == 1 && column.stride <= PTRDIFF_MAX);
+    sound_ = sound_ && adjacent && (address | column.stride) % batch_detail::kElementSize == 0;
+    places->add(address);
+    return column.data;
+  }
+
   /// Whether derivatives are wanted, or the column that textures in tiles have.
   static bool wants_more(const shd_texels& texels) {
-    const auto bits = [](const auto& column) { return reinterpret_cast<uintptr_t>(column.data); };
-    const auto rates = [&](size_t c) { return bits(texels.du[c]) | bits(texels.dv[c]) | bits(texels.dw[c]); };
-    return (bits(texels.coarser) | rates(0) | rates(1) | rates(2) | rates(3)) != 0;
-  }
-
-  /// Whether two columns of `size` bytes share no byte.
-  static bool are_apart(const void* a, const void* b, size_t size) {
-    return reinterpret_cast<uintptr_t>(a) - reinterpret_cast<uintptr_t>(b) + size - 1 >= 2 * size - 1;
-  }
-
-  /// Whether the output columns share no byte.
-  [[gnu::always_inline]] bool channels_apart(size_t size) const {
-    const auto apart = [&](size_t a, size_t b) { return are_apart(out.channel[a], out.channel[b], size); };
-    return (!out.channel[1] || apart(1, 0)) && (!out.channel[2] || (apart(2, 0) && apart(2, 1))) &&
-           (!out.channel[3] || (apart(3, 0) && apart(3, 1) && apart(3, 2)));
-  }
-
-  /// Whether no output column shares a byte with another column, for columns in any order.
-  [[gnu::noinline]] bool columns_apart(size_t size) const {
-    if (!channels_apart(size)) return false;
-    for (const float* channel : out.channel) {
-      for (size_t c = 0; channel && c < texture::kFloatColumns; ++c) {
-        if (!are_apart(in.real(c), channel, size)) return false;
-      }
-      for (size_t c = 0; channel && c < texture::kIntegerColumns; ++c) {
-        if (!are_apart(in.integer(c), channel, size)) return false;
-      }
+    auto any = reinterpret_cast<uintptr_t>(texels.coarser.data);
+    for (size_t c = 0; c < 4; ++c) {
+      any |= reinterpret_cast<uintptr_t>(texels.du[c].data) | reinterpret_cast<uintptr_t>(texels.dv[c].data) |
+             reinterpret_cast<uintptr_t>(texels.dw[c].data);
     }
-    return true;
+    return any != 0;
+  }
+
+  /// Uses the columns of the third coordinate.
+  [[gnu::noinline]] void use_third(const shd_lookups& lookups) {
+    for (size_t c = texture::kPlaneColumns; c < texture::kPlaceColumns; ++c) {
+      in.real(c) = use(lookups.*kFloatRows[c].column, &read_);
+    }
+  }
+
+  bool are_apart() const {
+    const size_t size = count_ * batch_detail::kElementSize;
+    bool apart = true;
+    const auto compare = [&](uintptr_t a, uintptr_t b) { apart = apart && a - b + size - 1 >= 2 * size - 1; };
+    // Columns often lie in a structure of inputs and one of outputs.
+    const bool disjoint = written_.least > read_.most
+                              ? written_.least - read_.most >= size
+                              : read_.least > written_.most && read_.least - written_.most >= size;
+    for (size_t w = 0; w < written_.count; ++w) {
+      for (size_t r = 0; r < read_.count && !disjoint; ++r) compare(written_.first[w], read_.first[r]);
+      for (size_t other = 0; other < w; ++other) compare(written_.first[w], written_.first[other]);
+    }
+    return apart;
   }
 };
 

@@ -136,7 +136,9 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
 }
 
 shd_result check_lookups(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
-  SHD_TRY(check_cells(texture, sampler, texture::Use::kValues));
+  // All filters have values in 2D and in memory.
+  const bool common = use == texture::Use::kValues && !needs_w(texture) && is_in_memory(texture);
+  if (HWY_UNLIKELY(!common)) SHD_TRY(check_cells(texture, sampler, texture::Use::kValues));
   if (use != texture::Use::kValues) SHD_TRY(check_cells(texture, sampler, use));
   if (HWY_UNLIKELY(sampler.compares)) {
     SHD_TRY(check_cells(texture, sampler, texture::Use::kComparison));
@@ -167,12 +169,6 @@ namespace {
 
 using namespace shd;
 using namespace shd::abi;
-
-/// Whether check_lookups() accepts values without further checks: all filters have them in 2D and in memory.
-bool is_common(const texture::Texture& texture, const texture::Sampler& sampler) {
-  return !texture::needs_w(texture) && texture::is_in_memory(texture) && !sampler.compares &&
-         sampler.filter != SHD_FILTER_RIPMAP && sampler.filter != SHD_FILTER_SUMMED_AREA;
-}
 
 constexpr size_t kCoarser = texture::kOutputColumns, kTexelOutputs = kCoarser + 1;
 using LookupBatch = Batch<kLookupColumns, kTexelOutputs>;
@@ -253,8 +249,7 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
-    if (HWY_UNLIKELY(!is_common(*texture_body, *sampler_body)))
-      SHD_TRY(check_lookups(*texture_body, *sampler_body, texture::Use::kValues));
+    SHD_TRY(check_lookups(*texture_body, *sampler_body, texture::Use::kValues));
     const core::Context& context = *object_of(texture)->context;
     CallInPlace call;
     if (!call.read(lookups, out, texture::needs_w(*texture_body), sampler_body->compares))

@@ -267,10 +267,10 @@ struct Texels {
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
   bool wants_values() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
   bool wants_gradient() const {
-    const auto bits = [](const float* column) { return reinterpret_cast<uintptr_t>(column); };
-    uintptr_t any = 0;
-    for (size_t c = 0; c < 4; ++c) any |= bits(du[c]) | bits(dv[c]) | bits(dw[c]);
-    return any != 0;
+    for (size_t c = 0; c < 4; ++c) {
+      if (du[c] || dv[c] || dw[c]) return true;
+    }
+    return false;
   }
   bool wants_deep_gradient() const { return dw[0] || dw[1] || dw[2] || dw[3]; }
 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Calls of few lookups: every filter, wrap and format on every SIMD target gives the bits of one large call, for every
- * length up to two vectors, with columns in records, with some channels and of borrowed texels. Nothing is written
- * beyond the last lookup. */
+ * length up to two vectors and with columns in records. Nothing is written beyond the last lookup. */
 #include "support/filters.h"
 #include "support/rows.h"
 
@@ -11,8 +10,6 @@ static const float k_canary = -7.25f;
 static const shd_format k_formats[] = {SHD_FORMAT_R8,   SHD_FORMAT_RGB8,    SHD_FORMAT_RGBA8,  SHD_FORMAT_RGBA8_SRGB,
                                        SHD_FORMAT_RG16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F};
 
-static int g_borrows;       /* textures borrow their base level */
-static unsigned g_unwanted; /* bit c: look_up() leaves channel c out */
 static float g_in[6][POINTS];
 static float g_whole[4][POINTS + CANARY], g_parts[4][POINTS + CANARY];
 
@@ -33,18 +30,16 @@ static void fill_inputs(void)
 
 static shd_texture *make_texture(int target, shd_format format)
 {
-    static float aligned[(13 * 9 * 16 + SHD_TEXTURE_PADDING) / sizeof(float)];
-    unsigned char *texels = (unsigned char *)aligned;
+    static unsigned char texels[13 * 9 * 16];
     shd_texture_desc desc = shd_texture_desc_default();
     shd_texture *texture = NULL;
     uint32_t state = 5;
     size_t i;
-    for (i = 0; i < sizeof aligned; ++i) texels[i] = (unsigned char)(shd_noise(&state) >> 24);
+    for (i = 0; i < sizeof texels; ++i) texels[i] = (unsigned char)(shd_noise(&state) >> 24);
     desc.format = format;
     desc.width = 13;
     desc.height = 9;
     desc.texels = texels;
-    if (g_borrows) desc.flags = SHD_TEXTURE_BORROW;
     desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
     shd_assert_ok(shd_texture_create(g_targets.context[target], &desc, &texture));
     return texture;
@@ -66,7 +61,7 @@ static size_t look_up(const shd_texture *texture, const shd_sampler *sampler, si
     size_t c;
     lookups.count = count;
     for (c = 0; c < 6; ++c) column_of(&lookups, c)->data = g_in[c] + first;
-    for (c = 0; c < 4; ++c) texels.channel[c].data = g_unwanted >> c & 1 ? NULL : out[c] + first;
+    for (c = 0; c < 4; ++c) texels.channel[c].data = out[c] + first;
     shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &texels));
     return texels.nonfinite_count;
 }
@@ -120,11 +115,7 @@ static void check_split(const char *what, const shd_texture *texture, const shd_
             }
         }
     }
-    for (c = 0; c < 4; ++c) {
-        if (g_unwanted >> c & 1) continue;
-        if (memcmp(g_parts[c], g_whole[c], sizeof g_whole[c]) != 0)
-            fail_msg("%s: calls of %zu lookups differ", what, step);
-    }
+    if (memcmp(g_parts, g_whole, sizeof g_whole) != 0) fail_msg("%s: calls of %zu lookups differ", what, step);
     if (nonfinite != 0) fail_msg("%s: calls of %zu lookups: the number that is not finite differs", what, step);
 }
 
@@ -135,7 +126,6 @@ static void test_bits(void **state)
     size_t f, step;
     int wrap, target;
     for (f = 0; f < sizeof k_formats / sizeof k_formats[0]; ++f) {
-        if (g_borrows && k_formats[f] != SHD_FORMAT_RGBA8) continue;
         for (wrap = 0; wrap < SHD_TEST_WRAPS; ++wrap) {
             shd_sampler *sampler = shd_make_sampler(row, wrap);
             uint64_t want = 0;
@@ -154,22 +144,11 @@ static void test_bits(void **state)
                 for (step = 1; step <= most; ++step) check_split(what, texture, sampler, step, 0, nonfinite);
                 check_split(what, texture, sampler, 1, 1, nonfinite);
                 check_split(what, texture, sampler, 5, 1, nonfinite);
-                for (g_unwanted = 2; g_unwanted < 16; g_unwanted += 11) {
-                    check_split(what, texture, sampler, 3, 0, nonfinite);
-                }
-                g_unwanted = 0;
                 shd_texture_release(texture);
             }
             shd_sampler_release(sampler);
         }
     }
-}
-
-static void test_borrowed(void **state)
-{
-    g_borrows = 1;
-    test_bits(state);
-    g_borrows = 0;
 }
 
 /* ---- outputs beside and on inputs ---- */
@@ -194,47 +173,29 @@ static const struct place_case k_places[] = {
     {"place/5_end_of_u", 5, 0, 10, 4, 20, 1, "texels.channel[0]: overlaps lookups.u"},
     {"place/5_start_of_v", 5, 0, 10, 20, 6, 1, "texels.channel[1]: overlaps lookups.v"},
     {"place/5_end_of_red", 5, 0, 5, 10, 14, 1, "texels.channel[1]: overlaps texels.channel[0]"},
-    {"place/5_between", 5, 0, 10, 5, 15, 1, NULL},
-    {"place/5_end_of_v", 5, 0, 5, 9, 20, 1, "texels.channel[0]: overlaps lookups.v"},
-    {"place/5_start_of_u", 5, 9, 20, 0, 5, 1, "texels.channel[1]: overlaps lookups.u"},
     {"place/5_records", 5, 0, 1, 2, 3, 4, NULL},
     {"place/5_records_on_v", 5, 0, 1, 2, 1, 4, "texels.channel[1]: overlaps lookups.v"},
     {"place/5_next_record", 5, 0, 1, 2, 7, 4, NULL},
     {"place/5_next_record_on_u", 5, 0, 1, 4, 3, 4, "texels.channel[0]: overlaps lookups.u"},
 };
 
-/** Looks up with red in channel `first` and green in channel `second`. */
-static void check_place(const struct place_case *c, const shd_sampler *sampler, char first, char second)
+static void test_place(void **state)
 {
     static float all[4096];
+    const struct place_case *c = (const struct place_case *)*state;
+    shd_sampler *sampler = shd_make_sampler(&k_filters[1], 0);
     shd_lookups lookups = shd_lookups_default();
     shd_texels texels = shd_texels_default();
-    char message[96] = "", *digit;
     size_t i;
-    if (c->message) snprintf(message, sizeof message, "%s", c->message);
-    for (digit = message; (digit = strchr(digit, '[')) != NULL; ++digit) {
-        digit[1] = (char)('0' + (digit[1] == '0' ? first : second));
-    }
     for (i = 0; i < sizeof all / sizeof all[0]; ++i) all[i] = 0.25f;
     lookups.count = c->count;
     lookups.u = shd_f32_column(all + c->u, c->stride * sizeof(float));
     lookups.v = shd_f32_column(all + c->v, c->stride * sizeof(float));
-    texels.channel[(int)first] = shd_f32_out_column(all + c->red, c->stride * sizeof(float));
-    texels.channel[(int)second] = shd_f32_out_column(all + c->green, c->stride * sizeof(float));
+    texels.channel[0] = shd_f32_out_column(all + c->red, c->stride * sizeof(float));
+    texels.channel[1] = shd_f32_out_column(all + c->green, c->stride * sizeof(float));
     shd_assert_result(c->name, shd_texture_sample(g_targets.texture[0], sampler, &lookups, &texels),
-                      c->message ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK, c->message ? message : NULL);
+                      c->message ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK, c->message);
     for (i = 0; c->message && i < sizeof all / sizeof all[0]; ++i) assert_true(all[i] == 0.25f);
-}
-
-static void test_place(void **state)
-{
-    shd_sampler *sampler = shd_make_sampler(&k_filters[1], 0);
-    char first, second;
-    for (second = 1; second < 4; ++second) {
-        for (first = 0; first < second; ++first) {
-            check_place((const struct place_case *)*state, sampler, first, second);
-        }
-    }
     shd_sampler_release(sampler);
 }
 
@@ -242,7 +203,6 @@ int main(void)
 {
     fill_inputs();
     ADD_ROWS(k_filters, test_bits);
-    ADD_ROWS(k_filters, test_borrowed);
     ADD_ROWS(k_places, test_place);
     return _cmocka_run_group_tests("api.lookup_small", g_tests, g_count, shd_open_targets, shd_close_targets);
 }

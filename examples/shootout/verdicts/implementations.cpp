@@ -28,6 +28,11 @@ Implementation own(shd_simd simd, const std::string& target, shd_precision preci
   out.is_own = true;
   const auto textures = std::make_shared<std::map<std::string, std::unique_ptr<JudgedTexture>>>();
   out.filter = [=](const Batch& batch, shd_profile profile) {
+    // Levels of FAST are blended in a part of the way between them, which the rules of shd have no bounds for.
+    const bool own_rule = profile == SHD_PROFILE_LEAST_ERROR || profile == SHD_PROFILE_EXACT;
+    if (precision == SHD_PRECISION_FAST && batch.filter == SHD_FILTER_ANISOTROPIC && own_rule) {
+      return std::vector<float>();
+    }
     std::unique_ptr<JudgedTexture>& texture = (*textures)[batch.texture.name];
     if (!texture) texture = std::make_unique<JudgedTexture>(batch.texture, simd, 0);
     shd_sampler_desc sampler = judged_sampler(batch.filter, profile);

@@ -18,9 +18,6 @@ namespace shd::texture::HWY_NAMESPACE {
 /// pair is not compiled together.
 RunFilter FusedOf(shd_filter filter, image::Component component);
 
-/// Returns such a pair for at most core::kNarrowLanes lookups of textures in memory, or null.
-RunFilter FewOf(const Texture& texture, shd_filter filter);
-
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as soon as
 // it is emitted. Streams are as fast for the other pairs, or at most 10 % slower.
-#include "core/simd_narrow.h"
 #include "texture/lookup/sample.h"
 
 #define SHD_FORMAT_KERNELS
@@ -10,12 +9,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/filter/anisotropic-inl.h"
-#include "texture/filter/bilinear-inl.h"
 #include "texture/filter/ewa-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/runner-inl.h"
-#include "texture/filter/trilinear-inl.h"
 #include "texture/format/consume-inl.h"
 #include "texture/format/unorm8-inl.h"
 #include "texture/lookup/fused-inl.h"
@@ -79,111 +75,12 @@ constexpr FusedPair kFusedPairs[] = {
      Run<Ewa, FusedSink<Unorm8>>},  // 1.18 on AVX-512, 1.26 on AVX2, 1.14 on SSE4
 };
 
-#if HWY_MAX_BYTES == 16
-/// Consumes each element of few lookups as soon as it is emitted, for texels of four 8-bit channels without border. The
-/// lanes of its vectors are the channels of one lookup: vectors of lookups would be empty for the most part.
-class ChannelSink : public Emitter<ChannelSink> {
- public:
-  static_assert(hn::MaxLanes(BatchTag()) == core::kNarrowLanes, "few lookups are one vector");
-
-  explicit ChannelSink(const FilterCall& call)
-      : sampler_(call.sampler), texture_(call.texture), out_(call.out), count_(call.in.count) {}
-
-  HWY_INLINE const Sampler& sampler() const { return sampler_; }
-  HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }
-  static constexpr bool has_rates() { return false; }
-  static constexpr bool bordered() { return false; }
-
-  HWY_INLINE size_t add(BatchTag) { return 0; }
-  HWY_INLINE void commit(BatchTag, uint32_t op) {
-    for (size_t k = 0; k < count_; ++k) {
-      V* const average = &average_[op & kSecond ? 1 : 0][k];
-      const V value = op & kQuad ? quad_at(op, k) : op & kMerge ? average_[1][k] : texel_at(0, k);
-      *average = op & (kHow | kMerge) ? averaged(op, *average, value, element_.share[k]) : value;
-    }
-  }
-  HWY_INLINE void finish() {
-    for (size_t k = 0; k < count_; ++k) {
-      alignas(16) float channel[4];
-      hn::Store(Unorm8::finish<0>(D(), average_[0][k]), D(), channel);
-      for (size_t c = 0; c < 4; ++c) {
-        if (HWY_LIKELY(out_.channel[c] != nullptr)) out_.channel[c][k] = channel[c];
-      }
-    }
-  }
-
- private:
-  using D = hn::FixedTag<float, 4>;
-  using V = hn::Vec<D>;
-
-  static HWY_INLINE V decode(const uint8_t* texel) {
-    const hn::RebindToSigned<D> di;
-    return hn::ConvertTo(D(), hn::PromoteTo(di, hn::LoadU(hn::Rebind<uint8_t, D>(), texel)));
-  }
-  HWY_INLINE const uint8_t* address_of(int32_t texel) const {
-    const auto index = static_cast<uint32_t>(texel);
-    return (index < texture_.borrowed_units ? texture_.borrowed : texture_.origin) + size_t{4} * index;
-  }
-  HWY_INLINE V texel_at(size_t i, size_t k) const { return decode(address_of(element_.index[i][k])); }
-  HWY_INLINE V quad_at(uint32_t op, size_t k) const {
-    const D d;
-    const V s = hn::Set(d, element_.s[k]), t = hn::Set(d, element_.t[k]);
-    if (HWY_LIKELY(op & kNeighbours)) {
-      const uint8_t* const top = address_of(element_.index[0][k]);
-      const uint8_t* const bottom = address_of(element_.index[2][k]);
-      return Lerp(d, Lerp(d, decode(top), decode(top + 4), s), Lerp(d, decode(bottom), decode(bottom + 4), s), t);
-    }
-    return quad_apart(k, s, t);
-  }
-  HWY_NOINLINE V quad_apart(size_t k, V s, V t) const {
-    const D d;
-    return Lerp(d, Lerp(d, texel_at(0, k), texel_at(1, k), s), Lerp(d, texel_at(2, k), texel_at(3, k), s), t);
-  }
-  static HWY_INLINE V averaged(uint32_t op, V average, V value, float share) {
-    if ((op & kHow) == kReplace && share == kWhole) return value;
-    return Lerp(D(), average, value, hn::Set(D(), share));
-  }
-
-  const Sampler& sampler_;
-  const Texture& texture_;
-  const Texels& out_;
-  const size_t count_;
-  V average_[2][core::kNarrowLanes];
-  Elements<kMaxLanes> element_;
-};
-
-/// Runs a filter over at most core::kNarrowLanes lookups, without what only longer batches need.
-template <class Filter>
-HWY_NOINLINE size_t RunFew(const FilterCall& call) {
-  const Filter filter(call.texture, call.sampler);
-  typename Filter::Block block;
-  const size_t nonfinite = FindShapes(call.texture, call.sampler, call.in, &block);
-  ChannelSink sink(call);
-  filter.emit(BatchTag(), block, 0, sink);
-  return nonfinite;
-}
-#endif
-
 }  // namespace
 
 RunFilter FusedOf(shd_filter filter, image::Component component) {
   for (const FusedPair& pair : kFusedPairs) {
     if (pair.filter == filter && pair.component == component) return pair.run;
   }
-  return nullptr;
-}
-
-RunFilter FewOf([[maybe_unused]] const Texture& texture, [[maybe_unused]] shd_filter filter) {
-#if HWY_MAX_BYTES == 16
-  if (texture.component != image::Component::kUnorm8 || texture.channels != 4) return nullptr;
-  switch (filter) {
-    case SHD_FILTER_BILINEAR: return RunFew<Bilinear>;
-    case SHD_FILTER_TRILINEAR: return RunFew<Trilinear>;
-    case SHD_FILTER_ANISOTROPIC: return RunFew<Anisotropic>;
-    case SHD_FILTER_EWA: return RunFew<Ewa>;
-    default: break;
-  }
-#endif
   return nullptr;
 }
 

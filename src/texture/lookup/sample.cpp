@@ -117,7 +117,6 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(FindKernels);
-HWY_EXPORT(FewOf);
 
 /// Returns whether every output is the stored channel of its number, as those of textures of four channels usually are.
 bool is_stored_as_read(const Texture& texture) {
@@ -271,23 +270,10 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
   }
   return nonfinite;
 }
-
-/// Whether the stored channels of lookups are what a filter of one image in memory gives, in full precision.
-bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out) {
-  const bool texels = is_in_memory(texture) && !needs_w(texture) && !texture.decoded && is_stored_as_read(texture);
-  const bool values = sampler.magnification == SHD_MAGNIFICATION_DEFAULT && sampler.precision == SHD_PRECISION_FULL &&
-                      !sampler.compares && !has_border(sampler);
-  return texels && values && !out.coarser && !out.rgba8 && !out.wants_gradient();
-}
 }  // namespace
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
-  if (lookups.count <= core::kNarrowLanes && !recording && is_plain(texture, sampler, out)) {
-    const FormatKernels none = {};
-    if (const RunFilter few = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
-      return few({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
-  }
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
   if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
   if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
