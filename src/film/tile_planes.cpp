@@ -54,6 +54,18 @@ void fill_color(const TileArea& area, const TileArea& part, const float color[4]
   }
 }
 
+void fill_color(const TileArea& area, const raster::PixelRun& run, const float color[4], const TilePlanes& planes) {
+  for (uint32_t begin = run.begin, end; begin < run.end; begin = end) {
+    end = std::min<uint32_t>(run.end, raster::next_row(begin));
+    const uint32_t x = begin % raster::kTile, y = begin / raster::kTile;
+    if (y >= area.height) return;
+    if (x >= area.width) continue;
+    const TilePlanes row = offset(planes, x, y);
+    const uint32_t width = std::min(end - begin, area.width - x);
+    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], width, color[c]);
+  }
+}
+
 void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes) {
   if (has_color_planes(framebuffer)) return;
   for (uint32_t y = 0; y < area.height; ++y) {

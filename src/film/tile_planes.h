@@ -35,6 +35,9 @@ TilePlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuf
 /// Fills a part of a tile. `part` lies in `area`, both in pixels of the framebuffer.
 void fill_color(const TileArea& area, const TileArea& part, const float color[4], const TilePlanes& planes);
 
+/// Fills a run of pixels of a tile, except those outside `area`.
+void fill_color(const TileArea& area, const raster::PixelRun& run, const float color[4], const TilePlanes& planes);
+
 /// Reads and writes the colour of a part of a tile, if the framebuffer has interleaved pixels.
 void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes);
 void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,

@@ -7,7 +7,6 @@
 #include "film/dilate.h"
 #include "frame/bake.h"
 #include "frame/fragment_batch.h"
-#include "shade/combine.h"
 
 namespace shd::frame {
 namespace {
@@ -43,7 +42,7 @@ void write_texels(const Draw& draw, TileState* tile) {
   const raster::Fragments& f = worker.workspace.fragments;
   const shade::Columns& columns = worker.workspace.columns;
   const raster::NearestTriangles& nearest = worker.nearest[0];
-  worker.nonfinite_fragments += shade::count_nonfinite(tile->simd(), columns.radiance, f.count);
+  worker.nonfinite_fragments += worker.workspace.nonfinite;
   worker.aovs.row_count = 0;
   for (size_t i = 0; i < f.count; ++i) {
     if (!is_kept(*draw.material, columns, i)) continue;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/fragment_batch.h"
 
-#include "data/data.h"
+#include <algorithm>
+#include <cstring>
+
 #include "shade/needs.h"
 
 namespace shd::frame {
@@ -9,27 +11,34 @@ namespace {
 
 constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
 
-/// Values of consecutive pixels.
-struct RowValues {
-  uint32_t first;  // pixel
+/// Pixels begin..end - 1 of one row of the tile, and the values of their fragments.
+struct PixelRow {
+  uint32_t begin, end;
   uint32_t mask, triangle;
   float left, top;  // centre of the tile's first pixel
 };
 
-/// Sets kCount rows of a run that begins at row `begin`, from its pixel i on.
-template <uint32_t kCount>
-void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragments* f) {
-  const size_t row = begin + i;
-  uint32_t* __restrict pixel = f->pixel + row;
-  uint32_t* __restrict mask = f->mask + row, * __restrict triangle = f->triangle + row;
-  float* __restrict x = f->x + row, * __restrict y = f->y + row;
-  for (uint32_t k = 0; k < kCount; ++k) {
-    const uint32_t at = values.first + i + k;
-    pixel[k] = at;
-    mask[k] = values.mask;
-    triangle[k] = values.triangle;
-    x[k] = values.left + static_cast<float>(static_cast<int32_t>(at % raster::kTile));
-    y[k] = values.top + static_cast<float>(static_cast<int32_t>(at / raster::kTile));
+template <class T>
+void set_four(T* to, T value) {
+  for (size_t k = 0; k < 4; ++k) to[k] = value;
+}
+
+/// Sets rows of the table from row `at` on, in fours: up to three rows past the last one are overwritten.
+void set_rows(const PixelRow& pixels, size_t at, raster::Fragments* f) {
+  const float top = pixels.top + static_cast<float>(static_cast<int32_t>(pixels.begin / raster::kTile));
+  const size_t end = at + (pixels.end - pixels.begin);
+  uint32_t pixel[4] = {pixels.begin, pixels.begin + 1, pixels.begin + 2, pixels.begin + 3};
+  for (; at < end; at += 4) {
+    float x[4];
+    for (size_t k = 0; k < 4; ++k) {
+      x[k] = pixels.left + static_cast<float>(static_cast<int32_t>(pixel[k] % raster::kTile));
+    }
+    std::memcpy(f->pixel + at, pixel, sizeof pixel);
+    std::memcpy(f->x + at, x, sizeof x);
+    set_four(f->mask + at, pixels.mask);
+    set_four(f->triangle + at, pixels.triangle);
+    set_four(f->y + at, top);
+    for (uint32_t& next : pixel) next += 4;
   }
 }
 
@@ -127,17 +136,12 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
                            const raster::PixelRun& run) {
   raster::Fragments& f = worker_.workspace.fragments;
   const size_t begin = f.count;
-  const uint32_t first = run.begin, count = uint32_t{run.end} - run.begin;
-  const RowValues values = {first, run.mask, triangle.primitive, static_cast<float>(tile_.left) + 0.5f,
-                            static_cast<float>(tile_.top) + 0.5f};
-  if (count == 1) {
-    set_rows<1>(values, 0, begin, &f);
-  } else if (begin + data::padded(count) <= raster::kBatch) {
-    for (uint32_t i = 0; i < count; i += 4) set_rows<4>(values, i, begin, &f);
-  } else {
-    for (uint32_t i = 0; i < count; ++i) set_rows<1>(values, i, begin, &f);
+  const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
+  for (uint32_t first = run.begin, end; first < run.end; first = end) {
+    end = std::min<uint32_t>(run.end, raster::next_row(first));
+    set_rows({first, end, run.mask, triangle.primitive, left, top}, f.count, &f);
+    f.count += end - first;
   }
-  f.count += count;
   worker_.runs.run[worker_.runs.count++] = run;
   if (points.per_sample || run.mask != tile_.all_samples()) {
     for (size_t row = begin; row < f.count; ++row) move_to_centroid(points, row);

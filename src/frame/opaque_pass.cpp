@@ -4,7 +4,6 @@
 #include "film/aovs.h"
 #include "frame/fragment_batch.h"
 #include "frame/texture_batch.h"
-#include "shade/combine.h"
 
 namespace shd::frame {
 namespace {
@@ -43,7 +42,7 @@ void write_colors(const BatchRuns& runs, const shade::Radiance& radiance, uint32
 void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
-  worker.nonfinite_fragments += shade::count_nonfinite(tile->simd(), worker.workspace.columns.radiance, f.count);
+  worker.nonfinite_fragments += worker.workspace.nonfinite;
   write_colors(worker.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   film::find_rows(f, &worker.aovs);
@@ -84,7 +83,7 @@ void shade_visible(TileState* tile) {
   TextureBatch textured(tile);
   tile->color_is_stored = is_overwritten && tile->is_drawn_once() && textured.begin_direct();
   if (is_overwritten) tile->color_is_unclear = false;
-  tile->clear_color();
+  tile->clear_bare(worker.order.bare);
   tile->color.assume(has_one_color ? tile->renderer.frame.clear_color : nullptr);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;

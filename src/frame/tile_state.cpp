@@ -68,6 +68,14 @@ void TileState::clear_color() {
   color_is_unclear = false;
 }
 
+void TileState::clear_bare(const core::Buffer<raster::PixelRun>& bare) {
+  if (!color_is_unclear || renderer.background.map) return clear_color();
+  for (size_t i = 0; i < bare.size(); ++i) {
+    film::fill_color(area, bare[i], renderer.frame.clear_color, color_planes);
+  }
+  color_is_unclear = false;
+}
+
 uint64_t TileState::count_masked() const {
   uint64_t count = 0;
   for_each_masked([&](uint32_t, uint32_t mask) { count += static_cast<uint64_t>(__builtin_popcount(mask)); });

@@ -60,6 +60,8 @@ class TileState {
   void fill(const film::TileArea& part);
   /// Clears colour unless it is already cleared.
   void clear_color();
+  /// As clear_color(), but may clear only these pixels: all samples of the others will be written.
+  void clear_bare(const core::Buffer<raster::PixelRun>& bare);
 
   /// Calls body(run) for the triangles of the tile, in order.
   template <class Body>

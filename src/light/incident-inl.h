@@ -9,6 +9,7 @@
 #endif
 
 #include "light/light.h"
+#include "simd/choices-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,25 +33,27 @@ HWY_INLINE V Cone(D d, const Light& light, V cosine) {
 
 /// Incident light at p, for all kinds except ambient, without cookie and shadow. falloff is E / I, 0 where r = 0 or r^2
 /// overflows.
-template <class D, class V>
-HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
+template <class D, class V, class Choices>
+HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p, Choices& choices) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
-  if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {axis, one};
+  if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {simd::HWY_NAMESPACE::Set3(d, light.to_light), one};
   const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
-  const V safe = hn::IfThenElse(usable, squared, one);
+  const V safe = choices.Select(usable, squared, one);
   const V inverse = one / hn::Sqrt(safe);
-  V falloff = hn::IfThenElseZero(usable, one / hn::Max(safe, hn::Set(d, 1e-8f)));
-  const simd::HWY_NAMESPACE::Vec3V<V> l = {hn::IfThenElseZero(usable, to_light.x * inverse),
-                                           hn::IfThenElseZero(usable, to_light.y * inverse),
-                                           hn::IfThenElseZero(usable, to_light.z * inverse)};
+  V falloff = choices.OrZero(usable, one / choices.AtLeast(safe, hn::Set(d, 1e-8f)));
+  const simd::HWY_NAMESPACE::Vec3V<V> l = {choices.OrZero(usable, to_light.x * inverse),
+                                           choices.OrZero(usable, to_light.y * inverse),
+                                           choices.OrZero(usable, to_light.z * inverse)};
   if (light.range > 0.0f) {
     const V ratio = safe * hn::Set(d, light.inverse_range_squared);
     falloff = falloff * hn::Max(one - ratio * ratio, zero);
   }
-  if (light.kind == SHD_LIGHT_KIND_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
+  if (light.kind == SHD_LIGHT_KIND_SPOT) {
+    const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
+    falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
+  }
   return {l, falloff};
 }
 

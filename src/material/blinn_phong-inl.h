@@ -15,18 +15,27 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, n.h)^p with h the unit half vector of wo and l; 0 where wo + l = 0. The vectors must be unit vectors or 0.
-template <class D, class V>
-HWY_INLINE V BlinnPhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
+/// max(0, n.h) with h the unit half vector of wo and l; -1 where wo + l = 0. The vectors must be unit vectors or 0.
+template <class D, class V, class Choices>
+HWY_INLINE V HalfCosine(D d, const Point<V>& point, const Vec3V<V>& l, Choices& choices) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const auto sum = Sum(point.wo, in.l);
+  const auto sum = Sum(point.wo, l);
   const V squared = Dot(sum, sum);
   const auto usable = hn::Gt(squared, zero);
-  const V length = hn::Sqrt(hn::IfThenElse(usable, squared, one));
+  const V length = hn::Sqrt(choices.Select(usable, squared, one));
   const V n_dot_h = Dot(point.n, sum) / length;
-  const V cosine = hn::Min(hn::Max(n_dot_h, zero), one);
-  return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent));
+  return choices.Select(usable, hn::Min(hn::Max(n_dot_h, zero), one), hn::Neg(one));
 }
+
+/// Lighting whose term is HalfCosine().
+struct HalfCosineLighting : SpecularLighting {
+  static constexpr uint32_t kTerms = 1;
+
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V*, Choices& choices, V* terms) {
+    terms[0] = HalfCosine(d, point, l, choices);
+  }
+};
 
 /// The lobe of an environment: the mean radiance over a Phong lobe of the exponent p / 4, which has the same width near
 /// normal incidence, times the integral of the lobe of Blinn for the point's n.v.
@@ -42,12 +51,11 @@ constexpr float kBlinnPhongIntegral = 25.1327412f;  // 8 pi
 
 /// Lambert + sum of k_s E max(0, n.h)^p.
 struct BlinnPhong : SpecularBase {
-  struct Lighting : SpecularLighting {
+  struct Lighting : HalfCosineLighting {
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
-                                    V* lobe) {
+    static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
       lobe[0] = in.cosine;
-      lobe[1] = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+      lobe[1] = simd::HWY_NAMESPACE::UnitPow(d, terms[0], shape[Shape::kExponent]);
     }
 
     template <class D, class V>

@@ -25,12 +25,12 @@ HWY_INLINE V BlinnPhongNorm(D d, V p) {
 
 /// k_a I_a + sum of (k_d / pi + k_s N max(0, n.h)^p) E max(0, n.l).
 struct BlinnPhongNormalized : SpecularBase {
-  struct Lighting : SpecularLighting {
+  struct Lighting : HalfCosineLighting {
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
-                                    V* lobe) {
+    static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
+      const V power = simd::HWY_NAMESPACE::UnitPow(d, terms[0], shape[Shape::kExponent]);
       lobe[0] = in.cosine;
-      lobe[1] = hn::Max(in.n_dot_l, hn::Zero(d)) * BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+      lobe[1] = hn::Max(in.n_dot_l, hn::Zero(d)) * power;
     }
 
     template <class D, class V>
@@ -48,8 +48,8 @@ struct BlinnPhongNormalized : SpecularBase {
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D d, const ChannelAt<D, Slots>& c) {
       const V scattered = c.Diffuse() * hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * c.Lobe(0);
       return c.ambient + scattered + c.Specular() * c.Lobe(1);
     }

@@ -62,17 +62,29 @@ struct ClearCoat : MetallicRoughness {
     static constexpr bool kAveragesNormals = false;
     using Shape = ClearCoatShape;
 
-    template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
-                                    const V* shape, V* lobe) {
-      const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    /// The terms of the base and of the coat, n_c.l, and the part of the light that the coat reflects.
+    enum Term : uint32_t { kCoatTerms = kMicrofacetTerms, kCoatNDotL = 2 * kMicrofacetTerms, kReflected, kCount };
+    static constexpr uint32_t kTerms = kCount;
+    template <class D, class V, class Choices>
+    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
+                                 V* terms) {
       const Vec3V<V> n = Shape::Normal(shape);
-      const V n_dot_l = Dot(n, in.l), reflected = Shape::Reflected(d, shape, Dot(n, point.wo)), rest = one - reflected;
-      MetallicRoughness::Lighting::AddLight(d, m, point, in, shape, lobe);
+      MicrofacetTerms(d, point, l, shape[Shape::kAlphaSquared], choices, terms);
+      MicrofacetTerms(d, {n, point.wo}, l, shape[Shape::kCoatAlphaSquared], choices, terms + kCoatTerms);
+      terms[kCoatNDotL] = Dot(n, l);
+      terms[kReflected] = Shape::Reflected(d, shape, Dot(n, point.wo));
+    }
+
+    template <class D, class V>
+    static HWY_INLINE void Lobes(D d, const Material& m, const V* terms, const Cosines<V>& in, const V* shape,
+                                 V* lobe) {
+      const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+      const V n_dot_l = terms[kCoatNDotL], reflected = terms[kReflected], rest = one - reflected;
+      MetallicRoughness::Lighting::Lobes(d, m, terms, in, shape, lobe);
       const auto faces = hn::Gt(in.n_dot_l, zero);
       for (uint32_t k = 0; k < 3; ++k) lobe[k] = hn::IfThenElseZero(faces, lobe[k] * rest);
-      const Incoming<V> to_coat = {in.l, n_dot_l, hn::Max(n_dot_l, zero)};
-      const auto coat = EvaluateMetallicRoughness(d, {n, point.wo}, to_coat, shape[Shape::kCoatAlphaSquared]);
+      const Cosines<V> to_coat = {n_dot_l, hn::Max(n_dot_l, zero)};
+      const auto coat = EvaluateMetallicRoughness(d, terms + kCoatTerms, to_coat, shape[Shape::kCoatAlphaSquared]);
       lobe[3] = hn::IfThenElseZero(hn::Gt(n_dot_l, zero), reflected * (coat.specular_f0 + coat.specular_f90));
     }
 
@@ -97,8 +109,8 @@ struct ClearCoat : MetallicRoughness {
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D d, const ChannelAt<D, Slots>& c) {
       return MetallicRoughness::Combination::Combine(d, c) + c.Lobe(3);
     }
   };

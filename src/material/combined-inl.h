@@ -20,8 +20,8 @@ struct Combined : BlinnPhong {
   static constexpr bool kColorsAmbient = true;
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.Diffuse() * (c.ambient + c.Lobe(0)) + c.Specular() * c.Lobe(1);
     }
   };

@@ -20,8 +20,8 @@ struct DebugView : ModelBase {
   static constexpr bool kHasNormal = false;
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.Lobe(0);
     }
   };

@@ -36,9 +36,9 @@ struct Glass : ModelBase {
     static constexpr uint32_t kLobes = 2;
 
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
-                                    const V* shape, V* lobe) {
-      const auto lobes = EvaluateMetallicRoughness(d, point, in, shape[Shape::kAlphaSquared]);
+    static HWY_INLINE void Lobes(D d, const Material& m, const V* terms, const Cosines<V>& in, const V* shape,
+                                 V* lobe) {
+      const auto lobes = EvaluateMetallicRoughness(d, terms, in, shape[Shape::kAlphaSquared]);
       lobe[0] = hn::Zero(d);
       lobe[1] = hn::Set(d, m.dielectric_f0) * lobes.specular_f0 + lobes.specular_f90;
     }
@@ -56,8 +56,8 @@ struct Glass : ModelBase {
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.ambient + c.Diffuse() * c.Lobe(0) + c.Lobe(1);
     }
   };

@@ -25,15 +25,15 @@ struct Gooch : ModelBase {
     static constexpr bool kAveragesNormals = false;
 
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
+    static HWY_INLINE void Lobes(D d, const Material&, const V*, const Cosines<V>& in, const V*, V* lobe) {
       const V half = hn::Set(d, 0.5f);
       lobe[0] = half + half * in.n_dot_l;
     }
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D d, const ChannelAt<D, Slots>& c) {
       const Material& m = c.material;
       const V diffuse = c.Diffuse();
       const V warmth = c.light_count > 0.0f ? c.Lobe(0) / hn::Set(d, c.light_count) : hn::Set(d, 0.5f);

@@ -22,7 +22,7 @@ struct Lambert : ModelBase {
     static constexpr uint32_t kLobes = 1;
 
     template <class D, class V>
-    static HWY_INLINE void AddLight(D, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
+    static HWY_INLINE void Lobes(D, const Material&, const V*, const Cosines<V>& in, const V*, V* lobe) {
       lobe[0] = in.cosine;
     }
 
@@ -34,8 +34,8 @@ struct Lambert : ModelBase {
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.ambient + c.Diffuse() * c.Lobe(0);
     }
   };

@@ -51,8 +51,8 @@ struct Matcap : ModelBase {
   }
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.Diffuse() * c.Lobe(0);
     }
   };

@@ -31,22 +31,34 @@ HWY_INLINE V TrowbridgeReitzSpread(D d, const Vec3V<V>& n, const Vec3V<V>& sum, 
   return n_dot_sum * n_dot_sum * alpha_squared + Dot(across, across);
 }
 
+/// Terms of the lobes of one light: the quotient of TrowbridgeReitzSpread() by |wo + l|^2, that square, and n.v, which
+/// is clamped to at least 1e-4.
+enum MicrofacetTerm : uint32_t { kSpread, kSquared, kNDotV, kMicrofacetTerms };
+
+template <class D, class V, class Choices>
+HWY_INLINE void MicrofacetTerms(D d, const Point<V>& point, const Vec3V<V>& l, V alpha_squared, Choices& choices,
+                                V* terms) {
+  const V one = hn::Set(d, 1.0f);
+  const auto sum = Sum(point.wo, l);
+  const V squared = Dot(sum, sum);
+  const V inverse = one / choices.Select(hn::Gt(squared, hn::Zero(d)), squared, one);
+  terms[kSpread] = TrowbridgeReitzSpread(d, point.n, sum, alpha_squared) * inverse;
+  terms[kSquared] = squared;
+  terms[kNDotV] = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
+}
+
 /// D of Trowbridge and Reitz (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007) and the
 /// masking and shadowing V of Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs" (2014).
-/// n.v is clamped to at least 1e-4; the result is 0 where wo + l = 0. Callers use the result only where n.l > 0.
+/// The result is 0 where wo + l = 0. Callers use the result only where n.l > 0.
 template <class D, class V>
-HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<V>& point, const Incoming<V>& in,
+HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const V* terms, const Cosines<V>& in,
                                                                V alpha_squared) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const auto sum = Sum(point.wo, in.l);
-  const V squared = Dot(sum, sum);
+  const V squared = terms[kSquared], n_dot_v = terms[kNDotV];
   const auto usable = hn::Gt(squared, zero);
-  const V inverse = one / hn::IfThenElse(usable, squared, one);
   const V cosine = hn::Max(in.n_dot_l, zero);
-  const V n_dot_v = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
 
-  const V spread = TrowbridgeReitzSpread(d, point.n, sum, alpha_squared) * inverse;
-  const V floor = hn::Max(spread, hn::Set(d, 1e-12f));
+  const V floor = hn::Max(terms[kSpread], hn::Set(d, 1e-12f));
   const V distribution = alpha_squared * hn::Set(d, simd::HWY_NAMESPACE::kInvPi) / (floor * floor);
 
   const V rest = one - alpha_squared;
@@ -91,10 +103,16 @@ struct MetallicRoughness : ModelBase {
       return k * ((hn::Set(d, 28.8f) + squared) / (hn::Set(d, 144.0f) + squared));
     }
 
+    static constexpr uint32_t kTerms = kMicrofacetTerms;
+    template <class D, class V, class Choices>
+    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
+                                 V* terms) {
+      MicrofacetTerms(d, point, l, shape[Shape::kAlphaSquared], choices, terms);
+    }
+
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
-                                    V* lobe) {
-      const auto lobes = EvaluateMetallicRoughness(d, point, in, shape[Shape::kAlphaSquared]);
+    static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
+      const auto lobes = EvaluateMetallicRoughness(d, terms, in, shape[Shape::kAlphaSquared]);
       lobe[0] = lobes.diffuse;
       lobe[1] = lobes.specular_f0;
       lobe[2] = lobes.specular_f90;
@@ -124,8 +142,8 @@ struct MetallicRoughness : ModelBase {
   };
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D d, const ChannelAt<D, Slots>& c) {
       const V one = hn::Set(d, 1.0f), dielectric_f0 = hn::Set(d, c.material.dielectric_f0);
       const V base = c.Diffuse(), metallic = c.Metallic(), rest = one - metallic;
       const V scattering = base * rest;

@@ -10,6 +10,7 @@
 
 #include "environment/look_up-inl.h"
 #include "material/material.h"
+#include "simd/choices-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,11 +27,10 @@ struct Point {
   Vec3V<V> n, wo;
 };
 
-/// One light at a point: unit vector to the light. `cosine` is max(0, n.l), or its mean over the normals of a filtered
-/// normal map, one of which has n_dot_l.
+/// One light at a point. `cosine` is max(0, n.l), or its mean over the normals of a filtered normal map, one of which
+/// has n_dot_l.
 template <class V>
-struct Incoming {
-  Vec3V<V> l;
+struct Cosines {
   V n_dot_l;
   V cosine;
 };
@@ -97,12 +97,27 @@ struct SlotsAt {
   }
 };
 
-/// Coefficients and lobes of one channel at points from i on.
+/// Values of slots at points from i on, of which only the diffuse slot has values.
 template <class D>
+struct DiffuseAt {
+  using V = hn::Vec<D>;
+  const float* const (&diffuse)[3];
+  D d;
+  size_t i;
+
+  /// As SlotsAt::Get(): the value of another slot is 1, and a factor of 1 changes no bit.
+  HWY_INLINE V Get(float constant, uint32_t slot, int channel) const {
+    const V factor = hn::Set(d, constant);
+    return slot == SHD_SLOT_DIFFUSE ? factor * hn::Load(d, diffuse[channel] + i) : factor;
+  }
+};
+
+/// Coefficients and lobes of one channel at points from i on. `Slots` is SlotsAt or DiffuseAt.
+template <class D, class Slots>
 struct ChannelAt {
   using V = hn::Vec<D>;
   const Material& material;
-  const SlotsAt<D> slots;
+  const Slots slots;
   const Lobes& lobes;
   int channel;
   float light_count;
@@ -148,11 +163,20 @@ struct LightingBase {
   /// where `variance` is the variance of slopes removed by filtering normal maps, or 0.
   using Shape = NoShape;
 
+  /// Number of values that Terms() hands to Lobes(). The lobes of one light are computed in two
+  /// steps, so that each runs in a short loop over many points.
+  static constexpr uint32_t kTerms = 0;
+
+  /// Sets terms[kTerms] from a point and the unit vector l to a light. `choices` makes choices that nearly all points
+  /// decide in one way: see choices-inl.h.
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Terms(D, const Point<V>&, const Vec3V<V>&, V, const V*, Choices&, V*) {}
+
   // Lighting with lobes also has
-  //   AddLight(d, material, point, incoming, shape, lobe)
+  //   Lobes(d, material, terms, cosines, shape, lobe)
   // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
-  // where n.l <= 0, because lights behind all points of a vector are skipped. Lighting with specular lobes that
-  // averages normals also has
+  // where n.l <= 0, because lights behind all points of a block are skipped. Lighting with specular lobes that averages
+  // normals also has
   //   Precision(d, shape, length, variance)
   // which gives the precision (1 / variance) of a Gaussian of slopes around the half vector (wo + l) / length that is
   // like the specular lobes, for slope_spread-inl.h. `variance` is the largest variance of slopes.
@@ -168,6 +192,16 @@ struct LightingBase {
   template <class D, class V, class Sums>
   static HWY_INLINE void Normalize(D, const V*, Sums&) {}
 };
+
+/// Lobes of one light at a point, divided by E.
+template <class Lighting, class D, class V>
+HWY_INLINE void LobesOf(D d, const Material& material, const Point<V>& point, const Vec3V<V>& l,
+                        const Cosines<V>& cosines, const V* shape, V* lobe) {
+  simd::HWY_NAMESPACE::Choices<D> choices(d);
+  V terms[Lighting::kTerms + 1];
+  Lighting::Terms(d, point, l, cosines.n_dot_l, shape, choices, terms);
+  Lighting::Lobes(d, material, terms, cosines, shape, lobe);
+}
 
 /// Default members of a model. Each model also has
 ///   kSlots                           bits of the slots that it reads

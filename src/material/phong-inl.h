@@ -15,14 +15,13 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, wo.r)^p with r = 2 (n.l) n - l, the direction to the light mirrored at the normal. The vectors must be unit
+/// max(0, wo.r) with r = 2 (n.l) n - l, the direction to the light mirrored at the normal. The vectors must be unit
 /// vectors or 0.
 template <class D, class V>
-HWY_INLINE V PhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
-  const V twice = in.n_dot_l + in.n_dot_l;
-  const V o_dot_r = twice * Dot(point.n, point.wo) - Dot(point.wo, in.l);
-  const V cosine = hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
-  return simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent);
+HWY_INLINE V MirroredCosine(D d, const Point<V>& point, const Vec3V<V>& l, V n_dot_l) {
+  const V twice = n_dot_l + n_dot_l;
+  const V o_dot_r = twice * Dot(point.n, point.wo) - Dot(point.wo, l);
+  return hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
 }
 
 /// Lambert + sum of k_s E max(0, wo.r)^p.
@@ -36,11 +35,17 @@ struct Phong : SpecularBase {
       return twice * length;
     }
 
+    static constexpr uint32_t kTerms = 1;
+    template <class D, class V, class Choices>
+    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V n_dot_l, const V*, Choices&,
+                                 V* terms) {
+      terms[0] = MirroredCosine(d, point, l, n_dot_l);
+    }
+
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
-                                    V* lobe) {
+    static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
       lobe[0] = in.cosine;
-      lobe[1] = PhongLobe(d, point, in, shape[Shape::kExponent]);
+      lobe[1] = simd::HWY_NAMESPACE::UnitPow(d, terms[0], shape[Shape::kExponent]);
     }
 
     /// The integral of the whole lobe is 2 pi / (p + 1).

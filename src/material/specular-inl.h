@@ -42,8 +42,8 @@ struct SpecularBase : ModelBase {
   static constexpr uint32_t kSlots = kLitSlots | 1u << SHD_SLOT_SPECULAR | 1u << SHD_SLOT_EXPONENT;
 
   struct Combination {
-    template <class D, class V = hn::Vec<D>>
-    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+    template <class D, class Slots, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D, Slots>& c) {
       return c.ambient + c.Diffuse() * c.Lobe(0) + c.Specular() * c.Lobe(1);
     }
   };

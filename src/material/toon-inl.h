@@ -19,15 +19,15 @@ using simd::HWY_NAMESPACE::RoundUp;
 /// Lambert plus the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0,
 /// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
 struct Toon : SpecularBase {
-  struct Lighting : SpecularLighting {
+  struct Lighting : HalfCosineLighting {
     static constexpr bool kAveragesNormals = false;
 
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
-                                    const V* shape, V* lobe) {
+    static HWY_INLINE void Lobes(D d, const Material& m, const V* terms, const Cosines<V>& in, const V* shape,
+                                 V* lobe) {
       const V one = hn::Set(d, 1.0f), steps = hn::Set(d, m.toon_steps);
       lobe[0] = hn::Min(RoundUp(in.cosine * steps) / steps, one);
-      const V highlight = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+      const V highlight = simd::HWY_NAMESPACE::UnitPow(d, terms[0], shape[Shape::kExponent]);
       lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
     }
 

@@ -54,37 +54,43 @@ size_t next_bit(const uint64_t* bits, size_t from, size_t count) {
 }
 
 /// Divides the covered pixels of a tile into runs. Returns the number of samples without a triangle.
-/// @param changes  bit i is set if slot i differs from slot i - 1
 template <uint32_t kSamples>
-size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<SlotRun>* runs) {
+size_t find_runs(const Tile& tile, TileOrder* out) {
+  const uint64_t* changes = out->changes.data();
+  core::Buffer<SlotRun>* runs = &out->found;
   constexpr uint32_t kAll = (1u << kSamples) - 1;
   size_t bare = 0;
   runs->clear();
+  out->bare.clear();
   for (size_t begin = 0; begin < kTilePixels;) {
     const uint32_t slot = tile.slot[begin * kSamples];
     const size_t end = next_bit(changes, begin * kSamples + 1, kTilePixels * kSamples) / kSamples;
     if (end == begin) {
-      bare += add_mixed_pixel<kSamples>(tile, begin, runs);
+      const size_t bare_samples = add_mixed_pixel<kSamples>(tile, begin, runs);
+      if (bare_samples) out->bare.push_back({static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), kAll});
+      bare += bare_samples;
       ++begin;
       continue;
     }
+    const PixelRun run = {static_cast<uint16_t>(begin), static_cast<uint16_t>(end), kAll};
     if (slot == kNoSlot) {
       bare += (end - begin) * kSamples;
+      out->bare.push_back(run);
     } else {
-      runs->push_back({slot, {static_cast<uint16_t>(begin), static_cast<uint16_t>(end), kAll}});
+      runs->push_back({slot, run});
     }
     begin = end;
   }
   return bare;
 }
 
-size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<SlotRun>* runs) {
+size_t find_runs(const Tile& tile, TileOrder* out) {
   switch (tile.samples) {
-    case 1: return find_runs<1>(tile, changes, runs);
-    case 2: return find_runs<2>(tile, changes, runs);
-    case 4: return find_runs<4>(tile, changes, runs);
-    case 8: return find_runs<8>(tile, changes, runs);
-    default: return find_runs<16>(tile, changes, runs);
+    case 1: return find_runs<1>(tile, out);
+    case 2: return find_runs<2>(tile, out);
+    case 4: return find_runs<4>(tile, out);
+    case 8: return find_runs<8>(tile, out);
+    default: return find_runs<16>(tile, out);
   }
 }
 
@@ -122,13 +128,14 @@ void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out
   out->found.attach(allocator);
   out->start.attach(allocator);
   out->run.attach(allocator);
+  out->bare.attach(allocator);
 }
 
 void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
   find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
-  out->covered_samples = tile.slot.size() - find_runs(tile, out->changes.data(), &out->found);
+  out->covered_samples = tile.slot.size() - find_runs(tile, out);
   for (size_t i = 0; i < out->found.size(); ++i) ++out->start[out->found[i].slot];
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {

@@ -89,6 +89,7 @@ struct TileOrder {
   core::Buffer<SlotRun> found;    // scratch: the runs by position
   core::Buffer<uint32_t> start;   // [slots + 1] first run of each slot
   core::Buffer<PixelRun> run;     // sorted by slot, then by position
+  core::Buffer<PixelRun> bare;    // pixels with samples without a triangle
   size_t covered_samples;         // samples with a triangle
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shade/illuminate.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/illuminate.cpp"
 #include <hwy/foreach_target.h>
@@ -19,59 +21,151 @@ using simd::HWY_NAMESPACE::Load3;
 
 namespace {
 
-/// Adds I w, times the factors of cookies and shadows, to the channels of a lobe. Zero weights stay zero even if a
-/// factor is NaN.
-template <class D, class V>
-HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&sum)[3]) {
-  const auto is_lit = hn::Gt(w, hn::Zero(d));
-  for (int c = 0; c < 3; ++c) {
-    const V left = active.factor[c] ? hn::IfThenElseZero(is_lit, w * hn::Load(d, active.factor[c] + i)) : w;
-    sum[c] = sum[c] + hn::Set(d, active.light->intensity[c]) * left;
+/// Points whose lights are summed in short loops, so that their columns stay in L1.
+constexpr size_t kBlock = 64;
+
+/// The points of a block, and columns of the shape of its lobes, which begin with the block.
+struct Block {
+  const material::Material& material;
+  const raster::Fragments& f;
+  size_t first, count;
+  const float* shape[material::kMaxShapeColumns];
+
+  template <class D, class V>
+  HWY_INLINE void LoadShape(D d, size_t i, uint32_t count_of_columns, V* out) const {
+    for (uint32_t k = 0; k < count_of_columns; ++k) out[k] = hn::Load(d, shape[k] + i);
+  }
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE material::HWY_NAMESPACE::Point<V> PointAt(D d, size_t i) const {
+    return {Load3(d, f.nx, f.ny, f.nz, first + i), Load3(d, f.ox, f.oy, f.oz, first + i)};
+  }
+};
+
+/// Sums over the lights at the points of a block: columns that begin with the block.
+template <class Lighting>
+struct Sums {
+  float* column[Lighting::kLobes][3];
+};
+
+/// Sets sums to 0. The zero is volatile, so that gcc stores vectors: its `rep stos` takes longer for short columns.
+template <class Lighting, class D>
+HWY_INLINE void StartSums(D d, const Block& block, const Sums<Lighting>& sums) {
+  const volatile float nothing = 0.0f;
+  const auto zero = hn::Set(d, nothing);
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) hn::Store(zero, d, sums.column[k / 3][k % 3] + i);
   }
 }
 
-/// Adds the lobes of one light at a vector of points. If `gated`, specular lobes are 0 where n.l <= 0.
-template <class Lighting, class D, class V>
-HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLight& active, size_t i,
-                         const simd::HWY_NAMESPACE::Vec3V<V>& p, const material::HWY_NAMESPACE::Point<V>& point,
-                         const V* shape, bool gated, V (&sum)[Lighting::kLobes][3]) {
-  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
-  const V n_dot_l = Dot(point.n, incident.l);
-  const material::HWY_NAMESPACE::Incoming<V> in = {incident.l, n_dot_l, hn::Max(n_dot_l, hn::Zero(d))};
-  V lobe[Lighting::kLobes];
-  if constexpr (Lighting::kIgnoresIrradiance) {
-    Lighting::AddLight(d, material, point, in, shape, lobe);
-    for (V& channel : sum[0]) channel = channel + lobe[0];
+/// A light of a block with its factors.
+struct Addition {
+  const light::Light light;  // a copy, which no store changes
+  const float* factor[3];    // by the points of the block; null = 1
+
+  Addition(const ActiveLight& active, const Block& block) : light(*active.light), factor() {
+    for (int c = 0; c < 3 && active.factor[0]; ++c) factor[c] = active.factor[c] + block.first;
+  }
+};
+
+/// Adds I w, times the factors of cookies and shadows, to the channels of a lobe. Zero weights stay zero even if a
+/// factor is NaN.
+template <class D, class V>
+HWY_INLINE void Accumulate(D d, const Addition& addition, size_t i, V w, float* const (&sum)[3]) {
+  const auto add = [&](int c, V left) HWY_ATTR {
+    hn::Store(hn::Load(d, sum[c] + i) + hn::Set(d, addition.light.intensity[c]) * left, d, sum[c] + i);
+  };
+  if (HWY_LIKELY(addition.factor[0] == nullptr)) {
+    for (int c = 0; c < 3; ++c) add(c, w);
   } else {
-    const auto faces = hn::Gt(in.n_dot_l, hn::Zero(d));
-    // The light is behind every point of the vector: all terms are +0, and adding them changes no bit.
-    if (gated && hn::AllFalse(d, faces)) return;
-    Lighting::AddLight(d, material, point, in, shape, lobe);
-    for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
-      const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
-      Accumulate(d, active, i, incident.falloff * kept, sum[k]);
+    const auto is_lit = hn::Gt(w, hn::Zero(d));
+    for (int c = 0; c < 3; ++c) add(c, hn::IfThenElseZero(is_lit, w * hn::Load(d, addition.factor[c] + i)));
+  }
+}
+
+/// Columns of one light at the points of a block.
+template <class Lighting>
+struct LightColumns {
+  alignas(64) float falloff[kBlock], n_dot_l[kBlock], term[Lighting::kTerms + 1][kBlock];
+};
+
+/// First loop over the points of a block: direction and distance of a light, and what its lobes need of both. Returns
+/// the lanes in which some point faces the light.
+template <class Lighting, class Choices, class D>
+HWY_INLINE hn::Mask<D> FindTerms(D d, const Block& block, const light::Light& light, Choices& choices,
+                                 LightColumns<Lighting>& out) {
+  using V = hn::Vec<D>;
+  auto faces = hn::Gt(hn::Zero(d), hn::Zero(d));
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    const auto p = Load3(d, block.f.px, block.f.py, block.f.pz, block.first + i);
+    const auto point = block.PointAt(d, i);
+    const auto incident = light::HWY_NAMESPACE::IncidentAt(d, light, p, choices);
+    const V n_dot_l = Dot(point.n, incident.l);
+    V shape[material::kMaxShapeColumns], terms[Lighting::kTerms + 1];
+    block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
+    Lighting::Terms(d, point, incident.l, n_dot_l, shape, choices, terms);
+    faces = hn::Or(faces, hn::Gt(n_dot_l, hn::Zero(d)));
+    hn::Store(incident.falloff, d, out.falloff + i);
+    hn::Store(n_dot_l, d, out.n_dot_l + i);
+    for (uint32_t k = 0; k < Lighting::kTerms; ++k) hn::Store(terms[k], d, out.term[k] + i);
+  }
+  return faces;
+}
+
+/// Adds the lobes of one light at the points of a block. If `gated`, specular lobes are 0 where n.l <= 0.
+template <class Lighting, class D>
+HWY_INLINE void AddLight(D d, const Block& block, const ActiveLight& active, bool gated, const Sums<Lighting>& sums) {
+  using V = hn::Vec<D>;
+  const Addition addition(active, block);
+  const light::Light& light = addition.light;
+  LightColumns<Lighting> columns;
+  simd::HWY_NAMESPACE::UsualChoices<D> usual(d);
+  const auto faces = FindTerms(d, block, light, usual, columns);
+  if (HWY_UNLIKELY(!hn::AllTrue(d, usual.usual))) {
+    simd::HWY_NAMESPACE::Choices<D> choices(d);
+    FindTerms(d, block, light, choices, columns);
+  } else if (!Lighting::kIgnoresIrradiance && gated && hn::AllFalse(d, faces)) {
+    return;  // the light is behind every point: all terms are +0, and adding them changes no bit
+  }
+  const V zero = hn::Zero(d);
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    const V n_dot_l = hn::Load(d, columns.n_dot_l + i);
+    V shape[material::kMaxShapeColumns], terms[Lighting::kTerms + 1], lobe[Lighting::kLobes];
+    block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
+    for (uint32_t k = 0; k < Lighting::kTerms; ++k) terms[k] = hn::Load(d, columns.term[k] + i);
+    Lighting::Lobes(d, block.material, terms, {n_dot_l, hn::Max(n_dot_l, zero)}, shape, lobe);
+    if constexpr (Lighting::kIgnoresIrradiance) {
+      for (float* sum : sums.column[0]) {
+        hn::Store(hn::Load(d, sum + i) + lobe[0], d, sum + i);
+      }
+    } else {
+      const auto faces_light = hn::Gt(n_dot_l, zero);
+      const V falloff = hn::Load(d, columns.falloff + i);
+      for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
+        const V kept = k && gated ? hn::IfThenElseZero(faces_light, lobe[k]) : lobe[k];
+        Accumulate(d, addition, i, falloff * kept, sums.column[k]);
+      }
     }
   }
 }
 
 /// Lobes of one light, averaged over normals: those of the normal that reflects or, if they have long tails, the sum
-/// over the nodes of a rule. `in` holds the mean normal's n.l and the mean cosine.
+/// over the nodes of a rule. `cosine` is the mean of max(0, n.l).
 template <class Lighting, class D, class V>
 HWY_INLINE void AverageLobes(D d, const material::Material& material,
                              const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
-                             const simd::HWY_NAMESPACE::Vec3V<V>& wo, const material::HWY_NAMESPACE::Incoming<V>& in,
+                             const simd::HWY_NAMESPACE::Vec3V<V>& wo, const simd::HWY_NAMESPACE::Vec3V<V>& l, V cosine,
                              const V* shape, bool gated, V (&mean)[Lighting::kLobes]) {
   namespace mat = material::HWY_NAMESPACE;
   const V zero = hn::Zero(d);
-  const auto way = simd::HWY_NAMESPACE::Sum(wo, in.l);
+  const auto way = simd::HWY_NAMESPACE::Sum(wo, l);
   const V squared = Dot(way, way);
   const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, zero), squared, hn::Set(d, 1.0f)));
   const V k = Lighting::Precision(d, shape, length, spread.longest);
   // Lobes of the normal n, with all specular lobes 0 if it is averted. They are the only use of the lobes' formulas.
   V lobe[Lighting::kLobes];
   const auto evaluate = [&](const simd::HWY_NAMESPACE::Vec3V<V>& n) {
-    const V n_dot_l = Dot(n, in.l);
-    Lighting::AddLight(d, material, {n, wo}, {in.l, n_dot_l, in.cosine}, shape, lobe);
+    const V n_dot_l = Dot(n, l);
+    mat::LobesOf<Lighting>(d, material, {n, wo}, l, {n_dot_l, cosine}, shape, lobe);
     const auto faces = hn::Gt(n_dot_l, zero);
     for (uint32_t j = 1; j < Lighting::kLobes; ++j) lobe[j] = gated ? hn::IfThenElseZero(faces, lobe[j]) : lobe[j];
   };
@@ -94,66 +188,127 @@ HWY_INLINE void AverageLobes(D d, const material::Material& material,
   mean[0] = lobe[0];
 }
 
-/// As AddLight, with the lobes averaged over normals.
+/// As AddLight, at one vector of points, with the lobes averaged over normals.
 template <class Lighting, class D, class V>
-HWY_INLINE void AddLightOverNormals(D d, const material::Material& material, const ActiveLight& active, size_t i,
-                                    const simd::HWY_NAMESPACE::Vec3V<V>& p,
+HWY_INLINE void AddLightOverNormals(D d, const Block& block, const ActiveLight& active, size_t i,
                                     const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
                                     const simd::HWY_NAMESPACE::Vec3V<V>& wo, const V* shape, bool gated,
-                                    V (&sum)[Lighting::kLobes][3]) {
+                                    const Sums<Lighting>& sums) {
   namespace mat = material::HWY_NAMESPACE;
-  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
+  const auto p = Load3(d, block.f.px, block.f.py, block.f.pz, block.first + i);
+  simd::HWY_NAMESPACE::Choices<D> choices(d);
+  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p, choices);
   const V n_dot_l = Dot(spread.n, incident.l);
-  const mat::Incoming<V> in = {incident.l, n_dot_l, mat::FilteredCosine(d, spread, incident.l, n_dot_l)};
-  const auto faces = hn::Gt(in.cosine, hn::Zero(d));
+  const V cosine = mat::FilteredCosine(d, spread, incident.l, n_dot_l);
+  const auto faces = hn::Gt(cosine, hn::Zero(d));
   if (gated && hn::AllFalse(d, faces)) return;
   V lobe[Lighting::kLobes];
   if constexpr (Lighting::kLobes == 1) {
-    Lighting::AddLight(d, material, {spread.n, wo}, in, shape, lobe);
+    mat::LobesOf<Lighting>(d, block.material, {spread.n, wo}, incident.l, {n_dot_l, cosine}, shape, lobe);
   } else {
-    AverageLobes<Lighting>(d, material, spread, wo, in, shape, gated, lobe);
+    AverageLobes<Lighting>(d, block.material, spread, wo, incident.l, cosine, shape, gated, lobe);
   }
+  const Addition addition(active, block);
   for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
-    Accumulate(d, active, i, incident.falloff * (k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k]), sum[k]);
+    const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
+    Accumulate(d, addition, i, incident.falloff * kept, sums.column[k]);
   }
+}
+
+/// Adds the lobes of all lights, averaged over normals whose slopes have the covariance of `columns`.
+template <class Lighting, class D>
+HWY_INLINE void AddLightsOverNormals(D d, const Block& block, const float* const* columns, const ActiveLight* lights,
+                                     size_t count, bool gated, const Sums<Lighting>& sums) {
+  using V = hn::Vec<D>;
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    const auto point = block.PointAt(d, i);
+    const size_t at = block.first + i;
+    auto a = Load3(d, columns[0], columns[1], columns[2], at), b = Load3(d, columns[3], columns[4], columns[5], at);
+    if constexpr (Lighting::kHasLongTails) material::HWY_NAMESPACE::TurnToAxes(d, a, b);
+    const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, a, b);
+    V shape[material::kMaxShapeColumns];
+    block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
+    for (size_t j = 0; j < count; ++j)
+      AddLightOverNormals<Lighting>(d, block, lights[j], i, spread, point.wo, shape, gated, sums);
+  }
+}
+
+/// Shape parameters of a material without slots, at the points of a block.
+template <class Lighting>
+struct ConstantShape {
+  static constexpr uint32_t kColumns = Lighting::Shape::kColumns;
+
+  explicit ConstantShape(const material::Material& material) {
+    using D = hn::ScalableTag<float>;
+    const D d;
+    hn::Vec<D> value[material::kMaxShapeColumns];
+    const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
+    Lighting::Shape::Derive(d, material, unset, hn::Zero(d), value);
+    for (uint32_t k = 0; k < kColumns; ++k) {
+      for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) hn::Store(value[k], d, column[k] + i);
+    }
+  }
+
+  alignas(64) float column[kColumns + 1][kBlock];
+};
+
+/// Scales the sums over all lights.
+template <class Lighting, class D>
+HWY_INLINE void NormalizeBlock(D d, const Block& block, const Sums<Lighting>& sums) {
+  using V = hn::Vec<D>;
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    V shape[material::kMaxShapeColumns], sum[Lighting::kLobes][3];
+    block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
+    for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) sum[k / 3][k % 3] = hn::Load(d, sums.column[k / 3][k % 3] + i);
+    Lighting::Normalize(d, shape, sum);
+    for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) hn::Store(sum[k / 3][k % 3], d, sums.column[k / 3][k % 3] + i);
+  }
+}
+
+/// Whether NormalizeBlock() multiplies all sums by 1.
+template <class Lighting>
+bool is_normalized(const ConstantShape<Lighting>& constant, const LobeShape& shape) {
+  using D = hn::ScalableTag<float>;
+  using V = hn::Vec<D>;
+  const D d;
+  const V one = hn::Set(d, 1.0f);
+  V values[material::kMaxShapeColumns], factor[Lighting::kLobes][3];
+  for (uint32_t k = 0; k < Lighting::Shape::kColumns; ++k) {
+    if (shape.column[k]) return false;
+    values[k] = hn::Load(d, constant.column[k]);
+  }
+  for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) factor[k / 3][k % 3] = one;
+  Lighting::Normalize(d, values, factor);
+  bool same = true;
+  for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) same = same && hn::AllTrue(d, hn::Eq(factor[k / 3][k % 3], one));
+  return same;
 }
 
 /// `over_normals`: the lobes are averaged over normals whose slopes have the covariance of shape.spread.
 template <class Lighting, bool over_normals>
 void IlluminatePoints(const material::Material& material, const LobeShape& shape, const ActiveLight* lights,
                       size_t count, const raster::Fragments& f, LightGroup group, material::Lobes& out) {
-  using D = hn::ScalableTag<float>;
-  const D d;
-  using V = hn::Vec<D>;
-  constexpr uint32_t kLobes = Lighting::kLobes;
+  const hn::ScalableTag<float> d;
   const bool gated =
       !Lighting::kGatesLobes && !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
-  const V zero = hn::Zero(d);
-  V constant[material::kMaxShapeColumns];
-  const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
-  Lighting::Shape::Derive(d, material, unset, zero, constant);
-  for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-    const auto p = Load3(d, f.px, f.py, f.pz, i);
-    const material::HWY_NAMESPACE::Point<V> point = {Load3(d, f.nx, f.ny, f.nz, i), Load3(d, f.ox, f.oy, f.oz, i)};
-    V values[material::kMaxShapeColumns], sum[kLobes][3];
+  const ConstantShape<Lighting> constant(material);
+  const bool scales = group.finishes && !is_normalized(constant, shape);
+  for (size_t first = 0; first < f.count; first += kBlock) {
+    Block block = {material, f, first, std::min(kBlock, f.count - first), {}};
     for (uint32_t k = 0; k < Lighting::Shape::kColumns; ++k) {
-      values[k] = shape.column[k] ? hn::Load(d, shape.column[k] + i) : constant[k];
+      block.shape[k] = shape.column[k] ? shape.column[k] + first : constant.column[k];
     }
-    for (uint32_t k = 0; k < 3 * kLobes; ++k) {
-      sum[k / 3][k % 3] = group.continues ? hn::Load(d, out.lobe[k / 3][k % 3] + i) : zero;
+    Sums<Lighting> sums;
+    for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) {
+      sums.column[k / 3][k % 3] = out.lobe[k / 3][k % 3] + first;
     }
+    if (!group.continues) StartSums(d, block, sums);
     if constexpr (over_normals) {
-      const float* const* s = shape.spread;
-      auto a = Load3(d, s[0], s[1], s[2], i), b = Load3(d, s[3], s[4], s[5], i);
-      if constexpr (Lighting::kHasLongTails) material::HWY_NAMESPACE::TurnToAxes(d, a, b);
-      const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, a, b);
-      for (size_t j = 0; j < count; ++j)
-        AddLightOverNormals<Lighting>(d, material, lights[j], i, p, spread, point.wo, values, gated, sum);
+      AddLightsOverNormals(d, block, shape.spread, lights, count, gated, sums);
     } else {
-      for (size_t j = 0; j < count; ++j) AddLight<Lighting>(d, material, lights[j], i, p, point, values, gated, sum);
+      for (size_t j = 0; j < count; ++j) AddLight(d, block, lights[j], gated, sums);
     }
-    if (group.finishes) Lighting::Normalize(d, values, sum);
-    for (uint32_t k = 0; k < 3 * kLobes; ++k) hn::Store(sum[k / 3][k % 3], d, out.lobe[k / 3][k % 3] + i);
+    if (scales) NormalizeBlock(d, block, sums);
   }
 }
 

@@ -179,7 +179,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
   } else {
     material::show({simd, material, view, w->fragments, shading.object_to_world, columns.uv}, columns.lobes.lobe[0]);
   }
-  combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
+  w->nonfinite = combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
 }
 
 /// Shades a batch with a program of the caller.
@@ -232,7 +232,11 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
                  const shd_view& view, Workspace* w) {
   complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
   if (shading.frequency != SHD_FREQUENCY_PHONG) make_points(shading, view.eye, w);
-  if (shading.material->model == SHD_MODEL_PROGRAM) return shade_program(simd, shading, w);
+  if (shading.material->model == SHD_MODEL_PROGRAM) {
+    shade_program(simd, shading, w);
+    w->nonfinite = count_nonfinite(simd, w->columns.radiance, w->fragments.count);
+    return;
+  }
   if (runs_caller_code(*shading.material)) make_varyings(simd, shading, w);
   shade_model(simd, shading, lights, view, w);
 }

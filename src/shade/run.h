@@ -35,6 +35,7 @@ struct Workspace {
   raster::Fragments points;     // corners or centroids
   raster::Varyings varyings;    // at the fragments at Phong frequency, otherwise at the points
   Columns columns;
+  size_t nonfinite = 0;             // fragments of the latest batch whose colour has a channel that is not finite
   core::Array<uint32_t> affecting;  // [padded] table indices of the lights that affect a batch
   core::Array<ActiveLight> active;  // [padded] these lights, with the factors of their cookies and shadows
 };

@@ -10,6 +10,7 @@
 ///
 /// | file           | contents                                             | error                            |
 /// |----------------|------------------------------------------------------|----------------------------------|
+/// | choices-inl.h  | choices that nearly all lanes decide in one way      | exact                            |
 /// | math-inl.h     | Log2, Exp2, Pow, UnitPow; kInvPi                     | stated at each function, tested  |
 /// | angle-inl.h    | Atan2; sine and cosine of multiples of pi            | stated at each function, tested  |
 /// | vec3-inl.h     | 3-vectors: load, store, sum, dot, cross, unit        | rounding of the operations       |

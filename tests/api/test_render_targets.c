@@ -241,11 +241,57 @@ static void test_alpha_drops(void **state)
     shd_frame_close(&f);
 }
 
+/* Renders a triangle that leaves parts of its tiles bare, over the planes of a frame that was cleared to `old`. */
+static void render_over(shd_frame *f, float old, float *out)
+{
+    int c;
+    for (c = 0; c < 4; ++c) f->desc.clear_color[c] = old;
+    shd_frame_render(f);
+    for (c = 0; c < 4; ++c) f->desc.clear_color[c] = (float)(1 + c) / 4;
+    shd_frame_render(f);
+    for (c = 0; c < 4; ++c) memcpy(out + c * PIXELS, f->plane[SHD_PLANE_R + c], PIXELS * sizeof *out);
+}
+
+/* No colour of an earlier frame is left or averaged where triangles cover a part of a tile or of a pixel. */
+static void test_earlier_frames(void **state)
+{
+    static const float k_triangle[24] = {-0.9f, -0.8f, 0.5f, 0, 0,    1,    0,    0, 0.7f, -0.3f, 0.5f, 0,
+                                         0,     1,     1,    0, 0.1f, 0.9f, 0.5f, 0, 0,    1,     0,    1};
+    static float colors[2][4 * PIXELS];
+    uint32_t samples, targets;
+    (void)state;
+    for (samples = 1; samples <= 4; samples *= 4) {
+        for (targets = 0; targets < 2; ++targets) {
+            job j = make_job(targets * SHD_AOV_TARGET1, 1);
+            const shd_material_desc desc = program_desc(&j, SHD_BLEND_OPAQUE);
+            shd_frame f;
+            size_t i, bare = 0;
+            int c;
+            shd_frame_open_aovs(&f, SIZE, SIZE, samples, j.aovs);
+            shd_frame_draw(&f, k_triangle, 3, &desc);
+            render_over(&f, 9.0f, colors[0]);
+            render_over(&f, -5.0f, colors[1]);
+            assert_memory_equal(colors[0], colors[1], sizeof colors[0]);
+            for (i = 0; i < PIXELS; ++i) {
+                int same = 1;
+                for (c = 0; c < 4; ++c) {
+                    const float color = colors[0][(size_t)c * PIXELS + i];
+                    assert_true(color > 0.0f && color <= 1.0f);
+                    same &= color == (float)(1 + c) / 4;
+                }
+                bare += (size_t)same;
+            }
+            assert_true(bare > PIXELS / 2 && bare < PIXELS * 3 / 4);
+            shd_frame_close(&f);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_combinations), cmocka_unit_test(test_blends),      cmocka_unit_test(test_models_and_keep),
-        cmocka_unit_test(test_frequencies),  cmocka_unit_test(test_alpha_drops),
+        cmocka_unit_test(test_frequencies),  cmocka_unit_test(test_alpha_drops), cmocka_unit_test(test_earlier_frames),
     };
     return cmocka_run_group_tests_name("api.render_targets", tests, NULL, NULL);
 }

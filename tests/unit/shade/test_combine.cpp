@@ -146,6 +146,33 @@ void test_range(void**) {
   });
 }
 
+/// The count of rows that are not finite, with and without slots beside the diffuse one, leaves out rows past the end.
+void test_nonfinite(void**) {
+  const float bad[] = {NAN, INFINITY, -INFINITY};
+  Random random = {65};
+  for (const bool occluded : {false, true}) {
+    fill(&random, {"", SHD_MODEL_BLINN_PHONG, 0, 1, true});
+    material::Parameters p = parameters(true);
+    for (size_t i = 0; i < kBatch && occluded; ++i) g->first.slot[SHD_SLOT_OCCLUSION][0][i] = 0.5f;
+    if (occluded) p.value[SHD_SLOT_OCCLUSION][0] = g->first.slot[SHD_SLOT_OCCLUSION][0];
+    for (size_t row = 0; row < 70; row += 3) g->first.lobes.lobe[row % 2][row / 2 % 3][row] = bad[row / 3 % 3];
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      for (size_t count = 1; count <= 131; ++count) {
+        const size_t wanted = (std::min<size_t>(count, 70) + 2) / 3;
+        const size_t got =
+            shade::combine(target, g->material, g->lights, g->first.lobes, p, count, &g->columns.radiance);
+        assert_int_equal(got, wanted);
+        assert_int_equal(shade::count_nonfinite(target, g->columns.radiance, count), wanted);
+      }
+    });
+    for (size_t row = 0; row < 70; row += 3) g->first.lobes.lobe[row % 2][row / 2 % 3][row] = 1.0f;
+    g->first.lobes.lobe[0][0][5] = NAN;  // past the count
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      assert_int_equal(shade::combine(target, g->material, g->lights, g->first.lobes, p, 5, &g->columns.radiance), 0);
+    });
+  }
+}
+
 void test_corners(void**) {
   Random random = {63};
   float in[kBatch];
@@ -222,6 +249,7 @@ int main() {
     tests[n++] = {c.name, test_combine, nullptr, nullptr, const_cast<combine_case*>(&c)};
   }
   tests[n++] = {"range", test_range, nullptr, nullptr, nullptr};
+  tests[n++] = {"nonfinite", test_nonfinite, nullptr, nullptr, nullptr};
   tests[n++] = {"spread/corners", test_corners, nullptr, nullptr, nullptr};
   tests[n++] = {"spread/centroids", test_centroids, nullptr, nullptr, nullptr};
   tests[n++] = {"light_table", test_table, nullptr, nullptr, nullptr};

@@ -12,6 +12,7 @@ const ModelCase k_models[] = {
     {"phong/ungated", SHD_MODEL_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"blinn_phong", SHD_MODEL_BLINN_PHONG, 0, 64, 0.5f},
     {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
+    {"blinn_phong/p=0", SHD_MODEL_BLINN_PHONG, 0, 0, 0.5f},
     {"combined", SHD_MODEL_COMBINED, 0, 64, 0.5f},
     {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 64, 0.5f},
     {"toon", SHD_MODEL_TOON, 0, 64, 0.5f},
@@ -128,6 +129,33 @@ void test_edges(void** state) {
   }
 }
 
+/// A light opposite to the eye has no half vector: the specular lobes of its point are exactly 0, and other points keep
+/// the bits that they have without it.
+void test_opposite(void** state) {
+  const auto* c = static_cast<const ModelCase*>(*state);
+  Random random = {86};
+  set_material(*c);
+  if (lobe_count() < 2 || c->model == SHD_MODEL_PHONG) return;  // no half vector
+  random_lights(&random, 1, kDirections);
+  random_points(&random, 64.0);
+  illuminate_everywhere();
+  float kept[9][kBatch];
+  for (uint32_t k = 0; k < 3 * lobe_count(); ++k) memcpy(kept[k], g->first.lobes.lobe[k / 3][k % 3], sizeof kept[k]);
+  const float* l = g->light[0].to_light;
+  for (size_t i = 5; i < kBatch; i += 17) {
+    g->points.ox[i] = -l[0], g->points.oy[i] = -l[1], g->points.oz[i] = -l[2];
+    g->points.nx[i] = l[0], g->points.ny[i] = l[1], g->points.nz[i] = l[2];
+  }
+  illuminate_everywhere();
+  for (uint32_t k = 0; k < 3 * lobe_count(); ++k) {
+    for (size_t i = 0; i < kBatch; ++i) {
+      const float got = g->first.lobes.lobe[k / 3][k % 3][i];
+      if (i % 17 != 5) assert_true(got == kept[k][i]);
+      if (i % 17 == 5 && k >= 3) assert_true(got == 0.0f);
+    }
+  }
+}
+
 /// Rows with a non-finite normal, position or direction, and non-finite cookie texels: other points keep the bits that
 /// they have alone, and unlit points stay 0.
 void test_nonfinite(void** state) {
@@ -230,14 +258,18 @@ void test_range(void**) {
 int main() {
   using namespace shd::tests;
   constexpr size_t kModels = sizeof k_models / sizeof k_models[0];
-  static char names[4 * kModels][64];
-  CMUnitTest tests[64];
+  static char names[5 * kModels][64];
+  CMUnitTest tests[96];
   size_t n = 0;
   for (const ModelCase& c : k_models) {
     const struct {
       const char* name;
       CMUnitTestFunction body;
-    } bodies[] = {{"groups", test_groups}, {"tails", test_tails}, {"edges", test_edges}, {"nonfinite", test_nonfinite}};
+    } bodies[] = {{"groups", test_groups},
+                  {"tails", test_tails},
+                  {"edges", test_edges},
+                  {"opposite", test_opposite},
+                  {"nonfinite", test_nonfinite}};
     for (const auto& body : bodies) {
       snprintf(names[n], sizeof names[0], "%s/%s", body.name, c.name);
       tests[n] = {names[n], body.body, nullptr, nullptr, const_cast<ModelCase*>(&c)};

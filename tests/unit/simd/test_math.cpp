@@ -183,15 +183,17 @@ void test_pow(void**) {
   });
 }
 
-/// UnitPow has the bits of Pow, except 0 for results below 2^-96 and bases that are not normal.
+/// UnitPow has the bits of Pow, except 0 for results below 2^-96 and bases that are negative or not normal.
 void test_unit_pow(void**) {
   static float pow[kCount];
   fill_powers();
   g_x[7] = 1e-40f, g_y[7] = 0.25f;        // a base
   g_x[8] = 0.5f, g_y[8] = 96.0f;          // the last result
   g_x[9] = 0.5f, g_y[9] = 0x1.800002p6f;  // the first one below
+  for (size_t i = 10; i < 16; ++i) g_x[i] = i % 2 ? -1.0f : NAN, g_y[i] = i < 12 ? 0.0f : static_cast<float>(i);
   HWY_DYNAMIC_DISPATCH(evaluate)(kPow, g_x, g_y, kCount, pow);
   for (size_t i = 0; i < kCount; ++i) {
+    if (!(g_x[i] >= 0.0f)) pow[i] = 0.0f;
     if (g_y[i] != 0.0f && (pow[i] < 0x1p-96f || g_x[i] < 0x1p-126f)) pow[i] = 0.0f;
   }
   on_every_target(kUnitPow, [](size_t i) {
