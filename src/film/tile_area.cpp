@@ -45,10 +45,6 @@ void clear_aovs(const TileArea& area, Framebuffer* framebuffer) {
   }
 }
 
-void fill_depth(float depth, raster::Tile* tile) {
-  std::fill(tile->depth.begin(), tile->depth.end(), depth);
-}
-
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile) {
   for (uint32_t y = 0; y < area.height; ++y) {
     const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];

@@ -21,8 +21,6 @@ void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer);
 /// Sets the planes of AOVs to their empty values.
 void clear_aovs(const TileArea& area, Framebuffer* framebuffer);
 
-/// Sets every sample to one depth.
-void fill_depth(float depth, raster::Tile* tile);
 /// Sets every sample to the depth of its pixel in the framebuffer. Pixels outside the framebuffer keep their values.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
 /// Writes the depth of the first sample of each pixel to the framebuffer.

@@ -44,7 +44,7 @@ bool begin(TileState* tile) {
   const film::SampleStore* samples = tile->renderer.samples;
   if (samples && samples->load(tile->index, &worker.tile, &worker.split)) return true;
   if (is_whole) {
-    film::fill_depth(frame.clear_depth, &worker.tile);
+    raster::fill_depth(frame.clear_depth, &worker.tile);
   } else {
     film::load_depth(tile->area, tile->framebuffer, &worker.tile);
   }

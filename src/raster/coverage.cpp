@@ -47,7 +47,7 @@ class Passes {
   const MaskV smaller_, larger_, equal_;
 };
 
-/// Passes for one depth; the same for NaN.
+/// Passes for one depth.
 template <Unlike kUnlike>
 HWY_INLINE bool PassesOne(const DepthTest& test, float z, float stored) {
   if (kUnlike == Unlike::kSmaller) return (z < stored) != test.equal;
@@ -109,6 +109,27 @@ HWY_INLINE void CoverSmall(const CoverTarget& target, const SmallTriangles& tria
   });
 }
 
+/// Whether all depths of one range pass against all depths of another. Conservative: false for the comparisons that
+/// are not ordered.
+HWY_INLINE bool AllPass(const DepthTest& test, const DepthRange& z, const DepthRange& stored) {
+  if (test.less == test.greater) return false;
+  return test.less ? passes(test, z.high, stored.low) : passes(test, z.low, stored.high);
+}
+
+/// Draws a triangle that covers the whole tile and passes at every sample. Returns false for other triangles.
+HWY_NOINLINE bool CoverWhole(const CoverTarget& target, const TriangleSetup& setup, uint32_t number) {
+  Tile& tile = target.tile;
+  const DepthRange range = {setup.slope.low, setup.slope.high};
+  if (!covers_tile(setup) || !AllPass(depth_test(target.state.compare), range, tile.range)) return false;
+  if (target.has_slots) tile.sole_slot = number;
+  if (!target.state.writes) return true;
+  tile.range = range;
+  float* depth = tile.depth.data();
+  ForEachCovered<Variant<Samples::kSingle, Unlike::kAny, false>>(
+      setup, [&](size_t at, MaskV, V z) { hn::Store(z, Tag(), depth + at); });
+  return true;
+}
+
 template <class Variant>
 HWY_NOINLINE void CoverLarge(const CoverTarget& target, const geometry::ScreenTriangle& triangle, uint32_t number,
                              Bounds& bounds) {
@@ -121,6 +142,8 @@ HWY_NOINLINE void CoverLarge(const CoverTarget& target, const geometry::ScreenTr
   if (pixels >= kMinBoundedPixels && !is_biased(state) && !bounds.MayPass(BlockBox(box), triangle)) return;
   TriangleSetup setup;
   if (!set_up(triangle, target.area, state, box, &setup)) return;
+  if (Variant::kSamples == Samples::kSingle && CoverWhole(target, setup, number)) return;
+  begin_samples(&target.tile);
   if (!setup.is_narrow) return cover_wide(setup, state, number, &target.tile);
   const Passes<Variant::kUnlike> passes(depth_test(state.compare));
   float* depth = target.tile.depth.data();
@@ -148,6 +171,7 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   for (size_t begin = 0; begin < count; begin += lanes) {
     const size_t end = std::min(begin + lanes, count);
     if (!is_biased(state)) SetUpSmall(area, triangles, entries + begin, end - begin, small);
+    if (small.is_small) begin_samples(&tile);
     for (size_t i = begin; i < end; ++i) {
       const uint32_t number = target.has_slots ? first_slot + static_cast<uint32_t>(i) : kNoSlot;
       if (small.is_small >> (i - begin) & 1) {

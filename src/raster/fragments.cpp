@@ -60,8 +60,6 @@ size_t find_runs(const Tile& tile, TileOrder* out) {
   core::Buffer<SlotRun>* runs = &out->found;
   constexpr uint32_t kAll = (1u << kSamples) - 1;
   size_t bare = 0;
-  runs->clear();
-  out->bare.clear();
   for (size_t begin = 0; begin < kTilePixels;) {
     const uint32_t slot = tile.slot[begin * kSamples];
     const size_t end = next_bit(changes, begin * kSamples + 1, kTilePixels * kSamples) / kSamples;
@@ -134,8 +132,15 @@ void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out
 void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
-  find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
-  out->covered_samples = tile.slot.size() - find_runs(tile, out);
+  out->found.clear();
+  out->bare.clear();
+  if (tile.sole_slot != kNoSlot) {
+    out->found.push_back({tile.sole_slot, {0, kTilePixels, (1u << tile.samples) - 1}});
+    out->covered_samples = tile.slot.size();
+  } else {
+    find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
+    out->covered_samples = tile.slot.size() - find_runs(tile, out);
+  }
   for (size_t i = 0; i < out->found.size(); ++i) ++out->start[out->found[i].slot];
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/allocator.h"
 
@@ -34,16 +35,32 @@ struct DepthBounds {
   float bound[kBlocksPerRow * kBlocksPerRow];  // largest depth if falling, smallest if rising
 };
 
+/// A range that contains depths.
+struct DepthRange {
+  float low, high;
+};
+constexpr DepthRange kAnyDepths = {-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+
 /// Depth and visible triangle of every sample of one tile, pixels row by row.
 struct Tile {
   uint32_t samples = 0;
-  core::Array<float> depth;    // [kTilePixels][samples]
+  core::Array<float> depth;    // [kTilePixels][samples] never NaN
   core::Array<uint32_t> slot;  // [kTilePixels][samples] index into the tile's list of triangles; kNoSlot between tiles
+  uint32_t sole_slot = kNoSlot;   // if not kNoSlot, the slot of all samples; all elements of `slot` are kNoSlot then
+  DepthRange range = kAnyDepths;  // contains all depths; kAnyDepths once single samples were drawn
   DepthBounds bounds;
 };
 
 inline void clear_slots(Tile* tile) {
-  std::fill(tile->slot.begin(), tile->slot.end(), kNoSlot);
+  if (tile->sole_slot == kNoSlot) std::fill(tile->slot.begin(), tile->slot.end(), kNoSlot);
+  tile->sole_slot = kNoSlot;
+}
+
+/// Must be called before single samples are drawn: writes the sole slot to all of them.
+inline void begin_samples(Tile* tile) {
+  tile->range = kAnyDepths;
+  if (tile->sole_slot != kNoSlot) std::fill(tile->slot.begin(), tile->slot.end(), tile->sole_slot);
+  tile->sole_slot = kNoSlot;
 }
 
 /// Throws std::bad_alloc.
@@ -58,6 +75,13 @@ inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* o
 /// Must be called after depths of a tile were written without regard to the trend.
 inline void forget_bounds(Tile* tile) {
   tile->bounds.trend = DepthTrend::kUnknown;
+  tile->range = kAnyDepths;
+}
+
+inline void fill_depth(float depth, Tile* tile) {
+  std::fill(tile->depth.begin(), tile->depth.end(), depth);
+  forget_bounds(tile);
+  tile->range = {depth, depth};
 }
 
 constexpr uint32_t tile_count(uint32_t pixels) {

@@ -75,6 +75,9 @@ MUTANTS = {
                            "slot >= material::kSlotCount && parameters", "unit.shade.coefficients"),
     "same_blue": Mutant("src/film/tile_color.cpp", "(other[0] ^ first[0]) | (other[1] ^ first[1])",
                         "other[0] ^ first[0]", "api.render_samples"),
+    "whole_nearest_depth": Mutant("src/raster/coverage.cpp", "passes(test, z.high, stored.low)",
+                                  "passes(test, z.low, stored.low)", "unit.raster.coverage"),
+    "whole_keeps_range": Mutant("src/raster/coverage.cpp", "  tile.range = range;\n", "", "unit.raster.coverage"),
     "small_top_left": Mutant("src/raster/small_triangles-inl.h", "hn::And(hn::Eq(a, zero), hn::Gt(b, zero))",
                              "hn::Eq(a, zero)", "unit.raster.coverage"),
     "small_box": Mutant("src/raster/small_triangles-inl.h",
@@ -157,7 +160,8 @@ MUTANTS = {
 
 
 def copy_tree(work):
-    """Copies the files of the working tree whose content differs, so that a kept build rebuilds little."""
+    """Copies the files of the working tree whose content differs, so that a kept build rebuilds little. Removes sources
+    that the tree no longer has."""
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
                             check=True, stdout=subprocess.PIPE).stdout.decode().split("\0")
     for name in filter(None, listed):
@@ -167,6 +171,10 @@ def copy_tree(work):
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(source, copy)
         copy.touch()
+    for name in ("src", "tests"):
+        for copy in (work / name).rglob("*"):
+            if copy.is_file() and not (ROOT / copy.relative_to(work)).exists():
+                copy.unlink()
 
 
 def run(command, work):

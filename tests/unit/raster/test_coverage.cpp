@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "raster/coverage.h"
+#include "raster/fragments.h"
 #include "ref/raster_ref.h"
 #include "support/random.h"
 #include "support/targets.h"
@@ -548,8 +549,6 @@ void test_batches(void**) {
       for_each_target([&](const core::SimdTarget& target, bool) {
         clear(&g_tile);
         for (float& depth : g_tile.depth) depth = 0.5f;
-        // Bounds of depths, which only larger triangles have, do not see NaN.
-        if (is_small) std::fill_n(g_tile.depth.data() + 700, 300, __builtin_nanf(""));
         copy(g_tile, &g_first);
         raster::forget_bounds(&g_first);
         raster::cover(target, area, state, t, entries, count, 3, &g_tile);
@@ -559,6 +558,52 @@ void test_batches(void**) {
     }
   }
   set_samples(1);
+}
+
+/// A triangle over the whole tile, and the triangle after it: a tile whose range of depths is known gets the same
+/// depths and runs as a tile where each sample is drawn, also if the tile is drawn to again once it was shaded.
+void test_whole(void**) {
+  Random random = {41};
+  raster::TileOrder order, first_order;
+  raster::allocate(g_allocator, 1, &order);
+  raster::allocate(g_allocator, 1, &first_order);
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    size_t whole = 0, others = 0;
+    for (int n = 0; n < 1000; ++n) {
+      const auto compare = static_cast<shd_compare>(random.whole(SHD_COMPARE_LESS, SHD_COMPARE_ALWAYS));
+      raster::fill_depth(random.whole(0, 2) ? 0.5f : n % 2 ? 1.0f : 0.0f, &g_tile);
+      raster::begin_samples(&g_first);
+      std::copy(g_tile.depth.begin(), g_tile.depth.end(), g_first.depth.begin());
+      raster::forget_bounds(&g_first);
+      for (uint32_t i = 0; i < 4; ++i) {
+        ScreenTriangle t = kEverywhere;
+        if (random.whole(0, 4) == 0) tiny(&random, 0, 0, &t);
+        const float nearest = random.real(0.0, 1.0);
+        for (float& z : t.z) z = random.whole(0, 3) ? 0.875f * nearest + random.real(0.0, 0.125) : 0.5f;
+        if (!turn(&t)) continue;
+        raster::CoverArea area = area_at(0, 0);
+        if (random.whole(0, 9) == 0) area.box.max_y = kTile - 2;
+        const raster::DepthState state = {compare, random.whole(0, 3) != 0, random.whole(0, 3) ? 0.0f : 0.25f, 0.0f};
+        const uint32_t entry = 0, slot = random.whole(0, 5) ? i : kNoSlot;
+        raster::cover(target, area, state, &t, &entry, 1, slot, &g_tile);
+        raster::cover(target, area, state, &t, &entry, 1, slot, &g_first);
+        raster::begin_samples(&g_first);
+        ++(g_tile.sole_slot != kNoSlot ? whole : others);
+        if (random.whole(0, 3) && i < 3) continue;
+        raster::sort_pixels(target, g_tile, 4, &order);
+        raster::sort_pixels(target, g_first, 4, &first_order);
+        assert_int_equal(order.covered_samples, first_order.covered_samples);
+        for (size_t k = 0; k <= 4; ++k) assert_int_equal(order.start[k], first_order.start[k]);
+        assert_int_equal(order.bare.size(), first_order.bare.size());
+        assert_memory_equal(order.run.data(), first_order.run.data(), order.run.size() * sizeof(raster::PixelRun));
+        assert_memory_equal(g_tile.depth.data(), g_first.depth.data(), kTilePixels * sizeof(float));
+        raster::clear_slots(&g_tile);
+        raster::clear_slots(&g_first);
+        for (size_t k = 0; k < kTilePixels; ++k) assert_int_equal(g_tile.slot[k], kNoSlot);
+      }
+    }
+    assert_true(whole > 200 && others > 200);
+  });
 }
 
 /// Pixels outside the box do not change, for any depth.
@@ -639,6 +684,7 @@ int main() {
   tests[n++] = {"bounds", test_bounds, nullptr, nullptr, nullptr};
   tests[n++] = {"masks", test_masks, nullptr, nullptr, nullptr};
   tests[n++] = {"batches", test_batches, nullptr, nullptr, nullptr};
+  tests[n++] = {"whole", test_whole, nullptr, nullptr, nullptr};
   tests[n++] = {"box", test_box, nullptr, nullptr, nullptr};
   tests[n++] = {"depth/bias", test_bias, nullptr, nullptr, nullptr};
   tests[n++] = {"fans/10^6_triangles", test_fans, nullptr, nullptr, nullptr};
