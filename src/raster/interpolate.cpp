@@ -32,10 +32,10 @@ constexpr uint32_t kExtras = kTexture1 | kTangent | kAttributes | kPositionSteps
 struct Sides {
   float origin, side1, side2;
 
-  /// The value where no difference overflows, with the bits of PlainBlend().
+  /// The value where no difference overflows.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V At(D d, const Barycentric<V>& b) const {
-    return hn::Set(d, origin) + b.b1 * hn::Set(d, side1) + b.b2 * hn::Set(d, side2);
+    return PlainBlend(hn::Set(d, origin), hn::Set(d, side1), hn::Set(d, side2), b.b1, b.b2);
   }
 };
 

@@ -32,9 +32,9 @@
 /// | changes.h          | kernel: samples whose triangle differs from the sample before         |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
-/// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one tile |
+/// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one cell |
 /// | planes.h           | attributes of one triangle as planes over one cell of the picture     |
 /// | planes-inl.h       | their values at vectors of pixels, with derivatives                   |
 /// | varyings.h         | kernel: outputs of vertex programs, in three interpolations           |
-/// | attribute-inl.h    | barycentric interpolation, shared by these two kernels                |
+/// | attribute-inl.h    | barycentric interpolation, for interpolate.h and varyings.h           |
 #pragma once

@@ -136,7 +136,7 @@ HWY_INLINE Int CoveredPixels(SmallEdge edge0, SmallEdge edge1, SmallEdge edge2, 
   return hn::BitCast(di, hn::ShiftRightSame(hn::BitCast(du, inside), 32 - kMaskColumns * rows));
 }
 
-/// The masks of all samples.
+/// Finds the masks of all samples.
 HWY_INLINE void FindCovered(const SamplePattern& pattern, const CoverArea& area, const GroupCorners& t,
                             SmallTriangles& out) {
   const hn::RebindToSigned<Tag> di;

@@ -82,7 +82,7 @@ HWY_INLINE void StoreCodes(const V (&code)[3], uint32_t* pixels) {
   StoreOpaque(hn::Or(hn::Or(CodeAtByte<0>(bits[0]), CodeAtByte<1>(bits[1])), CodeAtByte<2>(bits[2])), pixels);
 }
 
-/// Blends channel C of the quads of both levels.
+/// Blends the quads of both levels of vectors of lookups.
 template <class F>
 struct RowBlend {
   using D = BatchTag;
