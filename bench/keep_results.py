@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Measures this machine and keeps what the tables of README.md and docs/ quote, in bench/results/<processor>/.
 
-    keep_results.py --build FOLDER [--shootout FOLDER] [--bench FILE] [--min-time SECONDS] [--out FOLDER]
+    keep_results.py --build FOLDER [--shootout FOLDER] [--bench FILE [--processor NAME]] [--min-time SECONDS]
+                    [--repetitions COUNT] [--out FOLDER]
 
-Runs shd-bench and shd-shootout of the build on a machine that should be quiet, for about a quarter of an hour. --shootout
-takes a finished report, --bench a finished JSON of shd-bench. results_tables.py then writes the tables.
+Runs shd-bench and shd-shootout of the build on a machine that should be quiet, for about a quarter of an hour; the
+figures are medians of interleaved repetitions. --shootout takes a finished report, --bench a finished JSON of
+shd-bench. With --processor these are figures of another machine, which needs no report. results_tables.py then writes
+the tables.
 """
 import argparse
 import csv
@@ -67,12 +70,16 @@ def rounded(value):
 
 
 def small_bench(run_of_bench):
-    """Times and rates of processor time. Other load of the machine changes them less than wall time."""
+    """Medians of processor time and of rates. Other load of the machine changes them less than wall time."""
     rows = {}
     for row in run_of_bench["benchmarks"]:
-        scale = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}[row["time_unit"]]
-        rows[row["name"]] = {"ms": rounded(row["cpu_time"] * scale)}
-        rows[row["name"]] |= {key: rounded(row[key]) for key in ("items_per_second", "ns_per_call") if key in row}
+        if row.get("aggregate_name") != "median":
+            continue
+        name, scale = row["run_name"], {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}[row["time_unit"]]
+        rows[name] = {"ms": rounded(row["cpu_time"] * scale)}
+        rows[name] |= {key: rounded(row[key]) for key in ("items_per_second", "ns_per_call") if key in row}
+    if not rows:
+        fail("the JSON of shd-bench has no medians; it needs --benchmark_repetitions")
     context = {key: run_of_bench["context"][key] for key in KEPT_CONTEXT if key in run_of_bench["context"]}
     return {"context": context | {"date": context["date"][:10]}, "rows": rows}
 
@@ -149,24 +156,29 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--shootout", type=pathlib.Path, help="folder of a finished report")
     parser.add_argument("--bench", type=pathlib.Path, help="finished JSON of shd-bench")
-    parser.add_argument("--min-time", default="0.5")
+    parser.add_argument("--processor", help="folder for the figures of another machine")
+    parser.add_argument("--min-time", default="0.1")
+    parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench/results")
     options = parser.parse_args()
-    folder = options.out / slug_of_machine()
+    if options.processor and options.bench is None:
+        fail("--processor needs --bench, a run on that machine")
+    folder = options.out / (options.processor or slug_of_machine())
     with tempfile.TemporaryDirectory() as scratch:
         bench, report = options.bench, options.shootout
         if bench is None:
             bench = pathlib.Path(scratch) / "bench.json"
             run([options.build / "bench/shd-bench", f"--benchmark_filter={ROWS}",
-                 f"--benchmark_min_time={options.min_time}", f"--benchmark_out={bench}"])
-        if report is None:
+                 f"--benchmark_min_time={options.min_time}", f"--benchmark_repetitions={options.repetitions}",
+                 "--benchmark_enable_random_interleaving=true", f"--benchmark_out={bench}"])
+        if report is None and not options.processor:
             report = pathlib.Path(scratch) / "shootout"
             run([options.build / "examples/shootout/shd-shootout", "-o", report])
-        small = small_bench(read_json(bench)), small_shootout(read_json(report / "shootout.json"))
         folder.mkdir(parents=True, exist_ok=True)
-        write_json(folder / "bench.json", small[0])
-        write_json(folder / "shootout.json", small[1])
-        write_csv(report / "shootout.csv", folder / "shootout.csv")
+        write_json(folder / "bench.json", small_bench(read_json(bench)))
+        if report is not None:
+            write_json(folder / "shootout.json", small_shootout(read_json(report / "shootout.json")))
+            write_csv(report / "shootout.csv", folder / "shootout.csv")
     print(f"{folder}: {sum(path.stat().st_size for path in folder.iterdir())} bytes")
     print("bench/results_tables.py writes the tables of README.md and docs/ from the folder that their marks name")
 

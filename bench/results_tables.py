@@ -43,7 +43,8 @@ class Results:
 
     def __init__(self, folder):
         self.bench = json.loads((folder / "bench.json").read_text(encoding="utf-8"))
-        self.shootout = json.loads((folder / "shootout.json").read_text(encoding="utf-8"))
+        report = folder / "shootout.json"  # absent for machines that only shd-bench ran on
+        self.shootout = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
         self.targets = [name for name in self.bench["context"]["simd"].split() if name not in OTHER_TARGETS]
 
     def value(self, name, key):
