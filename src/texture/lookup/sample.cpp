@@ -11,6 +11,7 @@
 #include "texture/format/formats.h"
 #include "texture/format/record.h"
 #include "texture/lookup/coarser.h"
+#include "texture/lookup/fast.h"
 #include "texture/lookup/magnify.h"
 #include "texture/store/stores.h"
 #include "texture/table/decoded.h"
@@ -27,28 +28,6 @@
 #include "texture/lookup/fixed_lines-inl.h"
 #include "texture/lookup/fused-inl.h"
 #include "texture/store/place-inl.h"
-
-#ifndef SHD_TEXTURE_HAS_FAST_VALUES
-#define SHD_TEXTURE_HAS_FAST_VALUES
-namespace shd::texture {
-
-/// Whether a filter blends the quads of at most two levels.
-inline bool is_linear(shd_filter filter) {
-  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
-}
-
-/// Whether SHD_PRECISION_FAST has values of its own. Elsewhere they are those of SHD_PRECISION_FULL.
-/// Rejected: sRGB, with texels decoded to 15 bits by a table. It had 0.5 (AVX-512) to 0.9 (AVX2, SSE4) of the speed of
-/// floats, because every texel takes three loads from the table.
-inline bool has_fast_values(const Texture& texture, const Sampler& sampler) {
-  if (sampler.precision != SHD_PRECISION_FAST || texture.component != image::Component::kUnorm8) return false;
-  if (!is_in_memory(texture) || needs_w(texture) || has_border(sampler)) return false;
-  const bool lines = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL;
-  return lines || is_linear(sampler.filter);
-}
-
-}  // namespace shd::texture
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -270,6 +249,11 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
     if (out.channel[c]) std::fill_n(out.channel[c], lookups.count, c == 3 ? 1.0f : 0.0f);
   }
   return nonfinite;
+}
+
+/// Whether a filter blends the quads of at most two levels.
+bool is_linear(shd_filter filter) {
+  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
 }
 
 /// Whether the stored channels of lookups are what a filter of one image in memory gives, in full precision.
