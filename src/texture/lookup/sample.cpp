@@ -263,16 +263,10 @@ bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out)
                       !sampler.compares && !has_border(sampler);
   return texels && values && !out.coarser && !out.rgba8 && !out.wants_gradient();
 }
-}  // namespace
 
-size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-              const Texels& out, Recording* recording) {
-  const bool few = lookups.count != 0 && lookups.count <= core::kNarrowLanes;  // filters emit a vector at least
-  if (few && !recording && is_plain(texture, sampler, out)) {
-    const FormatKernels none = {};
-    if (const RunFilter run = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
-      return run({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
-  }
+/// sample() of any number of lookups. Calls of few do not pay for its stack frame.
+[[gnu::noinline]] size_t sample_many(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                     const Lookups& lookups, const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
   if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
   if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
@@ -280,6 +274,17 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
   const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);
   complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
+}
+}  // namespace
+
+size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+              const Texels& out, Recording* recording) {
+  const bool few = lookups.count != 0 && lookups.count <= core::kNarrowLanes;  // filters emit a vector at least
+  if (few && !recording && is_plain(texture, sampler, out)) {
+    const auto run = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter);
+    if (run) return run(texture, sampler, lookups, out);
+  }
+  return sample_many(texture, sampler, simd, lookups, out, recording);
 }
 
 bool writes_rgba8(const Texture& texture, const Sampler& sampler) {
