@@ -103,12 +103,13 @@ class ChannelSink : public Emitter<ChannelSink> {
     }
   }
   HWY_INLINE void finish() {
+    float unwanted[core::kNarrowLanes];
+    float* to[4];
+    for (size_t c = 0; c < 4; ++c) to[c] = out_.channel[c] ? out_.channel[c] : unwanted;
     for (size_t k = 0; k < count_; ++k) {
       alignas(16) float channel[4];
       hn::Store(Unorm8::finish<0>(D(), average_[0][k]), D(), channel);
-      for (size_t c = 0; c < 4; ++c) {
-        if (HWY_LIKELY(out_.channel[c] != nullptr)) out_.channel[c][k] = channel[c];
-      }
+      for (size_t c = 0; c < 4; ++c) to[c][k] = channel[c];
     }
   }
 
