@@ -22,6 +22,10 @@ Object* join(Object* first, Object* rest) {
 
 }  // namespace
 
+Call& this_call() noexcept {
+  return t_call;
+}
+
 CallbackScope::CallbackScope(Callback* callback) : callback_(*callback) {
   callback->outer = t_call.callback;
   callback->number = g_callbacks.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -27,18 +27,25 @@ struct Call {
 };
 inline thread_local Call t_call;
 
+/// Returns t_call. In a shared library its address takes a call: compilers repeat this call at each use of t_call, but
+/// keep the result of this function.
+Call& this_call() noexcept;
+
 /// Drops the references that callbacks of this thread have released. The text of the latest failure stays.
 void drop_postponed() noexcept;
 
 /// A function of the API.
 class CallScope {
  public:
-  CallScope() { ++t_call.depth; }
+  CallScope() : call_(this_call()) { ++call_.depth; }
   ~CallScope() {
-    if (--t_call.depth == 0 && t_call.postponed) drop_postponed();
+    if (--call_.depth == 0 && call_.postponed) drop_postponed();
   }
   CallScope(const CallScope&) = delete;
   CallScope& operator=(const CallScope&) = delete;
+
+ private:
+  Call& call_;
 };
 
 /// A callback, for its duration.

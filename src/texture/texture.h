@@ -243,7 +243,7 @@ struct Lookups {
 
   /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {
-    constexpr const float* Lookups::*kColumns[kFloatColumns] = {
+    static constexpr const float* Lookups::*kColumns[kFloatColumns] = {
         &Lookups::u,   &Lookups::v, &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy,     &Lookups::dvdy,
         &Lookups::lod, &Lookups::w, &Lookups::dwdx, &Lookups::dwdy, &Lookups::reference};
     return this->*kColumns[i];

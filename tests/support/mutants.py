@@ -100,6 +100,8 @@ MUTANTS = {
                             "api.lookup_small"),
     "call_strides": Mutant("src/abi/call_in_place.h", "(count != 1 || strides > PTRDIFF_MAX)", "strides > PTRDIFF_MAX",
                            "api.lookup_small"),
+    "fast_border": Mutant("src/texture/lookup/fast.h", "if (has_border(texture, sampler)) return false;", "",
+                          "unit.texture.support_cells"),
     "code_tie": Mutant("src/texture/format/consume_rows-inl.h", "256.5f + 0x1p-13f", "256.5f + 0x1p-9f",
                        "api.render_one_texture"),
     "row_split": Mutant("src/texture/filter/rows-inl.h",

@@ -191,38 +191,16 @@ HWY_INLINE PlaceAxes<D> RoundPlaceAxes(D d, hn::Vec<D> lod) {
   return f;
 }
 
-/// Finds nothing but the places.
-inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
-                                      PlaceBlock* out) {
-  return FillPlaces(texture, sampler, in, out, out->w, [](auto, const auto&, size_t) {});
-}
+/// Finds nothing but the places. This overload and the next two are in shapes.cpp.
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, PlaceBlock* out);
 
 /// Finds the levels of detail of isotropic lookups (FindShapes() of a LodBlock).
-inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
-                                      PlaceLodBlock* out, const LodRange* query = nullptr) {
-  const LodRange range = query ? *query : lod_range(texture, sampler);
-  const bool lod_given = in.lod != nullptr, rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
-  const float shift = level_shift(sampler, lod_given);
-  return FillPlaces(texture, sampler, in, out, out->w, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto lod = ClampLod(d, lod_given ? p.lod : LambdaOfPlaces(d, p, rms), shift, range);
-    hn::Store(query ? lod : BlendLevels(d, sampler, lod), d, out->lod + to);
-  });
-}
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, PlaceLodBlock* out,
+                  const LodRange* query = nullptr);
 
 /// Finds probes along the longer axis (FindShapes() of a ProbeBlock).
-inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
-                                      PlaceProbeBlock* out, const LodRange* query = nullptr) {
-  const LodRange range = query ? *query : lod_range(texture, sampler);
-  const ProbePlacement placement(texture, sampler, range, in.lod != nullptr, query != nullptr);
-  const SizeDivision depth(texture.depth);
-  return FillPlaces(texture, sampler, in, out, out->w, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto f = placement.lod_given ? RoundPlaceAxes(d, p.lod) : AxesOfPlaces(d, p);
-    placement.place(d, f, out, to);
-    const auto probes = hn::Load(d, out->probes + to), limit = hn::Set(d, 0x1p60f);
-    const auto step = depth(d, f.length / (probes + probes) * f.w);
-    hn::Store(hn::Max(hn::Min(step, limit), hn::Neg(limit)), d, out->step_w + to);
-  });
-}
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, PlaceProbeBlock* out,
+                  const LodRange* query = nullptr);
 
 /// Finds ellipsoids; in ellipses.cpp.
 size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipsoidBlock* out);

@@ -18,8 +18,11 @@ namespace shd::texture::HWY_NAMESPACE {
 /// pair is not compiled together.
 RunFilter FusedOf(shd_filter filter, image::Component component);
 
-/// Returns such a pair for 1 to core::kNarrowLanes lookups of textures in memory, or null.
-RunFilter FewOf(const Texture& texture, shd_filter filter);
+/// Filters 1 to core::kNarrowLanes lookups, as a RunFilter does.
+using RunFew = size_t (*)(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out);
+
+/// Returns such a pair for few lookups of textures in memory, without gradients, or null.
+RunFew FewOf(const Texture& texture, shd_filter filter);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -86,8 +86,8 @@ class ChannelSink : public Emitter<ChannelSink> {
  public:
   static_assert(hn::MaxLanes(BatchTag()) == core::kNarrowLanes, "few lookups are one vector");
 
-  explicit ChannelSink(const FilterCall& call)
-      : sampler_(call.sampler), texture_(call.texture), out_(call.out), count_(call.in.count) {}
+  ChannelSink(const Texture& texture, const Sampler& sampler, size_t count, const Texels& out)
+      : sampler_(sampler), texture_(texture), out_(out), count_(count) {}
 
   HWY_INLINE const Sampler& sampler() const { return sampler_; }
   HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }
@@ -103,12 +103,13 @@ class ChannelSink : public Emitter<ChannelSink> {
     }
   }
   HWY_INLINE void finish() {
+    float unwanted[core::kNarrowLanes];
+    float* to[4];
+    for (size_t c = 0; c < 4; ++c) to[c] = out_.channel[c] ? out_.channel[c] : unwanted;
     for (size_t k = 0; k < count_; ++k) {
       alignas(16) float channel[4];
       hn::Store(Unorm8::finish<0>(D(), average_[0][k]), D(), channel);
-      for (size_t c = 0; c < 4; ++c) {
-        if (HWY_LIKELY(out_.channel[c] != nullptr)) out_.channel[c][k] = channel[c];
-      }
+      for (size_t c = 0; c < 4; ++c) to[c][k] = channel[c];
     }
   }
 
@@ -152,13 +153,13 @@ class ChannelSink : public Emitter<ChannelSink> {
   Elements<kMaxLanes> element_;
 };
 
-/// Runs a filter over 1 to core::kNarrowLanes lookups, without what only longer batches need.
+/// Runs a filter over few lookups, without what only longer batches need; a RunFew.
 template <class Filter>
-HWY_NOINLINE size_t RunFew(const FilterCall& call) {
-  const Filter filter(call.texture, call.sampler);
+HWY_NOINLINE size_t FilterFew(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  const Filter filter(texture, sampler);
   typename Filter::Block block;
-  const size_t nonfinite = FindShapes(call.texture, call.sampler, call.in, &block);
-  ChannelSink sink(call);
+  const size_t nonfinite = FindShapes(texture, sampler, in, &block);
+  ChannelSink sink(texture, sampler, in.count, out);
   filter.emit(BatchTag(), block, 0, sink);
   return nonfinite;
 }
@@ -173,14 +174,14 @@ RunFilter FusedOf(shd_filter filter, image::Component component) {
   return nullptr;
 }
 
-RunFilter FewOf([[maybe_unused]] const Texture& texture, [[maybe_unused]] shd_filter filter) {
+RunFew FewOf([[maybe_unused]] const Texture& texture, [[maybe_unused]] shd_filter filter) {
 #if HWY_MAX_BYTES == 16
   if (texture.component != image::Component::kUnorm8 || texture.channels != 4) return nullptr;
   switch (filter) {
-    case SHD_FILTER_BILINEAR: return RunFew<Bilinear>;
-    case SHD_FILTER_TRILINEAR: return RunFew<Trilinear>;
-    case SHD_FILTER_ANISOTROPIC: return RunFew<Anisotropic>;
-    case SHD_FILTER_EWA: return RunFew<Ewa>;
+    case SHD_FILTER_BILINEAR: return FilterFew<Bilinear>;
+    case SHD_FILTER_TRILINEAR: return FilterFew<Trilinear>;
+    case SHD_FILTER_ANISOTROPIC: return FilterFew<Anisotropic>;
+    case SHD_FILTER_EWA: return FilterFew<Ewa>;
     default: break;
   }
 #endif

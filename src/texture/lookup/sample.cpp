@@ -11,6 +11,7 @@
 #include "texture/format/formats.h"
 #include "texture/format/record.h"
 #include "texture/lookup/coarser.h"
+#include "texture/lookup/fast.h"
 #include "texture/lookup/magnify.h"
 #include "texture/store/stores.h"
 #include "texture/table/decoded.h"
@@ -27,28 +28,6 @@
 #include "texture/lookup/fixed_lines-inl.h"
 #include "texture/lookup/fused-inl.h"
 #include "texture/store/place-inl.h"
-
-#ifndef SHD_TEXTURE_HAS_FAST_VALUES
-#define SHD_TEXTURE_HAS_FAST_VALUES
-namespace shd::texture {
-
-/// Whether a filter blends the quads of at most two levels.
-inline bool is_linear(shd_filter filter) {
-  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
-}
-
-/// Whether SHD_PRECISION_FAST has values of its own. Elsewhere they are those of SHD_PRECISION_FULL.
-/// Rejected: sRGB, with texels decoded to 15 bits by a table. It had 0.5 (AVX-512) to 0.9 (AVX2, SSE4) of the speed of
-/// floats, because every texel takes three loads from the table.
-inline bool has_fast_values(const Texture& texture, const Sampler& sampler) {
-  if (sampler.precision != SHD_PRECISION_FAST || texture.component != image::Component::kUnorm8) return false;
-  if (!is_in_memory(texture) || needs_w(texture) || has_border(sampler)) return false;
-  const bool lines = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL;
-  return lines || is_linear(sampler.filter);
-}
-
-}  // namespace shd::texture
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -272,6 +251,11 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
   return nonfinite;
 }
 
+/// Whether a filter blends the quads of at most two levels.
+bool is_linear(shd_filter filter) {
+  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
+}
+
 /// Whether the stored channels of lookups are what a filter of one image in memory gives, in full precision.
 bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out) {
   const bool texels = is_in_memory(texture) && !needs_w(texture) && !texture.decoded && is_stored_as_read(texture);
@@ -279,16 +263,10 @@ bool is_plain(const Texture& texture, const Sampler& sampler, const Texels& out)
                       !sampler.compares && !has_border(sampler);
   return texels && values && !out.coarser && !out.rgba8 && !out.wants_gradient();
 }
-}  // namespace
 
-size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-              const Texels& out, Recording* recording) {
-  const bool few = lookups.count != 0 && lookups.count <= core::kNarrowLanes;  // filters emit a vector at least
-  if (few && !recording && is_plain(texture, sampler, out)) {
-    const FormatKernels none = {};
-    if (const RunFilter run = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter))
-      return run({texture, sampler, lookups, out, none, nullptr, nullptr, {}});
-  }
+/// sample() of any number of lookups. Calls of few do not pay for its stack frame.
+[[gnu::noinline]] size_t sample_many(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                                     const Lookups& lookups, const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
   if (HWY_UNLIKELY(sampler.compares)) return sample_compared(texture, sampler, simd, lookups, out, recording);
   if (is_stored_as_read(texture)) return sample_any(texture, sampler, simd, lookups, out, recording);
@@ -296,6 +274,17 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
   const size_t nonfinite = sample_any(texture, sampler, simd, lookups, stored, recording);
   complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
+}
+}  // namespace
+
+size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+              const Texels& out, Recording* recording) {
+  const bool few = lookups.count != 0 && lookups.count <= core::kNarrowLanes;  // filters emit a vector at least
+  if (few && !recording && is_plain(texture, sampler, out)) {
+    const auto run = HWY_DISPATCH_TABLE(FewOf)[core::narrow_index(simd)](texture, sampler.filter);
+    if (run) return run(texture, sampler, lookups, out);
+  }
+  return sample_many(texture, sampler, simd, lookups, out, recording);
 }
 
 bool writes_rgba8(const Texture& texture, const Sampler& sampler) {
