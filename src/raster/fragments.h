@@ -63,14 +63,16 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Returns the first row after `begin` whose triangle is another one, or `end`.
-size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end);
-
 /// Consecutive pixels of a tile, numbered row-major, in which one triangle is visible at the same samples.
 struct PixelRun {
   uint16_t begin, end;
   uint32_t mask;  // samples, as bits
 };
+
+/// Number of pixels.
+constexpr size_t length_of(const PixelRun& run) {
+  return size_t{run.end} - run.begin;
+}
 
 /// Returns the first pixel of the next row of the tile.
 constexpr uint32_t next_row(uint32_t pixel) {

@@ -13,6 +13,7 @@
 
 #include "raster/attribute-inl.h"
 #include "raster/planes-inl.h"
+#include "raster/spans-inl.h"
 #include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -165,7 +166,7 @@ void InterpolateTriangle(const TriangleRows& rows, size_t begin, size_t end, Fra
 
 /// Returns the first row after `begin` with another triangle or in another cell, or `end`.
 HWY_INLINE size_t EndOfSpan(const Fragments& f, size_t begin, size_t end) {
-  end = end_of_triangle(f.triangle, begin, end);
+  end = EndOfTriangle(f.triangle, begin, end);
   const bool is_cell = (f.left | f.top) % kTile == 0;
   if (HWY_LIKELY(is_cell)) return end;
   const Cell cell = cell_of(f.left, f.top, f.pixel[begin]);

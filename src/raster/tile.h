@@ -42,17 +42,13 @@ struct Tile {
   DepthBounds bounds;
 };
 
-inline void clear_slots(Tile* tile) {
-  std::fill(tile->slot.begin(), tile->slot.end(), kNoSlot);
-}
-
 /// Throws std::bad_alloc.
 inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* out) {
   out->samples = samples;
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
   out->depth.fill_zero();  // the bounds also read pixels outside the frame
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
-  clear_slots(out);
+  std::fill(out->slot.begin(), out->slot.end(), kNoSlot);
 }
 
 /// Must be called after depths of a tile were written without regard to the trend.
