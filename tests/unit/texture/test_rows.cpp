@@ -103,6 +103,9 @@ void test_size(void** state) {
       ++at;
       check_line(textures);
     }
+    // Parts of a block share levels, and the level changes within others.
+    make_line(size, -0.6f, 0.2f, 0.3f, 7.0f, 499);
+    check_line(textures);
     make_line(size, 0.7f, 0.1f, 0.4f, 0.0f, 300);
     t_batch.u[7] = NAN;
     t_batch.v[100] = INFINITY;
