@@ -32,6 +32,16 @@ enum Interpolated : uint32_t {
   kPositionSteps = 256    // derivatives of the position
 };
 
+/// Places in memory of some columns of Fragments, in columns after x. allocate() puts them there.
+enum ColumnPlace : size_t {
+  kXPlace,
+  kYPlace,
+  kPositionPlace = 6,                 // px, py, pz
+  kNormalPlace = kPositionPlace + 3,  // nx, ny, nz
+  kToEyePlace = kNormalPlace + 3,     // ox, oy, oz
+  kTexturePlace = kToEyePlace + 3     // u, v, dudx, dvdx, dudy, dvdy
+};
+
 /// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
 /// elements that are read, in one block.
 struct Fragments {
