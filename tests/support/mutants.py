@@ -120,6 +120,8 @@ MUTANTS = {
     "row_level": Mutant("src/texture/filter/trilinear-inl.h", "static_cast<uint32_t>(lod.most) == out->fine", "true",
                         "unit.texture.rows"),
     "row_part": Mutant("src/texture/filter/rows-inl.h", "lod ? lod + begin : nullptr", "lod", "unit.texture.rows"),
+    "row_colors": Mutant("src/texture/format/consume_rows-inl.h", "to.left - i, to.channel[c] + i",
+                         "hn::Lanes(d), to.channel[c + 0 * i]", "unit.texture.rows"),
     "viewport_top": Mutant("src/geometry/vertex.cpp", "static_cast<float>(top + half_height)",
                            "static_cast<float>(half_height)", "api.vertex_program"),
     "cancel_negative": Mutant("src/frame/frame.cpp", "static_cast<double>(total_))) != 0",
