@@ -4,22 +4,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "film/copy_runs.h"
+
 namespace shd::film {
 namespace {
-
-/// Copies at least kBlock floats in blocks; the last block may overlap the block before it.
-template <size_t kBlock>
-void copy_blocks(const float* from, size_t count, float* to) {
-  for (size_t i = 0; i + kBlock < count; i += kBlock) std::memcpy(to + i, from + i, kBlock * sizeof(float));
-  std::memcpy(to + count - kBlock, from + count - kBlock, kBlock * sizeof(float));
-}
-
-/// Copies the few floats of a run: a call of memcpy takes longer than the copies of most.
-void copy_floats(const float* from, size_t count, float* to) {
-  if (count >= 16) return copy_blocks<16>(from, count, to);
-  if (count >= 4) return copy_blocks<4>(from, count, to);
-  for (size_t i = 0; i < count; ++i) to[i] = from[i];
-}
 
 /// Averages colours spaced `stride` floats apart.
 void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
@@ -119,17 +107,14 @@ void TileColor::mark_whole(uint32_t begin, uint32_t end) {
   if (samples_ > 1) std::fill(split_.is_split.data() + begin, split_.is_split.data() + end, uint8_t{0});
 }
 
-void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row) {
+void TileColor::write_runs(const core::SimdTarget& simd, const raster::PixelRun* runs, size_t count,
+                           const shade::Radiance& from, size_t row) {
   for (uint32_t t = 0; t < target_count_; ++t) {
-    const TilePlanes& to = planes_[t];
-    const float* const* column = from.channel + 4 * target_[t];
-    for (uint32_t p = begin, next; p < end; p = next) {
-      next = to.stride == raster::kTile ? end : std::min(end, raster::next_row(p));
-      const size_t first = row + (p - begin), at = position(p, t);
-      for (uint32_t c = 0; c < 4; ++c) copy_floats(column[c] + first, next - p, to.plane[c] + at);
-    }
+    const float* const* channel = from.channel + 4 * target_[t];
+    const float* const column[4] = {channel[0] + row, channel[1] + row, channel[2] + row, channel[3] + row};
+    copy_runs(simd, runs, count, column, planes_[t]);
   }
-  mark_whole(begin, end);
+  for (size_t i = 0; i < count && samples_ > 1; ++i) mark_whole(runs[i].begin, runs[i].end);
 }
 
 void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {

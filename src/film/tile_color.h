@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "core/simd_target.h"
 #include "film/blend.h"
 #include "film/framebuffer.h"
 #include "film/tile_area.h"
@@ -39,8 +40,9 @@ class TileColor {
   /// Points r, g, b and a to a run of pixels, all of whose samples are then written there, if colour is the only target
   /// and the pixels of the tile are consecutive. Returns whether they are.
   bool point_to(const raster::PixelRun& run, shade::Radiance* out);
-  /// Writes rows of `from`, from `row` on, to all samples of the pixels begin..end - 1.
-  void write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row);
+  /// Writes rows of `from`, from `row` on, to all samples of the pixels of some runs.
+  void write_runs(const core::SimdTarget& simd, const raster::PixelRun* runs, size_t count, const shade::Radiance& from,
+                  size_t row);
   /// Writes colour and targets of a row of `from` to the samples in a mask that lacks some.
   void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
   /// Blends a colour, and the targets of a row of `from`, over the samples in a mask.

@@ -7,6 +7,7 @@
 #include "film/dilate.h"
 #include "frame/bake.h"
 #include "frame/fragment_batch.h"
+#include "raster/changes.h"
 
 namespace shd::frame {
 namespace {
@@ -47,7 +48,8 @@ void write_texels(const Draw& draw, TileState* tile) {
   for (size_t i = 0; i < f.count; ++i) {
     if (!is_kept(*draw.material, columns, i)) continue;
     const uint32_t pixel = f.pixel[i];
-    tile->color.write_run(pixel, pixel + 1, columns.radiance, i);
+    const raster::PixelRun run = {static_cast<uint16_t>(pixel), static_cast<uint16_t>(pixel + 1), f.mask[i]};
+    tile->color.write_runs(tile->simd(), &run, 1, columns.radiance, i);
     worker.aovs.row[worker.aovs.row_count++] = static_cast<uint16_t>(i);
     const size_t x = tile->area.left + pixel % raster::kTile, y = tile->area.top + size_t{pixel / raster::kTile};
     const uint8_t shared = nearest.is_shared[pixel] ? film::kTexelShared : 0;
@@ -80,7 +82,7 @@ void bake_tile(TileState* tile) {
   }
   batch.flush(draw, done);
   worker.slots.clear();
-  raster::clear_slots(&worker.tile);
+  raster::clear_slots(tile->simd(), &worker.tile);
 }
 
 }  // namespace shd::frame

@@ -2,45 +2,14 @@
 #include "frame/fragment_batch.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "raster/append_rows.h"
 #include "shade/needs.h"
 
 namespace shd::frame {
 namespace {
 
 constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
-
-/// Pixels begin..end - 1 of one row of the tile, and the values of their fragments.
-struct PixelRow {
-  uint32_t begin, end;
-  uint32_t mask, triangle;
-  float left, top;  // centre of the tile's first pixel
-};
-
-template <class T>
-void set_four(T* to, T value) {
-  for (size_t k = 0; k < 4; ++k) to[k] = value;
-}
-
-/// Sets rows of the table from row `at` on, in fours: up to three rows past the last one are overwritten.
-void set_rows(const PixelRow& pixels, size_t at, raster::Fragments* f) {
-  const float top = pixels.top + static_cast<float>(static_cast<int32_t>(pixels.begin / raster::kTile));
-  const size_t end = at + (pixels.end - pixels.begin);
-  uint32_t pixel[4] = {pixels.begin, pixels.begin + 1, pixels.begin + 2, pixels.begin + 3};
-  for (; at < end; at += 4) {
-    float x[4];
-    for (size_t k = 0; k < 4; ++k) {
-      x[k] = pixels.left + static_cast<float>(static_cast<int32_t>(pixel[k] % raster::kTile));
-    }
-    std::memcpy(f->pixel + at, pixel, sizeof pixel);
-    std::memcpy(f->x + at, x, sizeof x);
-    set_four(f->mask + at, pixels.mask);
-    set_four(f->triangle + at, pixels.triangle);
-    set_four(f->y + at, top);
-    for (uint32_t& next : pixel) next += 4;
-  }
-}
 
 /// Samples of a pattern of kCount that lie inside the edges at a pixel.
 template <uint32_t kCount>
@@ -131,20 +100,19 @@ void FragmentBatch::move_to_nearest(size_t begin, size_t end) const {
   }
 }
 
-/// Appends pixels of the latest triangle to the table, which must have room for them.
+/// Appends runs of the latest triangle to the table, which must have room for them.
 void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
-                           const raster::PixelRun& run) {
+                           const raster::PixelRun* runs, size_t count) {
   raster::Fragments& f = worker_.workspace.fragments;
   const size_t begin = f.count;
-  const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
-  for (uint32_t first = run.begin, end; first < run.end; first = end) {
-    end = std::min<uint32_t>(run.end, raster::next_row(first));
-    set_rows({first, end, run.mask, triangle.primitive, left, top}, f.count, &f);
-    f.count += end - first;
-  }
-  worker_.runs.run[worker_.runs.count++] = run;
-  if (points.per_sample || run.mask != tile_.all_samples()) {
-    for (size_t row = begin; row < f.count; ++row) move_to_centroid(points, row);
+  raster::append_rows(tile_.simd(), runs, count, triangle.primitive, &f);
+  std::copy_n(runs, count, worker_.runs.run + worker_.runs.count);
+  worker_.runs.count += count;
+  for (size_t i = 0, row = begin; i < count && tile_.pattern.count > 1; ++i) {
+    const size_t end = row + raster::length_of(runs[i]);
+    const bool moves = points.per_sample || runs[i].mask != tile_.all_samples();
+    for (; row < end && moves; ++row) move_to_centroid(points, row);
+    row = end;
   }
   if (tile_.renderer.frame.bake) move_to_nearest(begin, f.count);
   if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);

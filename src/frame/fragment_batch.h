@@ -42,8 +42,11 @@ class FragmentBatch {
     if (triangles.count == max_triangles_) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
     const ShadingPoints points = shading_points(triangle);
-    for (size_t i = 0; i < count; ++i)
-      points.per_sample ? add_samples(triangle, points, runs[i], done) : add_pixels(triangle, points, runs[i], done);
+    if (points.per_sample) {
+      for (size_t i = 0; i < count; ++i) add_samples(triangle, points, runs[i], done);
+    } else {
+      add_pixels(triangle, points, runs, count, done);
+    }
   }
 
   /// Shades the table if it holds fragments, and empties it.
@@ -64,18 +67,30 @@ class FragmentBatch {
                    const Done& done) {
     for (uint16_t pixel = run.begin; pixel < run.end; ++pixel) {
       for (uint32_t mask = run.mask; mask; mask &= mask - 1) {
+        const raster::PixelRun sample = {pixel, static_cast<uint16_t>(pixel + 1), mask & ~(mask - 1)};
         make_room(done);
-        append(triangle, points, {pixel, static_cast<uint16_t>(pixel + 1), mask & ~(mask - 1)});
+        append(triangle, points, &sample, 1);
       }
     }
   }
 
   template <class Done>
-  void add_pixels(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, raster::PixelRun run,
-                  const Done& done) {
+  void add_pixels(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun* runs,
+                  size_t count, const Done& done) {
+    for (size_t i = 0, end; i < count; i = end) {
+      size_t room = make_room(done);
+      for (end = i; end < count && raster::length_of(runs[end]) <= room; ++end) room -= raster::length_of(runs[end]);
+      append(triangle, points, runs + i, end - i);
+      if (end < count && room > 0) add_split(triangle, points, runs[end++], done);
+    }
+  }
+
+  template <class Done>
+  void add_split(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, raster::PixelRun run,
+                 const Done& done) {
     for (size_t end = run.end; run.begin < end; run.begin = run.end) {
       run.end = static_cast<uint16_t>(std::min(end, run.begin + make_room(done)));
-      append(triangle, points, run);
+      append(triangle, points, &run, 1);
     }
   }
 
@@ -98,7 +113,8 @@ class FragmentBatch {
   uint32_t samples_at(const ShadingPoints& points, const PixelEdges& edges) const;
   void move_to_centroid(const ShadingPoints& points, size_t row) const;
   void move_to_nearest(size_t begin, size_t end) const;
-  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
+  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun* runs,
+              size_t count);
   void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);
   void shade(uint32_t draw);

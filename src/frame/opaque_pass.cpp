@@ -4,6 +4,7 @@
 #include "film/aovs.h"
 #include "frame/fragment_batch.h"
 #include "frame/texture_batch.h"
+#include "raster/changes.h"
 
 namespace shd::frame {
 namespace {
@@ -25,17 +26,18 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
 }
 
 /// Writes the colours of a shaded batch to its samples.
-void write_colors(const BatchRuns& runs, const shade::Radiance& radiance, uint32_t all_samples,
-                  film::TileColor* tile_color) {
-  size_t row = 0;
-  for (size_t i = 0; i < runs.count; ++i) {
-    const raster::PixelRun& run = runs.run[i];
-    if (run.mask == all_samples) {
-      tile_color->write_run(run.begin, run.end, radiance, row);
-    } else {
-      for (uint32_t p = run.begin; p < run.end; ++p) tile_color->write_some(p, run.mask, radiance, row + p - run.begin);
+void write_colors(const BatchRuns& runs, const shade::Radiance& radiance, TileState* tile) {
+  const uint32_t all_samples = tile->all_samples();
+  for (size_t i = 0, row = 0, end; i < runs.count; i = end) {
+    size_t rows = 0;
+    for (end = i; end < runs.count && runs.run[end].mask == all_samples; ++end)
+      rows += raster::length_of(runs.run[end]);
+    if (end > i) tile->color.write_runs(tile->simd(), runs.run + i, end - i, radiance, row);
+    row += rows;
+    for (; end < runs.count && runs.run[end].mask != all_samples; ++end) {
+      const raster::PixelRun& run = runs.run[end];
+      for (uint32_t p = run.begin; p < run.end; ++p) tile->color.write_some(p, run.mask, radiance, row++);
     }
-    row += size_t{run.end} - run.begin;
   }
 }
 
@@ -43,7 +45,7 @@ void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
   worker.nonfinite_fragments += worker.workspace.nonfinite;
-  write_colors(worker.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
+  write_colors(worker.runs, worker.workspace.columns.radiance, tile);
   if (!tile->framebuffer.aovs) return;
   film::find_rows(f, &worker.aovs);
   film::write_aovs(tile->simd(), tile->area, {*draw.material, draw.object_to_world, draw.index}, f,
@@ -101,7 +103,7 @@ void shade_visible(TileState* tile) {
   batch.flush(draw, done);
   tile->color.assume(nullptr);
   worker.slots.clear();
-  raster::clear_slots(&worker.tile);
+  raster::clear_slots(tile->simd(), &worker.tile);
 }
 
 }  // namespace shd::frame

@@ -12,10 +12,6 @@ namespace {
 /// Triangles with fewer pixels in a tile share a table with others: a batch has costs of its own.
 constexpr size_t kFewPixels = 64;
 
-size_t length_of(const raster::PixelRun& run) {
-  return size_t{run.end} - run.begin;
-}
-
 }  // namespace
 
 bool TextureBatch::takes(uint32_t draw) {
@@ -38,7 +34,7 @@ bool TextureBatch::takes_all() {
     const uint32_t begin = worker.order.start[slot], end = worker.order.start[slot + 1],
                    draw = worker.slots[slot]->draw;
     size_t pixels = 0;
-    for (uint32_t i = begin; i < end; ++i) pixels += length_of(worker.order.run[i]);
+    for (uint32_t i = begin; i < end; ++i) pixels += raster::length_of(worker.order.run[i]);
     if (pixels == 0) continue;
     if (pixels < kFewPixels || !takes(draw)) return false;
   }
@@ -48,7 +44,7 @@ bool TextureBatch::takes_all() {
 size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count) {
   if (!takes(triangle.draw)) return count;
   size_t pixels = 0, rest = 0;
-  for (size_t i = 0; i < count; ++i) pixels += length_of(runs[i]);
+  for (size_t i = 0; i < count; ++i) pixels += raster::length_of(runs[i]);
   if (pixels < kFewPixels) return count;
   const raster::Cell first = raster::cell_of(tile_.left, tile_.top);
   const raster::Cell last = raster::cell_of(tile_.left, tile_.top, raster::kTilePixels - 1);
@@ -97,7 +93,7 @@ void TextureBatch::add(const raster::PixelRun& pixels) {
     const size_t end = std::min<size_t>(pixels.end, run.begin + (raster::kBatch - rows_));
     run.end = static_cast<uint16_t>(end);
     runs_.run[runs_.count++] = run;
-    rows_ += length_of(run);
+    rows_ += raster::length_of(run);
   }
 }
 
@@ -113,18 +109,17 @@ void TextureBatch::flush() {
   shade::shade_one_texture(tile_.simd(), shading, pixels, rows_, &worker.workspace, colors.channel,
                            codes ? pixels_ : nullptr);
   if (!codes) std::fill_n(colors.channel[3], rows_, 1.0f);
+  if (!direct_ && !in_place) tile_.color.write_runs(tile_.simd(), runs_.run, runs_.count, colors, 0);
   size_t row = 0;
-  for (size_t i = 0; i < runs_.count && !in_place; ++i) {
+  for (size_t i = 0; i < runs_.count && direct_; ++i) {
     if (codes) {
       film::store_pixels(tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
-    } else if (direct_) {
+    } else {
       const float* const plane[4] = {colors.channel[0] + row, colors.channel[1] + row, colors.channel[2] + row,
                                      colors.channel[3] + row};
       film::store_pixels(tile_.simd(), tile_.area, runs_.run[i], plane, &tile_.framebuffer);
-    } else {
-      tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
     }
-    row += length_of(runs_.run[i]);
+    row += raster::length_of(runs_.run[i]);
   }
   worker.fragments += rows_;
   runs_.count = rows_ = 0;

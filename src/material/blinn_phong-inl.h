@@ -27,12 +27,10 @@ HWY_INLINE V HalfCosine(D d, const Point<V>& point, const Vec3V<V>& l, Choices& 
   return choices.Select(usable, hn::Min(hn::Max(n_dot_h, zero), one), hn::Neg(one));
 }
 
-/// Lighting whose term is HalfCosine().
-struct HalfCosineLighting : SpecularLighting {
-  static constexpr uint32_t kTerms = 1;
-
+struct HalfCosineTerms {
+  static constexpr uint32_t kCount = 1, kColumns = 0;
   template <class D, class V, class Choices>
-  static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V*, Choices& choices, V* terms) {
+  static HWY_INLINE void Find(D d, const Point<V>& point, const Vec3V<V>& l, V, const V*, Choices& choices, V* terms) {
     terms[0] = HalfCosine(d, point, l, choices);
   }
 };
@@ -51,7 +49,9 @@ constexpr float kBlinnPhongIntegral = 25.1327412f;  // 8 pi
 
 /// Lambert + sum of k_s E max(0, n.h)^p.
 struct BlinnPhong : SpecularBase {
-  struct Lighting : HalfCosineLighting {
+  struct Lighting : SpecularLighting {
+    using Terms = HalfCosineTerms;
+
     template <class D, class V>
     static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
       lobe[0] = in.cosine;

@@ -25,7 +25,9 @@ HWY_INLINE V BlinnPhongNorm(D d, V p) {
 
 /// k_a I_a + sum of (k_d / pi + k_s N max(0, n.h)^p) E max(0, n.l).
 struct BlinnPhongNormalized : SpecularBase {
-  struct Lighting : HalfCosineLighting {
+  struct Lighting : SpecularLighting {
+    using Terms = HalfCosineTerms;
+
     template <class D, class V>
     static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {
       const V power = simd::HWY_NAMESPACE::UnitPow(d, terms[0], shape[Shape::kExponent]);

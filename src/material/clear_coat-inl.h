@@ -51,6 +51,21 @@ struct ClearCoatShape {
   }
 };
 
+/// The terms of the base and of the coat, n_c.l, and the part of the light that the coat reflects.
+struct ClearCoatTerms {
+  enum Term : uint32_t { kCoat = kMicrofacetTerms, kCoatNDotL = 2 * kMicrofacetTerms, kReflected, kCount };
+  static constexpr uint32_t kColumns = ClearCoatShape::kColumns;
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Find(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
+                              V* terms) {
+    const Vec3V<V> n = ClearCoatShape::Normal(shape);
+    MicrofacetTerms(d, point, l, shape[ClearCoatShape::kAlphaSquared], choices, terms);
+    MicrofacetTerms(d, {n, point.wo}, l, shape[ClearCoatShape::kCoatAlphaSquared], choices, terms + kCoat);
+    terms[kCoatNDotL] = Dot(n, l);
+    terms[kReflected] = ClearCoatShape::Reflected(d, shape, Dot(n, point.wo));
+  }
+};
+
 /// Metallic-roughness times 1 - c F(n_c.v), plus sum of E max(0, n_c.l) c F(n_c.v) D V, with coat c and its normal n_c.
 struct ClearCoat : MetallicRoughness {
   static constexpr uint32_t kSlots =
@@ -61,30 +76,18 @@ struct ClearCoat : MetallicRoughness {
     static constexpr bool kGatesLobes = true;
     static constexpr bool kAveragesNormals = false;
     using Shape = ClearCoatShape;
-
-    /// The terms of the base and of the coat, n_c.l, and the part of the light that the coat reflects.
-    enum Term : uint32_t { kCoatTerms = kMicrofacetTerms, kCoatNDotL = 2 * kMicrofacetTerms, kReflected, kCount };
-    static constexpr uint32_t kTerms = kCount;
-    template <class D, class V, class Choices>
-    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
-                                 V* terms) {
-      const Vec3V<V> n = Shape::Normal(shape);
-      MicrofacetTerms(d, point, l, shape[Shape::kAlphaSquared], choices, terms);
-      MicrofacetTerms(d, {n, point.wo}, l, shape[Shape::kCoatAlphaSquared], choices, terms + kCoatTerms);
-      terms[kCoatNDotL] = Dot(n, l);
-      terms[kReflected] = Shape::Reflected(d, shape, Dot(n, point.wo));
-    }
+    using Terms = ClearCoatTerms;
 
     template <class D, class V>
     static HWY_INLINE void Lobes(D d, const Material& m, const V* terms, const Cosines<V>& in, const V* shape,
                                  V* lobe) {
       const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-      const V n_dot_l = terms[kCoatNDotL], reflected = terms[kReflected], rest = one - reflected;
+      const V n_dot_l = terms[Terms::kCoatNDotL], reflected = terms[Terms::kReflected], rest = one - reflected;
       MetallicRoughness::Lighting::Lobes(d, m, terms, in, shape, lobe);
       const auto faces = hn::Gt(in.n_dot_l, zero);
       for (uint32_t k = 0; k < 3; ++k) lobe[k] = hn::IfThenElseZero(faces, lobe[k] * rest);
       const Cosines<V> to_coat = {n_dot_l, hn::Max(n_dot_l, zero)};
-      const auto coat = EvaluateMetallicRoughness(d, terms + kCoatTerms, to_coat, shape[Shape::kCoatAlphaSquared]);
+      const auto coat = EvaluateMetallicRoughness(d, terms + Terms::kCoat, to_coat, shape[Shape::kCoatAlphaSquared]);
       lobe[3] = hn::IfThenElseZero(hn::Gt(n_dot_l, zero), reflected * (coat.specular_f0 + coat.specular_f90));
     }
 

@@ -47,6 +47,27 @@ HWY_INLINE void MicrofacetTerms(D d, const Point<V>& point, const Vec3V<V>& l, V
   terms[kNDotV] = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
 }
 
+struct RoughSurfaceTerms {
+  static constexpr uint32_t kCount = kMicrofacetTerms, kColumns = RoughnessShape::kColumns;
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Find(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
+                              V* terms) {
+    MicrofacetTerms(d, point, l, shape[RoughnessShape::kAlphaSquared], choices, terms);
+  }
+};
+
+/// A Beckmann surface of equal width has slopes of variance alpha^2 / 2. Lobes that are narrow among the normals have
+/// its precision k, wide lobes a fifth of k, because their tails count for normals far from the half vector.
+struct MicrofacetWidth {
+  static constexpr int kNodes = 4;
+  template <class D, class V>
+  static HWY_INLINE V Precision(D d, const V* shape, V, V variance) {
+    const V k = hn::Set(d, 2.0f) / shape[RoughnessShape::kAlphaSquared];
+    const V ratio = k * variance, squared = ratio * ratio;
+    return k * ((hn::Set(d, 28.8f) + squared) / (hn::Set(d, 144.0f) + squared));
+  }
+};
+
 /// D of Trowbridge and Reitz (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007) and the
 /// masking and shadowing V of Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs" (2014).
 /// The result is 0 where wo + l = 0. Callers use the result only where n.l > 0.
@@ -91,24 +112,9 @@ struct MetallicRoughness : ModelBase {
   struct Lighting : LightingBase {
     static constexpr uint32_t kLobes = 3;
     static constexpr bool kNeedsEye = true;
-    static constexpr bool kHasLongTails = true;
     using Shape = RoughnessShape;
-
-    /// A Beckmann surface of equal width has slopes of variance alpha^2 / 2. Lobes that are narrow among the normals
-    /// have its precision k, wide lobes a fifth of k, because their tails count for normals far from the half vector.
-    template <class D, class V>
-    static HWY_INLINE V Precision(D d, const V* shape, V, V variance) {
-      const V k = hn::Set(d, 2.0f) / shape[Shape::kAlphaSquared];
-      const V ratio = k * variance, squared = ratio * ratio;
-      return k * ((hn::Set(d, 28.8f) + squared) / (hn::Set(d, 144.0f) + squared));
-    }
-
-    static constexpr uint32_t kTerms = kMicrofacetTerms;
-    template <class D, class V, class Choices>
-    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V, const V* shape, Choices& choices,
-                                 V* terms) {
-      MicrofacetTerms(d, point, l, shape[Shape::kAlphaSquared], choices, terms);
-    }
+    using Terms = RoughSurfaceTerms;
+    using Width = MicrofacetWidth;
 
     template <class D, class V>
     static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {

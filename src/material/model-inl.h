@@ -138,6 +138,30 @@ struct NoShape {
   static HWY_INLINE void Widen(D, V, V*) {}
 };
 
+/// Values that Lighting::Terms finds for Lighting::Lobes: the lobes of one light are computed in two steps, so that
+/// each runs in a short loop over many points. Models with the same values share a struct, and the loop that finds
+/// them:
+///   kCount    number of values
+///   kColumns  number of the first values of Shape that it reads
+///   Find(d, point, l, n_dot_l, shape, choices, terms)
+/// where l is the unit vector to a light, and `choices` makes choices that nearly all points decide in one way: see
+/// choices-inl.h.
+struct NoTerms {
+  static constexpr uint32_t kCount = 0, kColumns = 0;
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Find(D, const Point<V>&, const Vec3V<V>&, V, const V*, Choices&, V*) {}
+};
+
+/// Width of the specular lobes of Lighting that averages normals, shared like Terms:
+///   kNodes    number of normals over which they are averaged: 1 for lobes that are nearly Gaussian, 0 for none
+///   kColumns  number of the first values of Shape that it reads
+///   Precision(d, shape, length, variance)
+/// gives the precision (1 / variance) of a Gaussian of slopes around the half vector (wo + l) / length that is like the
+/// lobes, for slope_spread-inl.h. `variance` is the largest variance of slopes.
+struct NoWidth {
+  static constexpr int kNodes = 0;
+};
+
 /// Lighting of unlit models, and default members for the lighting of other models.
 struct LightingBase {
   /// Number of RGB sums over the lights, at most kMaxLobes; 0 = unlit. Lobe 0 is diffuse, the others are specular.
@@ -152,9 +176,6 @@ struct LightingBase {
   static constexpr bool kIgnoresIrradiance = false;
   /// Whether the lobes are averaged over the normals of SHD_NORMAL_ENCODING_MOMENTS; otherwise their mean is used.
   static constexpr bool kAveragesNormals = true;
-  /// Whether the average of the specular lobes is a sum over several normals, because they are not nearly Gaussian.
-  static constexpr bool kHasLongTails = false;
-
   /// Parameters of the lobes at a point: a struct with
   ///   kSlots    bits of the slots that it reads
   ///   kColumns  number of values, at most kMaxShapeColumns
@@ -163,23 +184,13 @@ struct LightingBase {
   /// where `variance` is the variance of slopes removed by filtering normal maps, or 0.
   using Shape = NoShape;
 
-  /// Number of values that Terms() hands to Lobes(). The lobes of one light are computed in two
-  /// steps, so that each runs in a short loop over many points.
-  static constexpr uint32_t kTerms = 0;
-
-  /// Sets terms[kTerms] from a point and the unit vector l to a light. `choices` makes choices that nearly all points
-  /// decide in one way: see choices-inl.h.
-  template <class D, class V, class Choices>
-  static HWY_INLINE void Terms(D, const Point<V>&, const Vec3V<V>&, V, const V*, Choices&, V*) {}
+  using Terms = NoTerms;
+  using Width = NoWidth;
 
   // Lighting with lobes also has
   //   Lobes(d, material, terms, cosines, shape, lobe)
   // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
-  // where n.l <= 0, because lights behind all points of a block are skipped. Lighting with specular lobes that averages
-  // normals also has
-  //   Precision(d, shape, length, variance)
-  // which gives the precision (1 / variance) of a Gaussian of slopes around the half vector (wo + l) / length that is
-  // like the specular lobes, for slope_spread-inl.h. `variance` is the largest variance of slopes.
+  // where n.l <= 0, because lights behind all points of a block are skipped.
   //
   // Lighting that reflects environments also has
   //   kEnvironmentTables                               shd_environment_table bits that it takes
@@ -198,8 +209,8 @@ template <class Lighting, class D, class V>
 HWY_INLINE void LobesOf(D d, const Material& material, const Point<V>& point, const Vec3V<V>& l,
                         const Cosines<V>& cosines, const V* shape, V* lobe) {
   simd::HWY_NAMESPACE::Choices<D> choices(d);
-  V terms[Lighting::kTerms + 1];
-  Lighting::Terms(d, point, l, cosines.n_dot_l, shape, choices, terms);
+  V terms[Lighting::Terms::kCount + 1];
+  Lighting::Terms::Find(d, point, l, cosines.n_dot_l, shape, choices, terms);
   Lighting::Lobes(d, material, terms, cosines, shape, lobe);
 }
 

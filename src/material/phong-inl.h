@@ -24,23 +24,30 @@ HWY_INLINE V MirroredCosine(D d, const Point<V>& point, const Vec3V<V>& l, V n_d
   return hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
 }
 
+struct MirroredCosineTerms {
+  static constexpr uint32_t kCount = 1, kColumns = 0;
+  template <class D, class V, class Choices>
+  static HWY_INLINE void Find(D d, const Point<V>& point, const Vec3V<V>& l, V n_dot_l, const V*, Choices&, V* terms) {
+    terms[0] = MirroredCosine(d, point, l, n_dot_l);
+  }
+};
+
+/// The mirrored direction turns by twice the angle of n in the plane of wo and l, and by 2 h.l times the angle across
+/// it; this is the mean precision of both, because h.l = |wo + l| / 2.
+struct MirroredWidth {
+  static constexpr int kNodes = 1;
+  template <class D, class V>
+  static HWY_INLINE V Precision(D, const V* shape, V length, V) {
+    const V twice = shape[ExponentShape::kExponent] + shape[ExponentShape::kExponent];
+    return twice * length;
+  }
+};
+
 /// Lambert + sum of k_s E max(0, wo.r)^p.
 struct Phong : SpecularBase {
   struct Lighting : SpecularLighting {
-    /// The mirrored direction turns by twice the angle of n in the plane of wo and l, and by 2 h.l times the angle
-    /// across it; this is the mean precision of both, because h.l = |wo + l| / 2.
-    template <class D, class V>
-    static HWY_INLINE V Precision(D, const V* shape, V length, V) {
-      const V twice = shape[Shape::kExponent] + shape[Shape::kExponent];
-      return twice * length;
-    }
-
-    static constexpr uint32_t kTerms = 1;
-    template <class D, class V, class Choices>
-    static HWY_INLINE void Terms(D d, const Point<V>& point, const Vec3V<V>& l, V n_dot_l, const V*, Choices&,
-                                 V* terms) {
-      terms[0] = MirroredCosine(d, point, l, n_dot_l);
-    }
+    using Terms = MirroredCosineTerms;
+    using Width = MirroredWidth;
 
     template <class D, class V>
     static HWY_INLINE void Lobes(D d, const Material&, const V* terms, const Cosines<V>& in, const V* shape, V* lobe) {

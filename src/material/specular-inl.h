@@ -15,21 +15,25 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lighting with a specular lobe, which is scaled by the gain of ExponentShape. max(0, n.h)^p is nearly a Gaussian of
-/// slopes with variance 1 / p (LEAN mapping, section 3).
+/// max(0, n.h)^p is nearly a Gaussian of slopes with variance 1 / p (LEAN mapping, section 3).
+struct HalfVectorWidth {
+  static constexpr int kNodes = 1;
+  template <class D, class V>
+  static HWY_INLINE V Precision(D, const V* shape, V, V) {
+    return shape[ExponentShape::kExponent];
+  }
+};
+
+/// Lighting with a specular lobe, which is scaled by the gain of ExponentShape.
 struct SpecularLighting : LightingBase {
   static constexpr uint32_t kLobes = 2;
   static constexpr bool kNeedsEye = true;
   static constexpr bool kMayBeUngated = true;
   using Shape = ExponentShape;
+  using Width = HalfVectorWidth;
 
   static constexpr bool kReflectsEnvironment = true;
   static constexpr uint32_t kEnvironmentTables = SHD_ENVIRONMENT_TABLE_PHONG;
-
-  template <class D, class V>
-  static HWY_INLINE V Precision(D, const V* shape, V, V) {
-    return shape[Shape::kExponent];
-  }
 
   template <class D, class V>
   static HWY_INLINE void Normalize(D, const V* shape, V (&sum)[2][3]) {

@@ -19,7 +19,8 @@ using simd::HWY_NAMESPACE::RoundUp;
 /// Lambert plus the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0,
 /// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
 struct Toon : SpecularBase {
-  struct Lighting : HalfCosineLighting {
+  struct Lighting : SpecularLighting {
+    using Terms = HalfCosineTerms;
     static constexpr bool kAveragesNormals = false;
 
     template <class D, class V>

@@ -36,16 +36,31 @@ void FindChanges(const uint32_t* values, size_t count, uint64_t* bits) {
   bits[0] |= 1;
 }
 
+/// The value is volatile, so that gcc stores vectors: the library's memset stores single bytes, and takes as long.
+void ClearSlots(uint32_t* slots, size_t count) {
+  const volatile uint32_t none = kNoSlot;
+  const auto value = hn::Set(Tag(), none);
+  for (size_t i = 0; i < count; i += 4 * hn::Lanes(Tag())) {
+    for (size_t k = 0; k < 4; ++k) hn::Store(value, Tag(), slots + i + k * hn::Lanes(Tag()));
+  }
+}
+
 }  // namespace shd::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace shd::raster {
 
+HWY_EXPORT(ClearSlots);
 HWY_EXPORT(FindChanges);
 
 void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t count, uint64_t* bits) {
   SHD_DISPATCH(FindChanges, simd)(values, count, bits);
+}
+
+void clear_slots(const core::SimdTarget& simd, Tile* tile) {
+  if (tile->sole_slot == kNoSlot) SHD_DISPATCH(ClearSlots, simd)(tile->slot.data(), tile->slot.size());
+  tile->sole_slot = kNoSlot;
 }
 
 }  // namespace shd::raster

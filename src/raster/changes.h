@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/simd_target.h"
+#include "raster/tile.h"
 
 namespace shd::raster {
 
@@ -12,5 +13,8 @@ namespace shd::raster {
 /// @param count  a multiple of 64
 /// @param bits   [count / 64]
 void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t count, uint64_t* bits);
+
+/// Clears the slots of a tile to kNoSlot.
+void clear_slots(const core::SimdTarget& simd, Tile* tile);
 
 }  // namespace shd::raster

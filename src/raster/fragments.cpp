@@ -107,20 +107,6 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
   out->count = 0;
 }
 
-size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end) {
-  constexpr size_t kGroup = 16;  // rows of long runs that are compared together
-  const uint32_t first = triangle[begin];
-  const auto goes_on = [&](size_t i) { return i < end && triangle[i] == first; };
-  size_t i = begin + 1;
-  while (goes_on(i) && i < begin + kGroup) ++i;
-  for (uint32_t different = 0; goes_on(i) && i + kGroup <= end; i += kGroup) {
-    for (size_t k = 0; k < kGroup; ++k) different |= triangle[i + k] ^ first;
-    if (different) break;
-  }
-  while (goes_on(i)) ++i;
-  return i;
-}
-
 void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out) {
   out->changes = core::Array<uint64_t>(allocator, kTilePixels * samples / 64);
   out->found.attach(allocator);

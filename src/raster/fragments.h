@@ -32,6 +32,16 @@ enum Interpolated : uint32_t {
   kPositionSteps = 256    // derivatives of the position
 };
 
+/// Places in memory of some columns of Fragments, in columns after x. allocate() puts them there.
+enum ColumnPlace : size_t {
+  kXPlace,
+  kYPlace,
+  kPositionPlace = 6,                 // px, py, pz
+  kNormalPlace = kPositionPlace + 3,  // nx, ny, nz
+  kToEyePlace = kNormalPlace + 3,     // ox, oy, oz
+  kTexturePlace = kToEyePlace + 3     // u, v, dudx, dvdx, dudy, dvdy
+};
+
 /// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
 /// elements that are read, in one block.
 struct Fragments {
@@ -63,14 +73,16 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Returns the first row after `begin` whose triangle is another one, or `end`.
-size_t end_of_triangle(const uint32_t* triangle, size_t begin, size_t end);
-
 /// Consecutive pixels of a tile, numbered row-major, in which one triangle is visible at the same samples.
 struct PixelRun {
   uint16_t begin, end;
   uint32_t mask;  // samples, as bits
 };
+
+/// Number of pixels.
+constexpr size_t length_of(const PixelRun& run) {
+  return size_t{run.end} - run.begin;
+}
 
 /// Returns the first pixel of the next row of the tile.
 constexpr uint32_t next_row(uint32_t pixel) {

@@ -12,7 +12,9 @@
 #include <hwy/highway.h>
 
 #include "raster/attribute-inl.h"
+#include "raster/lit_rows-inl.h"
 #include "raster/planes-inl.h"
+#include "raster/spans-inl.h"
 #include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -27,17 +29,6 @@ using simd::HWY_NAMESPACE::Vec3V;
 
 /// Columns that only some materials read.
 constexpr uint32_t kExtras = kTexture1 | kTangent | kAttributes | kPositionSteps;
-
-/// An attribute of a triangle: its value at corner 0, and the differences of the others to it.
-struct Sides {
-  float origin, side1, side2;
-
-  /// The value where no difference overflows.
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE V At(D d, const Barycentric<V>& b) const {
-    return PlainBlend(hn::Set(d, origin), hn::Set(d, side1), hn::Set(d, side2), b.b1, b.b2);
-  }
-};
 
 /// A triangle whose rows are interpolated, and what is wanted of them.
 struct TriangleRows {
@@ -165,7 +156,7 @@ void InterpolateTriangle(const TriangleRows& rows, size_t begin, size_t end, Fra
 
 /// Returns the first row after `begin` with another triangle or in another cell, or `end`.
 HWY_INLINE size_t EndOfSpan(const Fragments& f, size_t begin, size_t end) {
-  end = end_of_triangle(f.triangle, begin, end);
+  end = EndOfTriangle(f.triangle, begin, end);
   const bool is_cell = (f.left | f.top) % kTile == 0;
   if (HWY_LIKELY(is_cell)) return end;
   const Cell cell = cell_of(f.left, f.top, f.pixel[begin]);
@@ -186,7 +177,11 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
       triangle.position[c] = triangle.SidesOf(vertices.world.data(), c);
       triangle.normal[c] = triangle.SidesOf(vertices.normal.data(), c);
     }
-    InterpolateTriangle(triangle, begin, end, f);
+    if (wanted == kLitColumns && end - begin >= kLongSpan * hn::Lanes(d) && are_bounded(triangle.position)) {
+      InterpolateLit({triangle.planes, triangle.position, triangle.normal, eye}, begin, end, f.x);
+    } else {
+      InterpolateTriangle(triangle, begin, end, f);
+    }
   }
 }
 

@@ -24,29 +24,35 @@ inline Cell cell_of(int32_t left, int32_t top, uint32_t pixel) {
 }
 
 /// A linear function of the raster position: at_middle + dx x + dy y, where x and y are relative to the middle of a
-/// cell [pixels].
-struct Plane {
-  float at_middle, dx, dy;
+/// cell [pixels]. T is float, or a vector of equal values (lit_rows-inl.h).
+template <class T>
+struct PlaneOf {
+  T at_middle, dx, dy;
 };
+using Plane = PlaneOf<float>;
 
 /// A texture coordinate of a triangle. The coordinate minus `base`, times the inverse of w, is a plane.
-struct CoordinatePlane {
-  Plane offset;
-  float base;       // near the coordinate at the middle of the cell, within those of the corners
-  float low, high;  // range of the corners, minus base
+template <class T>
+struct CoordinatePlaneOf {
+  PlaneOf<T> offset;
+  T base;       // near the coordinate at the middle of the cell, within those of the corners
+  T low, high;  // range of the corners, minus base
 };
+using CoordinatePlane = CoordinatePlaneOf<float>;
 
 /// The attributes of a triangle as functions of the position in one cell. A value that is linear on the triangle is the
 /// quotient of a plane and of the plane `inverse_w`. The planes of barycentric coordinates are the cross products of
 /// the corners in homogeneous raster coordinates (Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous
 /// Coordinates", 1997), computed in double and rounded once, in units of the largest inverse of w in the cell.
-struct TrianglePlanes {
-  float middle_x, middle_y;  // middle of the cell [pixels]
-  Plane inverse_w;           // in 0..1 where the triangle is visible, up to rounding
-  Plane b1, b2;              // planes of the weights of corners 1 and 2
-  CoordinatePlane u, v;      // first uv set
-  CoordinatePlane u1, v1;    // second uv set, if the vertices have one
+template <class T>
+struct TrianglePlanesOf {
+  T middle_x, middle_y;         // middle of the cell [pixels]
+  PlaneOf<T> inverse_w;         // in 0..1 where the triangle is visible, up to rounding
+  PlaneOf<T> b1, b2;            // planes of the weights of corners 1 and 2
+  CoordinatePlaneOf<T> u, v;    // first uv set
+  CoordinatePlaneOf<T> u1, v1;  // second uv set, if the vertices have one
 };
+using TrianglePlanes = TrianglePlanesOf<float>;
 
 /// Least inverse of w that pixels divide by, as part of the largest one in the cell. Smaller ones are rounding errors.
 constexpr float kLeastInverseW = 0x1p-24f;

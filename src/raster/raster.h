@@ -29,12 +29,15 @@
 /// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
 /// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
 /// | nearest.h          | conservative coverage: the nearest triangle of each texel             |
-/// | changes.h          | kernel: samples whose triangle differs from the sample before         |
+/// | changes.h          | kernels: samples whose triangle differs from that before; clearing    |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
+/// | append_rows.h      | kernel: rows of fragments for runs of pixels                          |
+/// | spans-inl.h        | rows of one triangle in a table of fragments                          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
 /// | texture_places.h   | kernel: texture coordinates of the pixels of one triangle in one cell |
 /// | planes.h           | attributes of one triangle as planes over one cell of the picture     |
 /// | planes-inl.h       | their values at vectors of pixels, with derivatives                   |
+/// | lit_rows-inl.h     | interpolation of the columns of most lit materials, for long spans    |
 /// | varyings.h         | kernel: outputs of vertex programs, in three interpolations           |
 /// | attribute-inl.h    | barycentric interpolation, for interpolate.h and varyings.h           |
 #pragma once

@@ -51,11 +51,6 @@ struct Tile {
   DepthBounds bounds;
 };
 
-inline void clear_slots(Tile* tile) {
-  if (tile->sole_slot == kNoSlot) std::fill(tile->slot.begin(), tile->slot.end(), kNoSlot);
-  tile->sole_slot = kNoSlot;
-}
-
 /// Must be called before single samples are drawn: writes the sole slot to all of them.
 inline void begin_samples(Tile* tile) {
   tile->range = kAnyDepths;
@@ -69,7 +64,7 @@ inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* o
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
   out->depth.fill_zero();  // the bounds also read pixels outside the frame
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
-  clear_slots(out);
+  std::fill(out->slot.begin(), out->slot.end(), kNoSlot);
 }
 
 /// Must be called after depths of a tile were written without regard to the trend.

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "raster/attribute-inl.h"
+#include "raster/spans-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
@@ -96,7 +97,7 @@ void InterpolateVaryings(const geometry::Vertices& vertices, const shd_interpola
   const hn::ScalableTag<float> d;
   const size_t count = (f.count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
   for (size_t begin = 0, end; begin < count; begin = end) {
-    end = end_of_triangle(f.triangle, begin, count);
+    end = EndOfTriangle(f.triangle, begin, count);
     Triangle triangle;
     for (size_t k = 0; k < 3; ++k) triangle.vertex[k] = geometry::row_of(vertices, f.triangle[begin], k);
     InterpolateTriangle(vertices, triangle, modes, begin, end, f, out);

@@ -18,7 +18,7 @@ namespace {
 /// Inputs of the combination of one batch.
 struct Inputs {
   const material::Material& material;
-  const material::Parameters& parameters;  // complete
+  const material::Parameters& parameters;  // complete; for CombineDiffuse(), the diffuse slot is
   const material::Lobes& lobes;
   const float* ambient;  // [3] k_a I_a of the material
   float light_count;
@@ -165,6 +165,10 @@ bool has_only_diffuse(const material::Material& material, const material::Parame
   return true;
 }
 
+bool has_color(const float* const (&column)[4]) {
+  return column[0] && column[1] && column[2];
+}
+
 }  // namespace
 
 size_t combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
@@ -174,8 +178,12 @@ size_t combine(const core::SimdTarget& simd, const material::Material& material,
   const bool has_ambient = material::info_of(material.model).slots >> SHD_SLOT_AMBIENT & 1;
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = (has_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;
-  const bool finite = SHD_DISPATCH(Combine, simd)(material, ambient, light_count, lobes, material::complete(parameters),
-                                                  has_only_diffuse(material, parameters), count, *out);
+  const bool only_diffuse = has_only_diffuse(material, parameters);
+  material::Parameters all;
+  const bool is_complete = only_diffuse && has_color(parameters.value[SHD_SLOT_DIFFUSE]);
+  if (!is_complete) all = material::complete(parameters);
+  const bool finite = SHD_DISPATCH(Combine, simd)(material, ambient, light_count, lobes, is_complete ? parameters : all,
+                                                  only_diffuse, count, *out);
   return finite ? 0 : count_nonfinite(simd, *out, count);
 }
 

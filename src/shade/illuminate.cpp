@@ -23,6 +23,7 @@ namespace {
 
 /// Points whose lights are summed in short loops, so that their columns stay in L1.
 constexpr size_t kBlock = 64;
+static_assert(raster::kBatch % kBlock == 0, "the last block must lie in the columns");
 
 /// The points of a block, and columns of the shape of its lobes, which begin with the block.
 struct Block {
@@ -47,13 +48,15 @@ struct Sums {
   float* column[Lighting::kLobes][3];
 };
 
-/// Sets sums to 0. The zero is volatile, so that gcc stores vectors: its `rep stos` takes longer for short columns.
-template <class Lighting, class D>
-HWY_INLINE void StartSums(D d, const Block& block, const Sums<Lighting>& sums) {
+/// Sets the sums of a whole block to 0. The zero is volatile, so that gcc stores vectors: its `rep stos` takes longer
+/// for short columns.
+HWY_NOINLINE void StartSums(float* const (*columns)[3], uint32_t lobes) {
+  const hn::ScalableTag<float> d;
   const volatile float nothing = 0.0f;
   const auto zero = hn::Set(d, nothing);
-  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) hn::Store(zero, d, sums.column[k / 3][k % 3] + i);
+  for (uint32_t k = 0; k < 3 * lobes; ++k) {
+    float* const column = columns[k / 3][k % 3];
+    for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) hn::Store(zero, d, column + i);
   }
 }
 
@@ -83,32 +86,59 @@ HWY_INLINE void Accumulate(D d, const Addition& addition, size_t i, V w, float* 
 }
 
 /// Columns of one light at the points of a block.
-template <class Lighting>
+template <class Terms>
 struct LightColumns {
-  alignas(64) float falloff[kBlock], n_dot_l[kBlock], term[Lighting::kTerms + 1][kBlock];
+  alignas(64) float falloff[kBlock], n_dot_l[kBlock], term[Terms::kCount + 1][kBlock];
 };
 
 /// First loop over the points of a block: direction and distance of a light, and what its lobes need of both. Returns
-/// the lanes in which some point faces the light.
-template <class Lighting, class Choices, class D>
-HWY_INLINE hn::Mask<D> FindTerms(D d, const Block& block, const light::Light& light, Choices& choices,
-                                 LightColumns<Lighting>& out) {
+/// whether some point faces the light. Pointers are copied, so that no store changes them.
+template <class Terms, class Choices, class D = hn::ScalableTag<float>>
+HWY_INLINE bool FindTermsBy(Choices& choices, const Block& block, const light::Light& from, LightColumns<Terms>& out) {
   using V = hn::Vec<D>;
+  const D d;
+  const light::Light light = from;
+  const raster::Fragments& f = block.f;
+  const size_t first = block.first, count = block.count;
+  const float *const px = f.px + first, *const py = f.py + first, *const pz = f.pz + first;
+  const float *const nx = f.nx + first, *const ny = f.ny + first, *const nz = f.nz + first;
+  const float *const ox = f.ox + first, *const oy = f.oy + first, *const oz = f.oz + first;
+  const float* column[Terms::kColumns + 1];
+  for (uint32_t k = 0; k < Terms::kColumns; ++k) column[k] = block.shape[k];
   auto faces = hn::Gt(hn::Zero(d), hn::Zero(d));
-  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    const auto p = Load3(d, block.f.px, block.f.py, block.f.pz, block.first + i);
-    const auto point = block.PointAt(d, i);
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto p = Load3(d, px, py, pz, i);
+    const material::HWY_NAMESPACE::Point<V> point = {Load3(d, nx, ny, nz, i), Load3(d, ox, oy, oz, i)};
     const auto incident = light::HWY_NAMESPACE::IncidentAt(d, light, p, choices);
     const V n_dot_l = Dot(point.n, incident.l);
-    V shape[material::kMaxShapeColumns], terms[Lighting::kTerms + 1];
-    block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
-    Lighting::Terms(d, point, incident.l, n_dot_l, shape, choices, terms);
+    V shape[Terms::kColumns + 1], terms[Terms::kCount + 1];
+    for (uint32_t k = 0; k < Terms::kColumns; ++k) shape[k] = hn::Load(d, column[k] + i);
+    Terms::Find(d, point, incident.l, n_dot_l, shape, choices, terms);
     faces = hn::Or(faces, hn::Gt(n_dot_l, hn::Zero(d)));
     hn::Store(incident.falloff, d, out.falloff + i);
     hn::Store(n_dot_l, d, out.n_dot_l + i);
-    for (uint32_t k = 0; k < Lighting::kTerms; ++k) hn::Store(terms[k], d, out.term[k] + i);
+    for (uint32_t k = 0; k < Terms::kCount; ++k) hn::Store(terms[k], d, out.term[k] + i);
   }
-  return faces;
+  return !hn::AllFalse(d, faces);
+}
+
+template <class Terms>
+HWY_NOINLINE void FindTermsOfAny(const Block& block, const light::Light& light, LightColumns<Terms>& out) {
+  const hn::ScalableTag<float> d;
+  simd::HWY_NAMESPACE::Choices<decltype(d)> choices(d);
+  FindTermsBy(choices, block, light, out);
+}
+
+/// As FindTermsBy(). Models with the same terms share the function. Returns false only if the light is behind every
+/// point and all points are usual: then its lobes are +0, and adding them changes no bit.
+template <class Terms>
+HWY_NOINLINE bool FindTerms(const Block& block, const light::Light& light, LightColumns<Terms>& out) {
+  const hn::ScalableTag<float> d;
+  simd::HWY_NAMESPACE::UsualChoices<decltype(d)> choices(d);
+  const bool faces = FindTermsBy(choices, block, light, out);
+  if (HWY_LIKELY(hn::AllTrue(d, choices.usual))) return faces;
+  FindTermsOfAny(block, light, out);
+  return true;
 }
 
 /// Adds the lobes of one light at the points of a block. If `gated`, specular lobes are 0 where n.l <= 0.
@@ -117,21 +147,15 @@ HWY_INLINE void AddLight(D d, const Block& block, const ActiveLight& active, boo
   using V = hn::Vec<D>;
   const Addition addition(active, block);
   const light::Light& light = addition.light;
-  LightColumns<Lighting> columns;
-  simd::HWY_NAMESPACE::UsualChoices<D> usual(d);
-  const auto faces = FindTerms(d, block, light, usual, columns);
-  if (HWY_UNLIKELY(!hn::AllTrue(d, usual.usual))) {
-    simd::HWY_NAMESPACE::Choices<D> choices(d);
-    FindTerms(d, block, light, choices, columns);
-  } else if (!Lighting::kIgnoresIrradiance && gated && hn::AllFalse(d, faces)) {
-    return;  // the light is behind every point: all terms are +0, and adding them changes no bit
-  }
+  LightColumns<typename Lighting::Terms> columns;
+  const bool adds = FindTerms(block, light, columns);
+  if (!Lighting::kIgnoresIrradiance && gated && !adds) return;
   const V zero = hn::Zero(d);
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     const V n_dot_l = hn::Load(d, columns.n_dot_l + i);
-    V shape[material::kMaxShapeColumns], terms[Lighting::kTerms + 1], lobe[Lighting::kLobes];
+    V shape[material::kMaxShapeColumns], terms[Lighting::Terms::kCount + 1], lobe[Lighting::kLobes];
     block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
-    for (uint32_t k = 0; k < Lighting::kTerms; ++k) terms[k] = hn::Load(d, columns.term[k] + i);
+    for (uint32_t k = 0; k < Lighting::Terms::kCount; ++k) terms[k] = hn::Load(d, columns.term[k] + i);
     Lighting::Lobes(d, block.material, terms, {n_dot_l, hn::Max(n_dot_l, zero)}, shape, lobe);
     if constexpr (Lighting::kIgnoresIrradiance) {
       for (float* sum : sums.column[0]) {
@@ -148,42 +172,75 @@ HWY_INLINE void AddLight(D d, const Block& block, const ActiveLight& active, boo
   }
 }
 
-/// Lobes of one light, averaged over normals: those of the normal that reflects or, if they have long tails, the sum
-/// over the nodes of a rule. `cosine` is the mean of max(0, n.l).
+/// One light at one vector of points with spread normals: its direction and falloff, the mean of max(0, n.l), and the
+/// normals over which lobes are averaged. Lobes with long tails are summed over the nodes of a rule. The other lobes
+/// are those of the normal that reflects.
+template <class V>
+struct LightOverNormals {
+  simd::HWY_NAMESPACE::Vec3V<V> l;
+  V falloff, n_dot_l, cosine;
+  simd::HWY_NAMESPACE::Vec3V<V> n[material::HWY_NAMESPACE::kNodes];
+  V weight[material::HWY_NAMESPACE::kNodes];
+};
+
+/// Finds normals for lobes of a width; models with the same width share the function. Returns false if the light is
+/// behind all points.
+template <class Width, class V>
+HWY_NOINLINE bool FindNormals(const Block& block, const light::Light& light, size_t i,
+                              const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
+                              const simd::HWY_NAMESPACE::Vec3V<V>& wo, const V* shape, LightOverNormals<V>& out) {
+  namespace mat = material::HWY_NAMESPACE;
+  const hn::ScalableTag<float> d;
+  const auto p = Load3(d, block.f.px, block.f.py, block.f.pz, block.first + i);
+  simd::HWY_NAMESPACE::Choices<decltype(d)> choices(d);
+  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, light, p, choices);
+  out.l = incident.l, out.falloff = incident.falloff;
+  out.n_dot_l = Dot(spread.n, incident.l);
+  out.cosine = mat::FilteredCosine(d, spread, incident.l, out.n_dot_l);
+  if constexpr (Width::kNodes > 0) {
+    const auto way = simd::HWY_NAMESPACE::Sum(wo, incident.l);
+    const V squared = Dot(way, way);
+    const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, hn::Zero(d)), squared, hn::Set(d, 1.0f)));
+    const V k = Width::Precision(d, shape, length, spread.longest);
+    if constexpr (Width::kNodes == 1) {
+      const auto reflector = mat::FindReflector(d, spread, way, length, k);
+      out.n[0] = reflector.n, out.weight[0] = reflector.gain;
+    } else {
+      static_assert(Width::kNodes == mat::kNodes);
+      const auto rule = mat::MakeNormalRule(d, spread, way, length, k);
+      for (int j = 0; j < mat::kNodes; ++j) {
+        const auto node = mat::NodeAt(d, spread, rule, j);
+        out.n[j] = node.n, out.weight[j] = node.weight;
+      }
+    }
+  }
+  return !hn::AllFalse(d, hn::Gt(out.cosine, hn::Zero(d)));
+}
+
+/// Lobes of one light, averaged over normals. If `gated`, specular lobes of averted normals are 0.
 template <class Lighting, class D, class V>
-HWY_INLINE void AverageLobes(D d, const material::Material& material,
+HWY_INLINE void AverageLobes(D d, const material::Material& material, const LightOverNormals<V>& light,
                              const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
-                             const simd::HWY_NAMESPACE::Vec3V<V>& wo, const simd::HWY_NAMESPACE::Vec3V<V>& l, V cosine,
-                             const V* shape, bool gated, V (&mean)[Lighting::kLobes]) {
+                             const simd::HWY_NAMESPACE::Vec3V<V>& wo, const V* shape, bool gated,
+                             V (&mean)[Lighting::kLobes]) {
   namespace mat = material::HWY_NAMESPACE;
   const V zero = hn::Zero(d);
-  const auto way = simd::HWY_NAMESPACE::Sum(wo, l);
-  const V squared = Dot(way, way);
-  const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, zero), squared, hn::Set(d, 1.0f)));
-  const V k = Lighting::Precision(d, shape, length, spread.longest);
-  // Lobes of the normal n, with all specular lobes 0 if it is averted. They are the only use of the lobes' formulas.
   V lobe[Lighting::kLobes];
-  const auto evaluate = [&](const simd::HWY_NAMESPACE::Vec3V<V>& n) {
-    const V n_dot_l = Dot(n, l);
-    mat::LobesOf<Lighting>(d, material, {n, wo}, l, {n_dot_l, cosine}, shape, lobe);
+  for (V& sum : mean) sum = zero;
+  for (int i = 0; i < Lighting::Width::kNodes; ++i) {
+    const V n_dot_l = Dot(light.n[i], light.l);
+    mat::LobesOf<Lighting>(d, material, {light.n[i], wo}, light.l, {n_dot_l, light.cosine}, shape, lobe);
     const auto faces = hn::Gt(n_dot_l, zero);
-    for (uint32_t j = 1; j < Lighting::kLobes; ++j) lobe[j] = gated ? hn::IfThenElseZero(faces, lobe[j]) : lobe[j];
-  };
-  if constexpr (Lighting::kHasLongTails) {
-    const auto rule = mat::MakeNormalRule(d, spread, way, length, k);
-    for (V& sum : mean) sum = zero;
-    for (int i = 0; i < mat::kNodes; ++i) {
-      const auto node = mat::NodeAt(d, spread, rule, i);
-      evaluate(node.n);
-      for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = mean[j] + node.weight * lobe[j];
+    for (uint32_t j = 1; j < Lighting::kLobes; ++j) {
+      lobe[j] = gated ? hn::IfThenElseZero(faces, lobe[j]) : lobe[j];
+      const V part = light.weight[i] * lobe[j];
+      mean[j] = Lighting::Width::kNodes == 1 ? part : mean[j] + part;
     }
+  }
+  if constexpr (Lighting::Width::kNodes > 1) {
     // All nodes are the mean normal where there is no spread.
     const auto varies = hn::Gt(spread.trace, zero);
     for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = hn::IfThenElse(varies, mean[j], lobe[j]);
-  } else {
-    const auto reflector = mat::FindReflector(d, spread, way, length, k);
-    evaluate(reflector.n);
-    for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = reflector.gain * lobe[j];
   }
   mean[0] = lobe[0];
 }
@@ -194,38 +251,44 @@ HWY_INLINE void AddLightOverNormals(D d, const Block& block, const ActiveLight& 
                                     const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
                                     const simd::HWY_NAMESPACE::Vec3V<V>& wo, const V* shape, bool gated,
                                     const Sums<Lighting>& sums) {
-  namespace mat = material::HWY_NAMESPACE;
-  const auto p = Load3(d, block.f.px, block.f.py, block.f.pz, block.first + i);
-  simd::HWY_NAMESPACE::Choices<D> choices(d);
-  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p, choices);
-  const V n_dot_l = Dot(spread.n, incident.l);
-  const V cosine = mat::FilteredCosine(d, spread, incident.l, n_dot_l);
-  const auto faces = hn::Gt(cosine, hn::Zero(d));
-  if (gated && hn::AllFalse(d, faces)) return;
+  LightOverNormals<V> light;
+  const bool is_lit = FindNormals<typename Lighting::Width>(block, *active.light, i, spread, wo, shape, light);
+  if (gated && !is_lit) return;
   V lobe[Lighting::kLobes];
   if constexpr (Lighting::kLobes == 1) {
-    mat::LobesOf<Lighting>(d, block.material, {spread.n, wo}, incident.l, {n_dot_l, cosine}, shape, lobe);
+    material::HWY_NAMESPACE::LobesOf<Lighting>(d, block.material, {spread.n, wo}, light.l,
+                                               {light.n_dot_l, light.cosine}, shape, lobe);
   } else {
-    AverageLobes<Lighting>(d, block.material, spread, wo, incident.l, cosine, shape, gated, lobe);
+    AverageLobes<Lighting>(d, block.material, light, spread, wo, shape, gated, lobe);
   }
   const Addition addition(active, block);
+  const auto faces = hn::Gt(light.cosine, hn::Zero(d));
   for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
     const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
-    Accumulate(d, addition, i, incident.falloff * kept, sums.column[k]);
+    Accumulate(d, addition, i, light.falloff * kept, sums.column[k]);
   }
 }
 
+/// The spread of the normals of one vector of points, from the six columns of LobeShape::spread.
+template <bool on_axes, class V>
+HWY_NOINLINE material::HWY_NAMESPACE::SlopeSpread<V> SpreadAt(const simd::HWY_NAMESPACE::Vec3V<V>& n,
+                                                              const float* const* columns, size_t at) {
+  const hn::ScalableTag<float> d;
+  auto a = Load3(d, columns[0], columns[1], columns[2], at), b = Load3(d, columns[3], columns[4], columns[5], at);
+  if constexpr (on_axes) material::HWY_NAMESPACE::TurnToAxes(d, a, b);
+  return material::HWY_NAMESPACE::MakeSlopeSpread(d, n, a, b);
+}
+
 /// Adds the lobes of all lights, averaged over normals whose slopes have the covariance of `columns`.
-template <class Lighting, class D>
-HWY_INLINE void AddLightsOverNormals(D d, const Block& block, const float* const* columns, const ActiveLight* lights,
-                                     size_t count, bool gated, const Sums<Lighting>& sums) {
+template <class Lighting>
+HWY_NOINLINE void AddLightsOverNormals(const Block& block, const float* const* columns, const ActiveLight* lights,
+                                       size_t count, bool gated, const Sums<Lighting>& sums) {
+  using D = hn::ScalableTag<float>;
   using V = hn::Vec<D>;
+  const D d;
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     const auto point = block.PointAt(d, i);
-    const size_t at = block.first + i;
-    auto a = Load3(d, columns[0], columns[1], columns[2], at), b = Load3(d, columns[3], columns[4], columns[5], at);
-    if constexpr (Lighting::kHasLongTails) material::HWY_NAMESPACE::TurnToAxes(d, a, b);
-    const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, a, b);
+    const auto spread = SpreadAt<(Lighting::Width::kNodes > 1)>(point.n, columns, block.first + i);
     V shape[material::kMaxShapeColumns];
     block.LoadShape(d, i, Lighting::Shape::kColumns, shape);
     for (size_t j = 0; j < count; ++j)
@@ -233,28 +296,26 @@ HWY_INLINE void AddLightsOverNormals(D d, const Block& block, const float* const
   }
 }
 
-/// Shape parameters of a material without slots, at the points of a block.
-template <class Lighting>
+/// Shape parameters of a material without slots, at the points of a block. Models with the same shape share the kernel.
+template <class Shape>
 struct ConstantShape {
-  static constexpr uint32_t kColumns = Lighting::Shape::kColumns;
-
-  explicit ConstantShape(const material::Material& material) {
+  HWY_NOINLINE explicit ConstantShape(const material::Material& material) {
     using D = hn::ScalableTag<float>;
     const D d;
     hn::Vec<D> value[material::kMaxShapeColumns];
     const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
-    Lighting::Shape::Derive(d, material, unset, hn::Zero(d), value);
-    for (uint32_t k = 0; k < kColumns; ++k) {
+    Shape::Derive(d, material, unset, hn::Zero(d), value);
+    for (uint32_t k = 0; k < Shape::kColumns; ++k) {
       for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) hn::Store(value[k], d, column[k] + i);
     }
   }
 
-  alignas(64) float column[kColumns + 1][kBlock];
+  alignas(64) float column[Shape::kColumns + 1][kBlock];
 };
 
 /// Scales the sums over all lights.
 template <class Lighting, class D>
-HWY_INLINE void NormalizeBlock(D d, const Block& block, const Sums<Lighting>& sums) {
+HWY_NOINLINE void NormalizeBlock(D d, const Block& block, const Sums<Lighting>& sums) {
   using V = hn::Vec<D>;
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     V shape[material::kMaxShapeColumns], sum[Lighting::kLobes][3];
@@ -267,7 +328,7 @@ HWY_INLINE void NormalizeBlock(D d, const Block& block, const Sums<Lighting>& su
 
 /// Whether NormalizeBlock() multiplies all sums by 1.
 template <class Lighting>
-bool is_normalized(const ConstantShape<Lighting>& constant, const LobeShape& shape) {
+HWY_NOINLINE bool is_normalized(const ConstantShape<typename Lighting::Shape>& constant, const LobeShape& shape) {
   using D = hn::ScalableTag<float>;
   using V = hn::Vec<D>;
   const D d;
@@ -284,15 +345,14 @@ bool is_normalized(const ConstantShape<Lighting>& constant, const LobeShape& sha
   return same;
 }
 
-/// `over_normals`: the lobes are averaged over normals whose slopes have the covariance of shape.spread.
-template <class Lighting, bool over_normals>
+template <class Lighting>
 void IlluminatePoints(const material::Material& material, const LobeShape& shape, const ActiveLight* lights,
                       size_t count, const raster::Fragments& f, LightGroup group, material::Lobes& out) {
   const hn::ScalableTag<float> d;
   const bool gated =
       !Lighting::kGatesLobes && !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
-  const ConstantShape<Lighting> constant(material);
-  const bool scales = group.finishes && !is_normalized(constant, shape);
+  const ConstantShape<typename Lighting::Shape> constant(material);
+  const bool scales = group.finishes && !is_normalized<Lighting>(constant, shape);
   for (size_t first = 0; first < f.count; first += kBlock) {
     Block block = {material, f, first, std::min(kBlock, f.count - first), {}};
     for (uint32_t k = 0; k < Lighting::Shape::kColumns; ++k) {
@@ -302,12 +362,12 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
     for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) {
       sums.column[k / 3][k % 3] = out.lobe[k / 3][k % 3] + first;
     }
-    if (!group.continues) StartSums(d, block, sums);
-    if constexpr (over_normals) {
-      AddLightsOverNormals(d, block, shape.spread, lights, count, gated, sums);
-    } else {
-      for (size_t j = 0; j < count; ++j) AddLight(d, block, lights[j], gated, sums);
+    if (!group.continues) StartSums(sums.column, Lighting::kLobes);
+    const bool over_normals = Lighting::kAveragesNormals && shape.spread[0];
+    if constexpr (Lighting::kAveragesNormals) {
+      if (over_normals) AddLightsOverNormals(block, shape.spread, lights, count, gated, sums);
     }
+    for (size_t j = 0; j < count && !over_normals; ++j) AddLight(d, block, lights[j], gated, sums);
     if (scales) NormalizeBlock(d, block, sums);
   }
 }
@@ -332,11 +392,7 @@ void Illuminate(const material::Material& material, const LobeShape& shape, cons
   material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
     using Lighting = typename decltype(model)::Lighting;
     if constexpr (Lighting::kLobes != 0) {
-      if constexpr (Lighting::kAveragesNormals) {
-        if (shape.spread[0])
-          return IlluminatePoints<Lighting, true>(material, shape, lights, count, points, group, out);
-      }
-      IlluminatePoints<Lighting, false>(material, shape, lights, count, points, group, out);
+      IlluminatePoints<Lighting>(material, shape, lights, count, points, group, out);
     }
   });
 }

@@ -12,6 +12,7 @@
 
 #include "texture/domain/shapes-inl.h"
 #include "texture/filter/prefetch.h"
+#include "texture/filter/rows-inl.h"
 #include "texture/store/level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,8 +32,7 @@ struct OnBaseLevel {
     return texture::is_scattered(texture, block, nullptr);
   }
 
-  /// The levels of detail of a block, for rows.
-  static const float* lod_of(const PointBlock&) { return nullptr; }
+  static RowBlock rows_of(const PointBlock& block) { return {block.u, block.v, nullptr, block.count}; }
 
   template <class D>
   HWY_INLINE Level<D> level(D d, const PointBlock& block, size_t i) const {
@@ -53,8 +53,7 @@ struct OnMipLevels {
     return texture::is_scattered(texture, block, block.lod);
   }
 
-  /// The levels of detail of a block, for rows.
-  static const float* lod_of(const LodBlock& block) { return block.lod; }
+  static RowBlock rows_of(const LodBlock& block) { return {block.u, block.v, block.lod, block.count}; }
 };
 
 }  // namespace shd::texture::HWY_NAMESPACE

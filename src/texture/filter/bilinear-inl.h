@@ -27,8 +27,8 @@ struct Bilinear : OnBaseLevel {
     sink.finish();
   }
 
-  /// Finds the levels that a block shares, for rows.
-  static bool share_levels(const Texture&, const PointBlock&, RowLevels* out) {
+  /// Finds the levels that lookups share, for rows.
+  static bool share_levels(const Texture&, const RowBlock&, RowLevels* out) {
     *out = {0, 0, false};
     return true;
   }

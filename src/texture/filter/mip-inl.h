@@ -48,8 +48,8 @@ struct BilinearMip : OnMipLevels {
     sink.finish();
   }
 
-  /// Finds the levels that a block shares, for rows. Returns false if it shares none.
-  static bool share_levels(const Texture&, const LodBlock& block, RowLevels* out) {
+  /// Finds the levels that lookups share, for rows. Returns false if they share none.
+  static bool share_levels(const Texture&, const RowBlock& block, RowLevels* out) {
     const BatchTag d;
     const LodBounds lod = BoundsOf(block);
     const float least = hn::GetLane(NearestLevel(d, hn::Set(d, lod.least)));

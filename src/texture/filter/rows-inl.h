@@ -22,11 +22,23 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::RoundDown;
 
-/// The levels of detail of a block.
+/// Lookups of a block: their coordinates, and their levels of detail, or null on the base level.
+struct RowBlock {
+  const float *u, *v, *lod;
+  size_t count;
+
+  /// The lookups from `begin` on, up to a number.
+  RowBlock part(size_t begin, size_t most) const {
+    const size_t left = count - begin;
+    return {u + begin, v + begin, lod ? lod + begin : nullptr, left < most ? left : most};
+  }
+};
+
+/// The levels of detail of lookups.
 struct LodBounds {
   float least, most;
 };
-HWY_INLINE LodBounds BoundsOf(const LodBlock& block) {
+HWY_INLINE LodBounds BoundsOf(const RowBlock& block) {
   const BatchTag d;
   auto least = hn::Load(d, block.lod), most = least;
   for (size_t i = hn::Lanes(d); i < block.count; i += hn::Lanes(d)) {
@@ -62,7 +74,7 @@ HWY_INLINE void WriteQuads(D d, const Level<D>& level, const LinearTaps<D>& x, c
 
 /// Finds the quads of a block on a level. A wrap is a constant or a value.
 template <class WrapU, class WrapV>
-HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, const PointBlock& block, uint32_t number,
+HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, const RowBlock& block, uint32_t number,
                                WrapU wrap_u, WrapV wrap_v, RowQuads* out) {
   const BatchTag d;
   const hn::RebindToSigned<BatchTag> di;
@@ -83,7 +95,7 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
 }
 
 /// Finds the quads of a block on a level.
-inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sampler, const PointBlock& block,
+inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sampler, const RowBlock& block,
                                       uint32_t level, RowQuads* out) {
   const shd_wrap u = sampler.wrap_u, v = sampler.wrap_v;
   if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
@@ -95,8 +107,8 @@ inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sam
 }
 
 /// Finds the quads of a block on the levels that its lookups share.
-inline void AddressRows(const Texture& texture, const Sampler& sampler, const PointBlock& block, const float* lod,
-                        const RowLevels& levels, RowStream* out) {
+inline void AddressRows(const Texture& texture, const Sampler& sampler, const RowBlock& block, const RowLevels& levels,
+                        RowStream* out) {
   out->count = block.count;
   out->blended = levels.blended;
   AddressQuads(texture, sampler, block, levels.fine, &out->quads[0]);
@@ -105,7 +117,7 @@ inline void AddressRows(const Texture& texture, const Sampler& sampler, const Po
   const BatchTag d;
   const auto fine = hn::Set(d, static_cast<float>(levels.fine));
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    hn::Store(hn::Load(d, lod + i) - fine, d, out->fraction + i);
+    hn::Store(hn::Load(d, block.lod + i) - fine, d, out->fraction + i);
   }
 }
 

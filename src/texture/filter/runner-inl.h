@@ -9,9 +9,9 @@
 //
 // A linear filter may also have these, for blocks that become rows of quads (rows.h):
 //
-//   static bool share_levels(texture, block, levels)  finds the levels that all lookups of a block read, if there are
-//                                                     such levels
-//   static const float* lod_of(block)                 the levels of detail; null on the base level
+//   static RowBlock rows_of(block)                   the lookups of a block
+//   static bool share_levels(texture, rows, levels)  finds the levels that all lookups of a RowBlock read, if there are
+//                                                    such levels
 
 #if defined(SHD_TEXTURE_RUNNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RUNNER_INL_H_
@@ -158,32 +158,71 @@ struct HasRows<Filter, std::void_t<decltype(&Filter::share_levels)>> : std::true
 /// Filters blocks of lookups by rows of quads: those that share their levels and are not scattered, or all blocks.
 class RowRunner {
  public:
-  explicit RowRunner(const FilterCall& call)
-      : consume_(call.record ? nullptr : call.format.rows), to_(call, TexelSource(call.texture), nullptr) {}
+  /// Lookups of a part of a block.
+  static constexpr size_t kPart = 32;
 
-  /// Filters the block whose first lookup is `first`. Returns false if its lookups need a stream.
+  explicit RowRunner(const FilterCall& call)
+      : consume_(call.record ? nullptr : call.format.rows),
+        shares_(consume_ && call.texture.layers == 1),
+        rows_only_(call.format.rows_only),
+        to_(call, TexelSource(call.texture), nullptr) {}
+
+  /// Filters the block whose first lookup is `first`. Returns false if some of its lookups need a stream.
   template <class Filter>
   HWY_INLINE bool run(const FilterCall& call, const Filter& filter, const typename Filter::Block& block, size_t first,
                       bool scattered, RowStream* rows) {
-    RowLevels levels;
-    if (!consume_ || (scattered && !call.format.rows_only)) return false;
-    if (HWY_LIKELY(call.texture.layers == 1 && Filter::share_levels(call.texture, block, &levels))) {
-      AddressRows(call.texture, call.sampler, block, Filter::lod_of(block), levels, rows);
-    } else if (call.format.rows_only) {
-      AddressEach(filter, block, rows);
-    } else {
-      return false;
-    }
-    if (HWY_UNLIKELY(scattered)) prefetch_rows(to_.texels, *rows, hn::Lanes(BatchTag()));
-    to_.done = first;
-    consume_(*rows, &to_);
+    if (!consume_ || (scattered && !rows_only_)) return false;
+    if (HWY_LIKELY(run_shared<Filter>(call, Filter::rows_of(block), first, scattered, rows))) return true;
+    if (!rows_only_) return false;
+    AddressEach(filter, block, rows);
+    consume(first, scattered, *rows);
     return true;
   }
 
+  /// Filters a part of a block that run() did not filter: lookup `first`, which is number `begin` of the block, and up
+  /// to kPart - 1 lookups after it. Returns false if they need a stream.
+  template <class Filter>
+  bool run_part(const FilterCall& call, const typename Filter::Block& block, size_t begin, size_t first, bool scattered,
+                RowStream* rows) {
+    if (scattered) return false;
+    return run_shared<Filter>(call, Filter::rows_of(block).part(begin, kPart), first, false, rows);
+  }
+
  private:
+  template <class Filter>
+  HWY_INLINE bool run_shared(const FilterCall& call, const RowBlock& block, size_t first, bool scattered,
+                             RowStream* rows) {
+    RowLevels levels;
+    if (!shares_ || !Filter::share_levels(call.texture, block, &levels)) return false;
+    AddressRows(call.texture, call.sampler, block, levels, rows);
+    consume(first, scattered, *rows);
+    return true;
+  }
+  void consume(size_t first, bool scattered, const RowStream& rows) {
+    if (HWY_UNLIKELY(scattered)) prefetch_rows(to_.texels, rows, hn::Lanes(BatchTag()));
+    to_.done = first;
+    consume_(rows, &to_);
+  }
+
   const ConsumeRows consume_;
+  const bool shares_, rows_only_;
   Consumption to_;
 };
+
+/// Filters the parts of a block that share their levels by rows, and the others by the stream.
+template <class Filter>
+HWY_INLINE void RunParts(const FilterCall& call, const Filter& filter, const typename Filter::Block& block,
+                         size_t first, bool scattered, RowRunner& rows, StreamSink& sink) {
+  const BatchTag d;
+  for (size_t begin = 0, end; begin < block.count; begin = end) {
+    end = HWY_MIN(begin + RowRunner::kPart, block.count);
+    if (rows.run_part<Filter>(call, block, begin, first + begin, scattered, &sink.rows())) continue;
+    sink.begin(first + begin, scattered);
+    for (size_t i = begin; i < end; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
+    sink.flush();
+    if (HWY_UNLIKELY(call.out.rgba8 != nullptr)) EncodePixels(call.out, first + begin, end - begin);
+  }
+}
 
 /// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
 /// buffer it; for sinks without a buffer, the elements of the next vector of lookups are emitted to a PrefetchSink.
@@ -206,10 +245,11 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
     if constexpr (kRows) {
-      if (rows.run(call, filter, block, first, scattered, &sink.rows())) {
-        for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
-        continue;
+      for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
+      if (!rows.run(call, filter, block, first, scattered, &sink.rows())) {
+        RunParts(call, filter, block, first, scattered, rows, sink);
       }
+      continue;
     }
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
       if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
@@ -220,9 +260,6 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
       filter.emit(d, block, i, sink);
     }
     sink.flush();
-    if constexpr (kRows) {
-      if (HWY_UNLIKELY(call.out.rgba8 != nullptr)) EncodePixels(call.out, first, block.count);
-    }
   }
   return nonfinite;
 }

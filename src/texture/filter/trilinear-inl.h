@@ -31,8 +31,8 @@ struct Trilinear : OnMipLevels {
     sink.finish();
   }
 
-  /// Finds the levels that a block shares, for rows. Returns false if it shares none.
-  static bool share_levels(const Texture& texture, const LodBlock& block, RowLevels* out) {
+  /// Finds the levels that lookups share, for rows. Returns false if they share none.
+  static bool share_levels(const Texture& texture, const RowBlock& block, RowLevels* out) {
     const LodBounds lod = BoundsOf(block);
     out->fine = static_cast<uint32_t>(lod.least);
     out->coarse = out->fine + 1 < texture.level_count ? out->fine + 1 : out->fine;

@@ -118,14 +118,26 @@ struct ColorChannels {
   }
 };
 
-/// Blends the quads of a block and writes opaque pixels.
+/// Where the colours of a block go: opaque pixels, or three columns, of which `left` elements may be written.
+struct ColorOutput {
+  uint32_t* pixels;
+  float* channel[3];
+  size_t left;
+};
+
+/// Blends the quads of a block and writes colours without alpha.
 template <class F>
-HWY_NOINLINE void WritePixels(const RowBlend<F>& blend, uint32_t* pixels) {
+HWY_NOINLINE void WriteColors(const RowBlend<F>& blend, const ColorOutput& to) {
   const BatchTag d;
+  uint32_t* const pixels = to.pixels;
   for (size_t i = 0; i < blend.rows.count; i += hn::Lanes(d)) {
     hn::Vec<BatchTag> value[4];
     blend.At(i, ColorChannels(), value);
-    if constexpr (F::kCodes8) {
+    if (!pixels) {
+      ColorChannels().for_each([&](auto c) SHD_INLINE_LAMBDA {
+        StoreFirst(d, Blend<F, false>::template finish<c>(d, value[c]), to.left - i, to.channel[c] + i);
+      });
+    } else if constexpr (F::kCodes8) {
       StoreCodes<F>({value[0], value[1], value[2]}, pixels + i);
     } else {
       StoreFinished<F>(value[0], value[1], value[2], pixels + i);
@@ -140,8 +152,11 @@ void ConsumeRowsOf(const RowStream& rows, Consumption* consumption) {
   const RowBlend<F> blend = {rows, consumption->texels, Blend<F, false>(*consumption)};
   const Texels& out = consumption->out;
   const size_t done = consumption->done, left = consumption->count - done;
-  if (out.rgba8) return WritePixels(blend, out.rgba8 + done);
+  if (out.rgba8) return WriteColors(blend, {out.rgba8 + done, {}, left});
   const WantedChannels wanted = WantedBy<Blend<F, false>>(out);
+  if (out.channel[0] && out.channel[1] && out.channel[2] && !out.channel[3]) {
+    return WriteColors(blend, {nullptr, {out.channel[0] + done, out.channel[1] + done, out.channel[2] + done}, left});
+  }
   for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
     hn::Vec<BatchTag> value[4] = {};
     blend.At(i, wanted, value);

@@ -106,6 +106,14 @@ inline void compare_rows(const char* name) {
       fail_msg("%s: other bits in column %zu", name, c);
   }
 }
+/// Fails unless the columns that most lit materials read have the bits of `first` if they alone are wanted.
+inline void compare_lit(const core::SimdTarget& target) {
+  const ColumnList columns = columns_of(g->fragments);
+  for (size_t c = 3; c < kColumns; ++c) std::fill_n(columns.column[c], kBatch, -77.0f);
+  const uint32_t lit = raster::kPosition | raster::kNormal | raster::kToEye | raster::kTexture;
+  raster::interpolate(target, g->vertices, kEye, lit, &g->fragments);
+  compare_rows(target.name);
+}
 inline void keep_rows() {
   memcpy(g->first.block.data(), g->fragments.block.data(), g->fragments.block.size() * sizeof(float));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "raster/changes.h"
 #include "raster/coverage.h"
 #include "raster/fragments.h"
 #include "ref/raster_ref.h"
@@ -597,8 +598,8 @@ void test_whole(void**) {
         assert_int_equal(order.bare.size(), first_order.bare.size());
         assert_memory_equal(order.run.data(), first_order.run.data(), order.run.size() * sizeof(raster::PixelRun));
         assert_memory_equal(g_tile.depth.data(), g_first.depth.data(), kTilePixels * sizeof(float));
-        raster::clear_slots(&g_tile);
-        raster::clear_slots(&g_first);
+        raster::clear_slots(target, &g_tile);
+        raster::clear_slots(target, &g_first);
         for (size_t k = 0; k < kTilePixels; ++k) assert_int_equal(g_tile.slot[k], kNoSlot);
       }
     }

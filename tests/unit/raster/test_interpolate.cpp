@@ -350,6 +350,22 @@ void test_spans(void**) {
   }
 }
 
+/// The columns of most lit materials have the same bits if others are wanted, in long and in short spans.
+void test_lit(void**) {
+  Random random = {67};
+  for (int batch = 0; batch < 60; ++batch) {
+    const size_t lengths[] = {1, 5, 11, 12, 23, 24, 37, 47, 48, 100, kBatch};
+    make_batch(&random, batch % 3 == 0 ? same_w : batch % 3 == 1 ? ordinary : behind_the_eye, lengths[batch % 11]);
+    if (batch % 7 == 0) g->fragments.left += 17, g->fragments.top += 40;
+    if (batch % 5 == 0) finish(static_cast<size_t>(random.whole(1, kBatch)));
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+      keep_rows();
+      compare_lit(target);
+    });
+  }
+}
+
 /// Texture coordinates of runs of pixels of one triangle have the bits of interpolate().
 void test_runs(void**) {
   Random random = {59};
@@ -464,6 +480,7 @@ int main() {
   for (const scene_case& c : k_scenes)
     tests[n++] = {c.name, test_oracle, nullptr, nullptr, const_cast<scene_case*>(&c)};
   tests[n++] = {"bits/spans", test_spans, nullptr, nullptr, nullptr};
+  tests[n++] = {"bits/lit", test_lit, nullptr, nullptr, nullptr};
   tests[n++] = {"bits/windows", test_windows, nullptr, nullptr, nullptr};
   tests[n++] = {"bits/runs", test_runs, nullptr, nullptr, nullptr};
   tests[n++] = {"bits/counts_1..kBatch", test_counts, nullptr, nullptr, nullptr};
