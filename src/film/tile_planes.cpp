@@ -16,6 +16,15 @@ TilePlanes offset(const TilePlanes& planes, size_t x, size_t y) {
   return moved;
 }
 
+/// Fills pixels of a row, most of them in blocks.
+void fill_row(float* to, size_t count, float value) {
+  constexpr size_t kBlock = 16;
+  for (; count >= kBlock; count -= kBlock, to += kBlock) {
+    for (size_t i = 0; i < kBlock; ++i) to[i] = value;
+  }
+  std::fill_n(to, count, value);
+}
+
 /// Calls body(first, count, to) for each row of a run: `count` pixels from number `first` of the run on lie at `to`.
 template <class Body>
 void for_each_row(const TileArea& area, const raster::PixelRun& run, Framebuffer* framebuffer, const Body& body) {
@@ -50,7 +59,7 @@ TilePlanes ColorBlock::planes(const TileArea& area, Framebuffer* framebuffer) {
 void fill_color(const TileArea& area, const TileArea& part, const float color[4], const TilePlanes& planes) {
   for (uint32_t y = 0; y < part.height; ++y) {
     const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
-    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], part.width, color[c]);
+    for (uint32_t c = 0; c < 4; ++c) fill_row(row.plane[c], part.width, color[c]);
   }
 }
 
@@ -62,7 +71,7 @@ void fill_color(const TileArea& area, const raster::PixelRun& run, const float c
     if (x >= area.width) continue;
     const TilePlanes row = offset(planes, x, y);
     const uint32_t width = std::min(end - begin, area.width - x);
-    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], width, color[c]);
+    for (uint32_t c = 0; c < 4; ++c) fill_row(row.plane[c], width, color[c]);
   }
 }
 

@@ -25,12 +25,13 @@ constexpr SamplePattern make_pattern(const int32_t (&sixteenths)[kCount][2]) {
   }
   for (uint32_t bits = 1; bits < 256; ++bits) {
     for (uint32_t half = 0; half < 2; ++half) {
+      PointSum sum = {0, 0, 0};
       for (uint32_t s = 8 * half; s < kCount && s < 8 * half + 8; ++s) {
         if (!(bits >> (s - 8 * half) & 1)) continue;
-        pattern.sum[half][bits].x += pattern.point[s].x;
-        pattern.sum[half][bits].y += pattern.point[s].y;
-        ++pattern.sum[half][bits].count;
+        sum = {sum.x + pattern.point[s].x, sum.y + pattern.point[s].y, sum.count + 1};
       }
+      pattern.sum[half][bits] = {static_cast<int16_t>(sum.x), static_cast<int16_t>(sum.y),
+                                 static_cast<int16_t>(sum.count)};
     }
   }
   return pattern;

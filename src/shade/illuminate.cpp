@@ -50,13 +50,17 @@ struct Sums {
 
 /// Sets the sums of a whole block to 0. The zero is volatile, so that gcc stores vectors: its `rep stos` takes longer
 /// for short columns.
-HWY_NOINLINE void StartSums(float* const (*columns)[3], uint32_t lobes) {
+HWY_NOINLINE void StartSums(const material::Lobes& out, uint32_t lobes, size_t first) {
   const hn::ScalableTag<float> d;
   const volatile float nothing = 0.0f;
   const auto zero = hn::Set(d, nothing);
-  for (uint32_t k = 0; k < 3 * lobes; ++k) {
-    float* const column = columns[k / 3][k % 3];
-    for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) hn::Store(zero, d, column + i);
+  for (uint32_t k = 0; k < lobes; ++k) {
+    float *const r = out.lobe[k][0] + first, *const g = out.lobe[k][1] + first, *const b = out.lobe[k][2] + first;
+    for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+      hn::Store(zero, d, r + i);
+      hn::Store(zero, d, g + i);
+      hn::Store(zero, d, b + i);
+    }
   }
 }
 
@@ -351,6 +355,7 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
   const hn::ScalableTag<float> d;
   const bool gated =
       !Lighting::kGatesLobes && !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
+  const uint32_t lobes = material::info_of(material.model).lobes;  // no constant: gcc copies functions for those
   const ConstantShape<typename Lighting::Shape> constant(material);
   const bool scales = group.finishes && !is_normalized<Lighting>(constant, shape);
   for (size_t first = 0; first < f.count; first += kBlock) {
@@ -362,7 +367,7 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
     for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) {
       sums.column[k / 3][k % 3] = out.lobe[k / 3][k % 3] + first;
     }
-    if (!group.continues) StartSums(sums.column, Lighting::kLobes);
+    if (!group.continues) StartSums(out, lobes, first);
     const bool over_normals = Lighting::kAveragesNormals && shape.spread[0];
     if constexpr (Lighting::kAveragesNormals) {
       if (over_normals) AddLightsOverNormals(block, shape.spread, lights, count, gated, sums);

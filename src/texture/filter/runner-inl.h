@@ -190,8 +190,8 @@ class RowRunner {
 
  private:
   template <class Filter>
-  HWY_INLINE bool run_shared(const FilterCall& call, const RowBlock& block, size_t first, bool scattered,
-                             RowStream* rows) {
+  HWY_NOINLINE bool run_shared(const FilterCall& call, const RowBlock& block, size_t first, bool scattered,
+                               RowStream* rows) {
     RowLevels levels;
     if (!shares_ || !Filter::share_levels(call.texture, block, &levels)) return false;
     AddressRows(call.texture, call.sampler, block, levels, rows);
