@@ -7,7 +7,7 @@
 #include "film/dilate.h"
 #include "frame/bake.h"
 #include "frame/fragment_batch.h"
-#include "raster/changes.h"
+#include "raster/tile_words.h"
 
 namespace shd::frame {
 namespace {

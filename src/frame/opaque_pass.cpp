@@ -4,7 +4,7 @@
 #include "film/aovs.h"
 #include "frame/fragment_batch.h"
 #include "frame/texture_batch.h"
-#include "raster/changes.h"
+#include "raster/tile_words.h"
 
 namespace shd::frame {
 namespace {

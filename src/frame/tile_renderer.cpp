@@ -8,6 +8,7 @@
 #include "frame/tile_state.h"
 #include "frame/unordered_pass.h"
 #include "frame/volume_pass.h"
+#include "raster/tile_words.h"
 
 namespace shd::frame {
 namespace {
@@ -44,7 +45,7 @@ bool begin(TileState* tile) {
   const film::SampleStore* samples = tile->renderer.samples;
   if (samples && samples->load(tile->index, &worker.tile, &worker.split)) return true;
   if (is_whole) {
-    raster::fill_depth(frame.clear_depth, &worker.tile);
+    raster::fill_depth(tile->simd(), frame.clear_depth, &worker.tile);
   } else {
     film::load_depth(tile->area, tile->framebuffer, &worker.tile);
   }

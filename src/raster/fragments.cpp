@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fragments.h"
 
-#include "raster/changes.h"
+#include "raster/tile_words.h"
 
 namespace shd::raster {
 namespace {

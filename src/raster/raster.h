@@ -29,7 +29,7 @@
 /// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
 /// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
 /// | nearest.h          | conservative coverage: the nearest triangle of each texel             |
-/// | changes.h          | kernels: samples whose triangle differs from that before; clearing    |
+/// | tile_words.h       | kernels over the words of a tile: where slots change; clearing        |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | append_rows.h      | kernel: rows of fragments for runs of pixels                          |
 /// | spans-inl.h        | rows of one triangle in a table of fragments                          |

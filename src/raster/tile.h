@@ -73,12 +73,6 @@ inline void forget_bounds(Tile* tile) {
   tile->range = kAnyDepths;
 }
 
-inline void fill_depth(float depth, Tile* tile) {
-  std::fill(tile->depth.begin(), tile->depth.end(), depth);
-  forget_bounds(tile);
-  tile->range = {depth, depth};
-}
-
 constexpr uint32_t tile_count(uint32_t pixels) {
   return (pixels + kTile - 1) / kTile;
 }

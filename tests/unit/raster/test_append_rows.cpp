@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "raster/append_rows.h"
-#include "raster/changes.h"
+#include "raster/tile_words.h"
 #include "support/random.h"
 #include "support/targets.h"
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "raster/changes.h"
 #include "raster/coverage.h"
 #include "raster/fragments.h"
+#include "raster/tile_words.h"
 #include "ref/raster_ref.h"
 #include "support/random.h"
 #include "support/targets.h"
@@ -572,7 +572,7 @@ void test_whole(void**) {
     size_t whole = 0, others = 0;
     for (int n = 0; n < 1000; ++n) {
       const auto compare = static_cast<shd_compare>(random.whole(SHD_COMPARE_LESS, SHD_COMPARE_ALWAYS));
-      raster::fill_depth(random.whole(0, 2) ? 0.5f : n % 2 ? 1.0f : 0.0f, &g_tile);
+      raster::fill_depth(target, random.whole(0, 2) ? 0.5f : n % 2 ? 1.0f : 0.0f, &g_tile);
       raster::begin_samples(&g_first);
       std::copy(g_tile.depth.begin(), g_tile.depth.end(), g_first.depth.begin());
       raster::forget_bounds(&g_first);

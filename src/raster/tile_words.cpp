@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "raster/changes.h"
+#include "raster/tile_words.h"
+
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/changes.cpp"
+#define HWY_TARGET_INCLUDE "raster/tile_words.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -36,12 +38,13 @@ void FindChanges(const uint32_t* values, size_t count, uint64_t* bits) {
   bits[0] |= 1;
 }
 
-/// The value is volatile, so that gcc stores vectors: the library's memset stores single bytes, and takes as long.
-void ClearSlots(uint32_t* slots, size_t count) {
-  const volatile uint32_t none = kNoSlot;
-  const auto value = hn::Set(Tag(), none);
+/// Sets words of a tile. The value is volatile, so that gcc stores vectors: the library's memset stores single bytes,
+/// and takes as long.
+void FillWords(uint32_t word, size_t count, uint32_t* words) {
+  const volatile uint32_t same = word;
+  const auto value = hn::Set(Tag(), same);
   for (size_t i = 0; i < count; i += 4 * hn::Lanes(Tag())) {
-    for (size_t k = 0; k < 4; ++k) hn::Store(value, Tag(), slots + i + k * hn::Lanes(Tag()));
+    for (size_t k = 0; k < 4; ++k) hn::Store(value, Tag(), words + i + k * hn::Lanes(Tag()));
   }
 }
 
@@ -51,16 +54,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::raster {
 
-HWY_EXPORT(ClearSlots);
 HWY_EXPORT(FindChanges);
+HWY_EXPORT(FillWords);
 
 void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t count, uint64_t* bits) {
   SHD_DISPATCH(FindChanges, simd)(values, count, bits);
 }
 
 void clear_slots(const core::SimdTarget& simd, Tile* tile) {
-  if (tile->sole_slot == kNoSlot) SHD_DISPATCH(ClearSlots, simd)(tile->slot.data(), tile->slot.size());
+  if (tile->sole_slot == kNoSlot) SHD_DISPATCH(FillWords, simd)(kNoSlot, tile->slot.size(), tile->slot.data());
   tile->sole_slot = kNoSlot;
+}
+
+void fill_depth(const core::SimdTarget& simd, float depth, Tile* tile) {
+  uint32_t bits;
+  std::memcpy(&bits, &depth, sizeof bits);
+  SHD_DISPATCH(FillWords, simd)(bits, tile->depth.size(), reinterpret_cast<uint32_t*>(tile->depth.data()));
+  forget_bounds(tile);
+  tile->range = {depth, depth};
 }
 
 }  // namespace shd::raster

@@ -17,4 +17,7 @@ void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t c
 /// Clears the slots of a tile to kNoSlot.
 void clear_slots(const core::SimdTarget& simd, Tile* tile);
 
+/// Sets all depths of a tile.
+void fill_depth(const core::SimdTarget& simd, float depth, Tile* tile);
+
 }  // namespace shd::raster
