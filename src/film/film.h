@@ -18,6 +18,7 @@
 /// | tile_planes.h    | planes in which a tile is drawn, and their encoding                   |
 /// | tile_color.h     | colours of the samples of one tile: resolve                           |
 /// | copy_runs.h      | kernel: columns to the pixels of runs                                 |
+/// | stream_rows.h    | kernel: rows to the framebuffer, past the caches                      |
 /// | expanded_color.h | planes in place of interleaved pixels, for frames in several passes   |
 /// | sample_store.h   | samples of all tiles, kept between the passes of a frame              |
 /// | blend.h          | blend arithmetic: a source colour over its destination                |

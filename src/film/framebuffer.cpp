@@ -10,6 +10,7 @@ namespace shd::film {
 namespace {
 
 constexpr size_t kRowMultiple = core::kAlignment / sizeof(float);
+constexpr size_t kLargeBytes = size_t{4} << 20;  // more than the second caches of most processors
 
 template <class T>
 void build_plane(const core::Allocator& allocator, size_t count, double empty, core::Array<T>* out) {
@@ -40,6 +41,7 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
     build_plane(context.allocator, core::checked_mul(count, shd_format_size(desc.color_format)), 0.0,
                 &framebuffer.pixels);
   }
+  framebuffer.is_large = byte_size(framebuffer) > kLargeBytes;
   *out = std::move(framebuffer);
 }
 

@@ -24,6 +24,7 @@ struct Framebuffer {
   core::Array<float> plane[kPlaneCount];         // [shd_plane]
   core::Array<uint32_t> u32_plane[kPlaneCount];  // [shd_plane] integer planes
   core::Array<uint8_t> pixels;                   // [height][stride] pixels of color_format, or empty
+  bool is_large;                                 // the planes are larger than the caches
 };
 
 /// Whether colour is stored in planes.

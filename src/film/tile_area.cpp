@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "film/stream_rows.h"
+
 namespace shd::film {
 namespace {
 
@@ -53,7 +55,13 @@ void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Ti
   }
 }
 
-void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer) {
+void store_depth(const core::SimdTarget& simd, const TileArea& area, const raster::Tile& tile,
+                 Framebuffer* framebuffer) {
+  if (framebuffer->is_large && tile.samples == 1) {
+    float* const first = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, 0)];
+    return stream_rows(simd, {reinterpret_cast<const uint32_t*>(tile.depth.data()), raster::kTile}, area.width,
+                       area.height, {reinterpret_cast<uint32_t*>(first), framebuffer->stride});
+  }
   for (uint32_t y = 0; y < area.height; ++y) {
     float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
     const float* from = tile.depth.data() + size_t{y} * raster::kTile * tile.samples;

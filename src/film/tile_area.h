@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/simd_target.h"
 #include "film/framebuffer.h"
 #include "raster/tile.h"
 
@@ -24,6 +25,7 @@ void clear_aovs(const TileArea& area, Framebuffer* framebuffer);
 /// Sets every sample to the depth of its pixel in the framebuffer. Pixels outside the framebuffer keep their values.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
 /// Writes the depth of the first sample of each pixel to the framebuffer.
-void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
+void store_depth(const core::SimdTarget& simd, const TileArea& area, const raster::Tile& tile,
+                 Framebuffer* framebuffer);
 
 }  // namespace shd::film

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "film/stream_rows.h"
 #include "image/pixels.h"
 
 namespace shd::film {
@@ -23,6 +24,16 @@ void fill_row(float* to, size_t count, float value) {
     for (size_t i = 0; i < kBlock; ++i) to[i] = value;
   }
   std::fill_n(to, count, value);
+}
+
+/// Encodes a row of pixels of a tile into the framebuffer.
+void encode_row(const core::SimdTarget& simd, const float* const row[4], size_t count, const Framebuffer& framebuffer,
+                uint8_t* to) {
+  if (!framebuffer.is_large) return image::encode_pixels(simd, framebuffer.color_format, row, count, to);
+  alignas(64) uint8_t bytes[raster::kTile * 8];  // RGBA16F has the longest pixels
+  image::encode_pixels(simd, framebuffer.color_format, row, count, bytes);
+  const size_t words = count * shd_format_size(framebuffer.color_format) / sizeof(uint32_t);
+  stream_rows(simd, {reinterpret_cast<const uint32_t*>(bytes), 0}, words, 1, {reinterpret_cast<uint32_t*>(to), 0});
 }
 
 /// Calls body(first, count, to) for each row of a run: `count` pixels from number `first` of the run on lie at `to`.
@@ -89,14 +100,24 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
   if (has_color_planes(*framebuffer)) return;
   for (uint32_t y = 0; y < part.height; ++y) {
     const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
-    image::encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
-                         pixel_at(framebuffer, part.left, part.top + y));
+    encode_row(simd, row.plane, part.width, *framebuffer, pixel_at(framebuffer, part.left, part.top + y));
   }
 }
 
-void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer) {
+void store_pixels(const core::SimdTarget& simd, const TileArea& area, const raster::PixelRun& run,
+                  const uint32_t* pixels, Framebuffer* framebuffer) {
+  const bool is_rows = area.width == raster::kTile && run.begin % raster::kTile == 0 && run.end % raster::kTile == 0;
+  if (framebuffer->is_large && is_rows) {
+    uint8_t* const to = pixel_at(framebuffer, area.left, area.top + run.begin / raster::kTile);
+    return stream_rows(simd, {pixels, raster::kTile}, raster::kTile, raster::length_of(run) / raster::kTile,
+                       {reinterpret_cast<uint32_t*>(to), framebuffer->stride});
+  }
   for_each_row(area, run, framebuffer, [&](size_t first, size_t count, uint8_t* to) {
-    std::memcpy(to, pixels + first, count * sizeof *pixels);
+    if (!framebuffer->is_large) {
+      std::memcpy(to, pixels + first, count * sizeof *pixels);
+    } else {
+      stream_rows(simd, {pixels + first, 0}, count, 1, {reinterpret_cast<uint32_t*>(to), 0});
+    }
   });
 }
 
@@ -104,7 +125,7 @@ void store_pixels(const core::SimdTarget& simd, const TileArea& area, const rast
                   const float* const plane[4], Framebuffer* framebuffer) {
   for_each_row(area, run, framebuffer, [&](size_t first, size_t count, uint8_t* to) {
     const float* const row[4] = {plane[0] + first, plane[1] + first, plane[2] + first, plane[3] + first};
-    image::encode_pixels(simd, framebuffer->color_format, row, count, to);
+    encode_row(simd, row, count, *framebuffer, to);
   });
 }
 

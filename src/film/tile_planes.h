@@ -44,7 +44,8 @@ void store_color(const core::SimdTarget& simd, const TileArea& area, const TileA
                  Framebuffer* framebuffer);
 
 /// Writes a run of pixels of a tile whose framebuffer has interleaved pixels of 4 bytes.
-void store_pixels(const TileArea& area, const raster::PixelRun& run, const uint32_t* pixels, Framebuffer* framebuffer);
+void store_pixels(const core::SimdTarget& simd, const TileArea& area, const raster::PixelRun& run,
+                  const uint32_t* pixels, Framebuffer* framebuffer);
 /// Encodes a run of pixels of a tile whose framebuffer has interleaved pixels. `plane`: r, g, b and a of the run.
 void store_pixels(const core::SimdTarget& simd, const TileArea& area, const raster::PixelRun& run,
                   const float* const plane[4], Framebuffer* framebuffer);

@@ -113,7 +113,7 @@ void TextureBatch::flush() {
   size_t row = 0;
   for (size_t i = 0; i < runs_.count && direct_; ++i) {
     if (codes) {
-      film::store_pixels(tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
+      film::store_pixels(tile_.simd(), tile_.area, runs_.run[i], pixels_ + row, &tile_.framebuffer);
     } else {
       const float* const plane[4] = {colors.channel[0] + row, colors.channel[1] + row, colors.channel[2] + row,
                                      colors.channel[3] + row};

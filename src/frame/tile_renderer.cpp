@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/tile_renderer.h"
 
+#include "film/stream_rows.h"
 #include "frame/bake_pass.h"
 #include "frame/blended_pass.h"
 #include "frame/opaque_pass.h"
@@ -93,7 +94,7 @@ void draw(TileState* tile) {
   if (!tile->color_is_stored) {
     film::store_color(tile->simd(), tile->area, tile->area, tile->color_planes, &tile->framebuffer);
   }
-  film::store_depth(tile->area, tile->worker.tile, &tile->framebuffer);
+  film::store_depth(tile->simd(), tile->area, tile->worker.tile, &tile->framebuffer);
   film::SampleStore* samples = tile->renderer.samples;
   if (samples) samples->save(tile->index, tile->worker.tile, tile->worker.split);
 }
@@ -103,6 +104,7 @@ void draw(TileState* tile) {
 void TileRenderer::render(uint32_t index, Worker* worker) const {
   TileState tile(*this, index, worker);
   if (begin(&tile)) draw(&tile);
+  film::finish_streams();
   if (present) present_tile(*present, tile.area, tile.color_planes, worker->index);
 }
 
