@@ -2,8 +2,9 @@
 /// @file
 /// Rows of quads: what linear filters hand to a format, in place of a stream, for a block of lookups that share their
 /// levels, as neighbouring pixels of a surface do. Levels, sizes and operations are then constants of the block, and
-/// the lower row of a quad lies at a constant distance. Texels lie in memory; none is the border. Blocks whose lookups
-/// share no levels become rows too if the consumer takes rows only; all their quads are split.
+/// the lower row of a quad lies at a constant distance. No texel is the border. Blocks whose lookups share no levels
+/// become rows too if the consumer takes rows only; all their quads are split. Stores that place streams place rows
+/// that share their levels, too, as long as all texels are at hand; other blocks become streams.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@
 
 namespace shd::texture {
 
-/// Quads on one level, one for each lookup of a block.
+/// Quads on one level, one for each lookup of a block. Before a store places them, they are columns and rows of texels:
+/// `upper` is the left column, other[0] the upper row, other[1] the right column, and other[2] the lower row.
 struct RowQuads {
   static constexpr size_t kColumn = 256;
 
@@ -32,5 +34,15 @@ struct RowStream {
   RowQuads quads[2];                              // on the finer level, and on the next coarser one
   alignas(64) float fraction[RowQuads::kColumn];  // share of the coarser level
 };
+
+/// A level of an image whose quads a store places.
+struct RowLevel {
+  int32_t first;  // first unit of the level (Layout)
+  int32_t width;  // [texels]
+};
+
+/// Replaces columns and rows of texels by their indices in the memory of a store. Returns false if some texels are not
+/// at hand; the quads are then not valid.
+using PlaceRows = bool (*)(void* state, const RowLevel (&levels)[2], RowStream* rows);
 
 }  // namespace shd::texture

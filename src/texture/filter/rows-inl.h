@@ -55,16 +55,24 @@ struct RowLevels {
   bool blended;  // some lookup reads the coarse level
 };
 
-/// Writes the quads of the vector of lookups at i.
-template <class D>
+/// Writes the quads of the vector of lookups at i: their texels in memory, or kPlaced: columns and rows, for a store
+/// that places them.
+template <bool kPlaced, class D>
 HWY_INLINE void WriteQuads(D d, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y, bool split,
                            size_t i, RowQuads* out) {
   const hn::RebindToSigned<D> di;
-  const auto top = RowIndex(d, level, y.i0);
   hn::Store(x.s, d, out->s + i);
   hn::Store(y.s, d, out->t + i);
-  hn::Store(top + x.i0, di, out->upper + i);
   out->split[i / hn::Lanes(d)] = split;
+  if constexpr (kPlaced) {
+    hn::Store(x.i0, di, out->upper + i);
+    hn::Store(y.i0, di, out->other[0] + i);
+    hn::Store(x.i1, di, out->other[1] + i);
+    hn::Store(y.i1, di, out->other[2] + i);
+    return;
+  }
+  const auto top = RowIndex(d, level, y.i0);
+  hn::Store(top + x.i0, di, out->upper + i);
   if (HWY_LIKELY(!split)) return;
   const auto bottom = RowIndex(d, level, y.i1);
   hn::Store(top + x.i1, di, out->other[0] + i);
@@ -72,8 +80,8 @@ HWY_INLINE void WriteQuads(D d, const Level<D>& level, const LinearTaps<D>& x, c
   hn::Store(bottom + x.i1, di, out->other[2] + i);
 }
 
-/// Finds the quads of a block on a level. A wrap is a constant or a value.
-template <class WrapU, class WrapV>
+/// Finds the quads of a block on a level, as WriteQuads() writes them. A wrap is a constant or a value.
+template <bool kPlaced, class WrapU, class WrapV>
 HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, const RowBlock& block, uint32_t number,
                                WrapU wrap_u, WrapV wrap_v, RowQuads* out) {
   const BatchTag d;
@@ -90,19 +98,22 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
       RoundWeights(d, &x);
       RoundWeights(d, &y);
     }
-    WriteQuads(d, level, x, y, !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one))), i, out);
+    const bool split = !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one)));
+    WriteQuads<kPlaced>(d, level, x, y, split, i, out);
   }
 }
 
-/// Finds the quads of a block on a level.
+/// Finds the quads of a block on a level, for the store of the texture.
 inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sampler, const RowBlock& block,
                                       uint32_t level, RowQuads* out) {
   const shd_wrap u = sampler.wrap_u, v = sampler.wrap_v;
-  if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
+  if (HWY_UNLIKELY(!is_in_memory(texture))) {
+    AddressWrapped<true>(texture, sampler, block, level, u, v, out);
+  } else if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
     const std::integral_constant<shd_wrap, SHD_WRAP_REPEAT> repeat;
-    AddressWrapped(texture, sampler, block, level, repeat, repeat, out);
+    AddressWrapped<false>(texture, sampler, block, level, repeat, repeat, out);
   } else {
-    AddressWrapped(texture, sampler, block, level, u, v, out);
+    AddressWrapped<false>(texture, sampler, block, level, u, v, out);
   }
 }
 
@@ -119,6 +130,11 @@ inline void AddressRows(const Texture& texture, const Sampler& sampler, const Ro
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     hn::Store(hn::Load(d, block.lod + i) - fine, d, out->fraction + i);
   }
+}
+
+/// Returns a level as stores place it.
+inline RowLevel RowLevelOf(const Texture& texture, uint32_t level) {
+  return {static_cast<int32_t>(texture.layout.offset[level]), static_cast<int32_t>(level_size(texture.width, level))};
 }
 
 /// Takes the quads of a block that shares no levels, vector by vector.
@@ -153,7 +169,7 @@ class RowSink {
       RoundWeights(d, &x);
       RoundWeights(d, &y);
     }
-    WriteQuads(d, level, x, y, true, at_, &rows_.quads[quad]);
+    WriteQuads<false>(d, level, x, y, true, at_, &rows_.quads[quad]);
   }
   /// Makes the second quads of a vector without them, with the share 0, for blocks in which other vectors have them.
   void repeat_first() {

@@ -31,6 +31,7 @@
 #include "texture/filter/rows-inl.h"
 #include "texture/format/formats-inl.h"
 #include "texture/store/level-inl.h"
+#include "texture/store/place-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -163,14 +164,18 @@ class RowRunner {
 
   explicit RowRunner(const FilterCall& call)
       : consume_(call.record ? nullptr : call.format.rows),
+        place_(consume_ ? PlaceRowsOf(call.texture.store) : nullptr),
+        state_(call.placement.state),
         shares_(consume_ && call.texture.layers == 1),
         rows_only_(call.format.rows_only),
-        to_(call, TexelSource(call.texture), nullptr) {}
+        to_(call, TexelSource(call), nullptr) {}
 
-  /// Filters the block whose first lookup is `first`. Returns false if some of its lookups need a stream.
+  /// Filters the block whose first lookup is `first`. Returns false if some of its lookups need a stream, which may
+  /// have the memory of `rows`.
   template <class Filter>
   HWY_INLINE bool run(const FilterCall& call, const Filter& filter, const typename Filter::Block& block, size_t first,
                       bool scattered, RowStream* rows) {
+    refused_ = scattered || !shares_;
     if (!consume_ || (scattered && !rows_only_)) return false;
     if (HWY_LIKELY(run_shared<Filter>(call, Filter::rows_of(block), first, scattered, rows))) return true;
     if (!rows_only_) return false;
@@ -182,11 +187,14 @@ class RowRunner {
   /// Filters a part of a block that run() did not filter: lookup `first`, which is number `begin` of the block, and up
   /// to kPart - 1 lookups after it. Returns false if they need a stream.
   template <class Filter>
-  bool run_part(const FilterCall& call, const typename Filter::Block& block, size_t begin, size_t first, bool scattered,
+  bool run_part(const FilterCall& call, const typename Filter::Block& block, size_t begin, size_t first,
                 RowStream* rows) {
-    if (scattered) return false;
+    if (refused_) return false;
     return run_shared<Filter>(call, Filter::rows_of(block).part(begin, kPart), first, false, rows);
   }
+
+  /// Whether all other lookups of the block need a stream.
+  bool refused() const { return refused_; }
 
  private:
   template <class Filter>
@@ -195,6 +203,11 @@ class RowRunner {
     RowLevels levels;
     if (!shares_ || !Filter::share_levels(call.texture, block, &levels)) return false;
     AddressRows(call.texture, call.sampler, block, levels, rows);
+    if (HWY_UNLIKELY(place_ != nullptr)) {
+      const RowLevel placed[2] = {RowLevelOf(call.texture, levels.fine), RowLevelOf(call.texture, levels.coarse)};
+      refused_ = !place_(state_, placed, rows);
+      if (refused_) return false;
+    }
     consume(first, scattered, *rows);
     return true;
   }
@@ -205,7 +218,10 @@ class RowRunner {
   }
 
   const ConsumeRows consume_;
+  const PlaceRows place_;  // null: quads are in memory
+  void* const state_;
   const bool shares_, rows_only_;
+  bool refused_ = false;  // parts of the block need a stream
   Consumption to_;
 };
 
@@ -216,7 +232,8 @@ HWY_INLINE void RunParts(const FilterCall& call, const Filter& filter, const typ
   const BatchTag d;
   for (size_t begin = 0, end; begin < block.count; begin = end) {
     end = HWY_MIN(begin + RowRunner::kPart, block.count);
-    if (rows.run_part<Filter>(call, block, begin, first + begin, scattered, &sink.rows())) continue;
+    if (rows.run_part<Filter>(call, block, begin, first + begin, &sink.rows())) continue;
+    if (rows.refused()) end = block.count;
     sink.begin(first + begin, scattered);
     for (size_t i = begin; i < end; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
     sink.flush();
@@ -243,7 +260,6 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
                      ? FindShapes(call.texture, call.sampler, call.in, &block)  // without the time of a copy
                      : FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
     const bool scattered = Filter::is_scattered(call.texture, block);
-    sink.begin(first, scattered);
     if constexpr (kRows) {
       for (size_t i = 0; i < block.count; i += kLine) columns.prefetch(first + kBlock + i);
       if (!rows.run(call, filter, block, first, scattered, &sink.rows())) {
@@ -251,6 +267,7 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
       }
       continue;
     }
+    sink.begin(first, scattered);
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
       if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
       if constexpr (!Sink::kBuffered) {

@@ -77,11 +77,11 @@ void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradie
   kernels.format.values = ConsumerOf(texture, sampler);
   if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(component);
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(component);
-  if (HWY_UNLIKELY(!is_in_memory(texture) || needs_w(texture))) return;
-  if (gradient == Gradient::kNone && !has_border(sampler) && !sampler.compares) {
-    kernels.fused = FusedOf(sampler.filter, component);
-    if (texture.layers == 1) kernels.format.rows = RowsOf(component);
-  }
+  if (HWY_UNLIKELY(needs_w(texture))) return;
+  const bool values = gradient == Gradient::kNone && !has_border(sampler) && !sampler.compares;
+  if (values && texture.layers == 1) kernels.format.rows = RowsOf(component);
+  if (HWY_UNLIKELY(!is_in_memory(texture))) return;
+  if (values) kernels.fused = FusedOf(sampler.filter, component);
   if (HWY_UNLIKELY(has_fast_values(texture, sampler))) {
     kernels.fast = sampler.filter == SHD_FILTER_ANISOTROPIC ? RunFixedLines : kernels.run;
     kernels.fast_format.rows = FixedRowsOf(texture.channels);

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "texture/rows.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,6 +23,22 @@ void PlaceInBlocks(void* lease, size_t end, size_t lanes, Stream* stream);
 /// Places a stream in the tiles of a TileCall. Loads the tiles that are missing, without a lease, and throws Failure if
 /// that fails.
 void PlaceInTiles(void* call, size_t end, size_t lanes, Stream* stream);
+
+/// Place the quads of a block as PlaceInBlocks() and PlaceInTiles() do, if all texels are at hand (PlaceRows).
+bool PlaceRowsInBlocks(void* lease, const RowLevel (&levels)[2], RowStream* rows);
+bool PlaceRowsInTiles(void* call, const RowLevel (&levels)[2], RowStream* rows);
+
+/// Returns the placement of rows of a store; null if filters address texels themselves.
+inline PlaceRows PlaceRowsOf(Store store) {
+  switch (store) {
+    case Store::kMemory:
+    case Store::kBorrowed: return nullptr;
+    case Store::kBlocks: return PlaceRowsInBlocks;
+    case Store::kTiles:
+    case Store::kTilesOfBlocks: return PlaceRowsInTiles;
+  }
+  return nullptr;
+}
 
 /// Returns the placement of a store; null if filters address texels themselves.
 inline PlaceStream PlaceOf(Store store) {

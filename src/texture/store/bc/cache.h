@@ -10,6 +10,8 @@
 /// | levels.h, .cpp | blocks of levels in memory, and as a store  |
 /// | cache.h, .cpp  | decoded blocks, kept between calls          |
 /// | place.cpp      | texels of a stream to places in a cache     |
+/// | place_rows.cpp | rows of quads to places in a cache          |
+/// | windows-inl.h  | blocks side by side in a cache              |
 ///
 /// A cache is four rows of texels in memory, each block 4 x 4 of them at one place along the rows.
 /// Blocks that are neighbours in a row of blocks have neighbouring places. Neighbouring texels are therefore neighbours

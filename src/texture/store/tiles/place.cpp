@@ -12,26 +12,17 @@
 
 #include "texture/lanes-inl.h"
 #include "texture/store/place-inl.h"
+#include "texture/store/tiles/kept-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-class TilePlacer {
-  using DI = hn::RebindToSigned<BatchTag>;
-  using VI = hn::Vec<DI>;
-
+class TilePlacer : KeptTiles {
  public:
   TilePlacer(TileCall* call, Stream* stream)
-      : call_(*call),
-        lease_(*call->lease),
-        stream_(*stream),
-        places_(*stream->places),
-        shape_(call->texture.layout.unit),
-        last_x_((1 << shape_.shift_x) - 1),
-        last_y_((1 << shape_.shift_y) - 1),
-        texel_size_(texel_size(call->texture)) {}
+      : KeptTiles(call), stream_(*stream), places_(*stream->places), texel_size_(texel_size(call->texture)) {}
 
   void place(size_t end) {
     const size_t lanes = hn::Lanes(DI());
@@ -92,14 +83,6 @@ class TilePlacer {
     }
   }
 
-  HWY_INLINE VI load(const int32_t* values) const { return hn::Load(DI(), values); }
-  HWY_INLINE VI tile_column(VI x) const { return hn::ShiftRightSame(x, static_cast<int>(shape_.shift_x)); }
-  HWY_INLINE VI texel_column(VI x) const { return hn::And(x, hn::Set(DI(), last_x_)); }
-
-  HWY_INLINE VI texel_row(VI y) const {
-    return hn::ShiftLeftSame(hn::And(y, hn::Set(DI(), last_y_)), static_cast<int>(shape_.shift_x));
-  }
-
   /// Returns the row of texel k of element e.
   HWY_INLINE TileRow row_at(size_t e, size_t at, size_t k) const {
     const VI y = load(places_.y[stream_.row_of(e, k)] + at);
@@ -110,24 +93,11 @@ class TilePlacer {
 
   /// Returns the tile of a texel of the level of the first lane at `at`.
   HWY_INLINE uint32_t tile_at(size_t at, int32_t x, int32_t y) const {
-    const int32_t across = (places_.width[at] + last_x_) >> shape_.shift_x;
-    return static_cast<uint32_t>(places_.first[0][at] + (y >> shape_.shift_y) * across + (x >> shape_.shift_x));
+    return tile_of(places_.first[0][at], places_.width[at], x, y);
   }
 
   /// Returns the memory for copies of texels of an element.
   HWY_INLINE uint8_t* spare_of(size_t e) const { return lease_.spare_bytes + 4 * e * hn::Lanes(DI()) * texel_size_; }
-
-  HWY_INLINE static bool all_equal(VI a, VI b) { return hn::AllTrue(DI(), hn::Eq(a, b)); }
-
-  /// Returns the index of the first texel of a tile, or -1 if the lease does not keep it and cannot.
-  HWY_INLINE int32_t first_texel_of(uint32_t tile) {
-    const uint32_t entry = TileLease::entry_of(tile);
-    if (HWY_UNLIKELY(lease_.tile[entry] != tile)) {
-      if (!lease_.keep(tile)) return -1;
-    }
-    lease_.turn[entry] = lease_.now;
-    return lease_.first[entry];
-  }
 
   /// Prefetches the texels of the first and the last lane: those between them are near.
   HWY_INLINE void prefetch_ends(const int32_t* index) const {
@@ -142,28 +112,6 @@ class TilePlacer {
     const auto outside = hn::Lt(hn::Or(x, row.y), hn::Zero(di));
     hn::Store(hn::IfThenElse(outside, hn::Set(di, -1), row.tile + tile_column(x)), di, call_.wanted[k] + at);
     hn::Store(row.texel + texel_column(x), di, stream_.index[k] + at);
-  }
-
-  /// Texels whose tiles the lease keeps: their entries in the lease, and their indices.
-  struct Kept {
-    VI entry, index;
-  };
-
-  /// Finds texels in the tiles that the lease keeps. Returns false and changes nothing if it does not keep them all.
-  HWY_INLINE bool find_kept(VI tile, VI texel, Kept* kept) const {
-    const DI di;
-    const hn::RebindToUnsigned<DI> du;
-    const auto hash = hn::BitCast(du, tile) * hn::Set(du, 0x9e3779b1u);
-    kept->entry = hn::BitCast(di, hn::ShiftRight<22>(hash));
-    const VI tiles = hn::GatherIndex(di, reinterpret_cast<const int32_t*>(lease_.tile), kept->entry);
-    if (!all_equal(tiles, tile)) return false;
-    kept->index = hn::GatherIndex(di, lease_.first, kept->entry) + texel;
-    return true;
-  }
-  HWY_INLINE void mark_read(const Kept& kept) {
-    alignas(64) int32_t entry[kMaxLanes];
-    hn::Store(kept.entry, DI(), entry);
-    for (size_t lane = 0; lane < hn::Lanes(DI()); ++lane) lease_.turn[entry[lane]] = lease_.now;
   }
 
   /// Places quads of columns side by side in one tile: one of the two latest, or the tile of lane 0.
@@ -364,14 +312,10 @@ class TilePlacer {
     return place_texels<4>(e, at);
   }
 
-  TileCall& call_;
-  TileLease& lease_;  // until resolve()
   Stream& stream_;
   StreamPlaces& places_;
   Recent recent_[2];
   size_t latest_ = 0;
-  const UnitShape shape_;
-  const int32_t last_x_, last_y_;  // last column and row of a tile [texels]
   const size_t texel_size_;
 };
 

@@ -33,6 +33,8 @@
 /// | regions.h, .cpp       | rectangles of tiles: load, pin, drop                                |
 /// | store.cpp             | tiles as a store: single texels, levels, calls of lookups           |
 /// | place.cpp             | texels of a stream to places in memory                              |
+/// | place_rows.cpp        | rows of quads to places in memory, if all tiles are at hand         |
+/// | kept-inl.h            | vectors of texels in the tiles of a lease                           |
 /// | resolve.h, .cpp       | texels whose tiles are not at hand                                  |
 #pragma once
 
