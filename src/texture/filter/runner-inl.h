@@ -166,6 +166,7 @@ class RowRunner {
       : consume_(call.record ? nullptr : call.format.rows),
         place_(consume_ ? PlaceRowsOf(call.texture.store) : nullptr),
         state_(call.placement.state),
+        most_refusals_(call.texture.store == Store::kBlocks ? 3 : 1),
         shares_(consume_ && call.texture.layers == 1),
         rows_only_(call.format.rows_only),
         to_(call, TexelSource(call), nullptr) {}
@@ -175,7 +176,7 @@ class RowRunner {
   template <class Filter>
   HWY_INLINE bool run(const FilterCall& call, const Filter& filter, const typename Filter::Block& block, size_t first,
                       bool scattered, RowStream* rows) {
-    refused_ = scattered || !shares_;
+    refusals_ = scattered || !shares_ ? most_refusals_ : 0;
     if (!consume_ || (scattered && !rows_only_)) return false;
     if (HWY_LIKELY(run_shared<Filter>(call, Filter::rows_of(block), first, scattered, rows))) return true;
     if (!rows_only_) return false;
@@ -189,12 +190,12 @@ class RowRunner {
   template <class Filter>
   bool run_part(const FilterCall& call, const typename Filter::Block& block, size_t begin, size_t first,
                 RowStream* rows) {
-    if (refused_) return false;
+    if (refused()) return false;
     return run_shared<Filter>(call, Filter::rows_of(block).part(begin, kPart), first, false, rows);
   }
 
   /// Whether all other lookups of the block need a stream.
-  bool refused() const { return refused_; }
+  bool refused() const { return refusals_ >= most_refusals_; }
 
  private:
   template <class Filter>
@@ -205,8 +206,10 @@ class RowRunner {
     AddressRows(call.texture, call.sampler, block, levels, rows);
     if (HWY_UNLIKELY(place_ != nullptr)) {
       const RowLevel placed[2] = {RowLevelOf(call.texture, levels.fine), RowLevelOf(call.texture, levels.coarse)};
-      refused_ = !place_(state_, placed, rows);
-      if (refused_) return false;
+      if (!place_(state_, placed, rows)) {
+        ++refusals_;
+        return false;
+      }
     }
     consume(first, scattered, *rows);
     return true;
@@ -220,8 +223,9 @@ class RowRunner {
   const ConsumeRows consume_;
   const PlaceRows place_;  // null: quads are in memory
   void* const state_;
+  const uint32_t most_refusals_;  // parts of blocks are tried too: quads at edges and on several rows are few
   const bool shares_, rows_only_;
-  bool refused_ = false;  // parts of the block need a stream
+  uint32_t refusals_ = 0;  // refusals of the block and its parts
   Consumption to_;
 };
 
