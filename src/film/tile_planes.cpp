@@ -36,6 +36,18 @@ void encode_row(const core::SimdTarget& simd, const float* const row[4], size_t 
   stream_rows(simd, {reinterpret_cast<const uint32_t*>(bytes), 0}, words, 1, {reinterpret_cast<uint32_t*>(to), 0});
 }
 
+/// Writes the colour of a part of a tile to the planes of a large framebuffer.
+void store_planes(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
+                  Framebuffer* framebuffer) {
+  const TilePlanes from = offset(planes, part.left - area.left, part.top - area.top);
+  const size_t first = size_t{part.top} * framebuffer->stride + part.left;
+  for (uint32_t c = 0; c < 4; ++c) {
+    float* const to = framebuffer->plane[c].data() + first;
+    stream_rows(simd, {reinterpret_cast<const uint32_t*>(from.plane[c]), from.stride}, part.width, part.height,
+                {reinterpret_cast<uint32_t*>(to), framebuffer->stride});
+  }
+}
+
 /// Calls body(first, count, to) for each row of a run: `count` pixels from number `first` of the run on lie at `to`.
 template <class Body>
 void for_each_row(const TileArea& area, const raster::PixelRun& run, Framebuffer* framebuffer, const Body& body) {
@@ -57,11 +69,11 @@ TilePlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuf
 }
 
 void ColorBlock::allocate(const core::Allocator& allocator, const Framebuffer& framebuffer) {
-  if (!has_color_planes(framebuffer)) planes_ = core::Array<float>(allocator, 4 * raster::kTilePixels);
+  if (has_color_block(framebuffer)) planes_ = core::Array<float>(allocator, 4 * raster::kTilePixels);
 }
 
 TilePlanes ColorBlock::planes(const TileArea& area, Framebuffer* framebuffer) {
-  if (has_color_planes(*framebuffer)) return planes_of(area, SHD_PLANE_R, framebuffer);
+  if (!has_color_block(*framebuffer)) return planes_of(area, SHD_PLANE_R, framebuffer);
   float* const first = planes_.data();
   return {{first, first + raster::kTilePixels, first + 2 * raster::kTilePixels, first + 3 * raster::kTilePixels},
           raster::kTile};
@@ -87,9 +99,14 @@ void fill_color(const TileArea& area, const raster::PixelRun& run, const float c
 }
 
 void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes) {
-  if (has_color_planes(framebuffer)) return;
+  if (!has_color_block(framebuffer)) return;
   for (uint32_t y = 0; y < area.height; ++y) {
     const TilePlanes row = offset(planes, 0, y);
+    if (has_color_planes(framebuffer)) {
+      const size_t first = (size_t{area.top} + y) * framebuffer.stride + area.left;
+      for (uint32_t c = 0; c < 4; ++c) std::copy_n(framebuffer.plane[c].data() + first, area.width, row.plane[c]);
+      continue;
+    }
     image::decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width,
                          row.plane);
   }
@@ -97,7 +114,8 @@ void load_color(const TileArea& area, const Framebuffer& framebuffer, const Tile
 
 void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
                  Framebuffer* framebuffer) {
-  if (has_color_planes(*framebuffer)) return;
+  if (!has_color_block(*framebuffer)) return;
+  if (has_color_planes(*framebuffer)) return store_planes(simd, area, part, planes, framebuffer);
   for (uint32_t y = 0; y < part.height; ++y) {
     const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
     encode_row(simd, row.plane, part.width, *framebuffer, pixel_at(framebuffer, part.left, part.top + y));

@@ -16,13 +16,18 @@ struct TilePlanes {
   size_t stride;  // elements between rows
 };
 
-/// Colours of a tile whose framebuffer has interleaved pixels: they are planes while the tile is drawn, and encoded
-/// once.
+/// Whether tiles are drawn in planes of their own: those of framebuffers with interleaved pixels, and of large ones,
+/// which are written once.
+inline bool has_color_block(const Framebuffer& framebuffer) {
+  return !has_color_planes(framebuffer) || framebuffer.is_large;
+}
+
+/// The planes of a tile that is drawn apart from its framebuffer.
 class ColorBlock {
  public:
-  /// Allocates memory if the framebuffer has interleaved pixels. Throws std::bad_alloc.
+  /// Allocates memory if has_color_block(). Throws std::bad_alloc.
   void allocate(const core::Allocator& allocator, const Framebuffer& framebuffer);
-  /// The planes in which the tile is drawn: those of the framebuffer if it has planes.
+  /// The planes in which the tile is drawn: those of the framebuffer unless has_color_block().
   TilePlanes planes(const TileArea& area, Framebuffer* framebuffer);
 
  private:
@@ -38,7 +43,7 @@ void fill_color(const TileArea& area, const TileArea& part, const float color[4]
 /// Fills a run of pixels of a tile, except those outside `area`.
 void fill_color(const TileArea& area, const raster::PixelRun& run, const float color[4], const TilePlanes& planes);
 
-/// Reads and writes the colour of a part of a tile, if the framebuffer has interleaved pixels.
+/// Reads the colour of a tile from the framebuffer, and writes that of a part of it, if has_color_block().
 void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes);
 void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
                  Framebuffer* framebuffer);

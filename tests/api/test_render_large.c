@@ -23,7 +23,9 @@ static const struct way k_ways[] = {
     {"halves", SHD_SCENE_FLOOR, SHD_FORMAT_RGBA16F, 1, 1090, 1},
     {"lit", SHD_SCENE_LIT, SHD_FORMAT_RGBA8, 0, WIDTH, 1},
     {"lit, halves", SHD_SCENE_LIT, SHD_FORMAT_RGBA16F, 0, WIDTH, 1},
-    {"planes", SHD_SCENE_MIXED, SHD_FORMAT_RGBA32F, 0, WIDTH, 1},
+    {"planes", SHD_SCENE_FLOOR, SHD_FORMAT_RGBA32F, 1, WIDTH, 1},
+    {"mixed planes", SHD_SCENE_MIXED, SHD_FORMAT_RGBA32F, 0, WIDTH, 1},
+    {"blended planes", SHD_SCENE_GLASS, SHD_FORMAT_RGBA32F, 0, WIDTH, 4},
     {"samples", SHD_SCENE_GLASS, SHD_FORMAT_RGBA8, 0, WIDTH, 4},
 };
 
@@ -45,6 +47,8 @@ static void draw(const struct way *way, const shd_scene *scene, uint32_t top, ui
     frame.picture_width = way->width;
     frame.picture_height = HEIGHT;
     frame.crop_y = top;
+    shd_assert_ok(shd_render(scene->context, &frame));
+    frame.flags |= SHD_RENDER_LOAD; /* over the contents */
     shd_assert_ok(shd_render(scene->context, &frame));
     view.format = way->color;
     view.width = way->width;
