@@ -194,9 +194,6 @@ class RowRunner {
     return run_shared<Filter>(call, Filter::rows_of(block).part(begin, kPart), first, false, rows);
   }
 
-  /// Whether all other lookups of the block need a stream.
-  bool refused() const { return refusals_ >= most_refusals_; }
-
  private:
   template <class Filter>
   HWY_NOINLINE bool run_shared(const FilterCall& call, const RowBlock& block, size_t first, bool scattered,
@@ -237,7 +234,6 @@ HWY_INLINE void RunParts(const FilterCall& call, const Filter& filter, const typ
   for (size_t begin = 0, end; begin < block.count; begin = end) {
     end = HWY_MIN(begin + RowRunner::kPart, block.count);
     if (rows.run_part<Filter>(call, block, begin, first + begin, &sink.rows())) continue;
-    if (rows.refused()) end = block.count;
     sink.begin(first + begin, scattered);
     for (size_t i = begin; i < end; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
     sink.flush();
