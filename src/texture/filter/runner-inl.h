@@ -190,7 +190,7 @@ class RowRunner {
   template <class Filter>
   bool run_part(const FilterCall& call, const typename Filter::Block& block, size_t begin, size_t first,
                 RowStream* rows) {
-    if (refused()) return false;
+    if (refusals_ >= most_refusals_) return false;
     return run_shared<Filter>(call, Filter::rows_of(block).part(begin, kPart), first, false, rows);
   }
 
