@@ -3,8 +3,8 @@
 /// Rows of quads: what linear filters hand to a format, in place of a stream, for a block of lookups that share their
 /// levels, as neighbouring pixels of a surface do. Levels, sizes and operations are then constants of the block, and
 /// the lower row of a quad lies at a constant distance. No texel is the border. Blocks whose lookups share no levels
-/// become rows too if the consumer takes rows only; all their quads are split. Stores that place streams place rows
-/// that share their levels, too, as long as all texels are at hand; other blocks become streams.
+/// become rows too if the consumer takes rows only; all their quads are split. A store that places streams also places
+/// rows that share their levels, if all texels are at hand; its other blocks become streams.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Contract of domain/: coordinates to shapes. project.cpp turns directions into points of faces; lods, profile, probes
-/// and ellipses find the shapes of footprints. wrap-inl.h finds the texel beyond an edge of a plane; fold-inl.h and the
-/// files of folds/ find the texel beyond an edge of an image of directions.
+/// Contract of domain/: coordinates to shapes. project.cpp turns directions into points of faces; shapes, lods,
+/// profile, probes and ellipses find the shapes of footprints. wrap-inl.h finds the texel beyond an edge of a plane;
+/// fold-inl.h and the files of folds/ find the texel beyond an edge of an image of directions.
 ///
 /// A block holds the shapes of a few hundred lookups, computed before any of these lookups is filtered. The dependent
 /// operations of one lookup then overlap with those of other lookups, and all filters share one kernel for each shape.
