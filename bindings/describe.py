@@ -306,7 +306,7 @@ def main():
     if not shutil.which(arguments.clang):
         print(f"skipped: {arguments.clang} is not installed (Debian: clang)")
         return SKIPPED if arguments.check else 1
-    return generated.save(OUTPUT, write(describe(arguments.clang)), arguments.check)
+    return generated.keep(OUTPUT, write(describe(arguments.clang)), arguments.check)
 
 
 if __name__ == "__main__":

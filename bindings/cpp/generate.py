@@ -155,4 +155,4 @@ class Generator:
 
 
 if __name__ == "__main__":
-    sys.exit(generated.save(OUTPUT, Generator(generated.description()).text(), "--check" in sys.argv[1:]))
+    sys.exit(generated.keep(OUTPUT, Generator(generated.description()).text(), "--check" in sys.argv[1:]))

@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes src/Generated, the native layer and the descs of the C# binding, and tests/layout.txt, from shd.json.
-
-    generate.py [--check]      write the files, or compare them with shd.json
-"""
+"""Writes src/Generated, the native layer and the descs of the C# binding, and tests/layout.txt, from shd.json."""
 import pathlib
 import sys
 
@@ -57,5 +54,4 @@ def files():
 
 
 if __name__ == "__main__":
-    is_check = "--check" in sys.argv[1:]
-    sys.exit(max([generated.save(HERE / name, text, is_check) for name, text in files()]))
+    generated.save_all(HERE, dict(files()))

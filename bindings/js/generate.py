@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the low-level layer of the JavaScript binding from shd.json.
 
-    generate.py [--check]        write lib/api.js, lib/api.d.ts and callbacks.c, or compare them with shd.json
+    generate.py                  write lib/api.js, lib/api.d.ts and callbacks.c
     generate.py --asserts FILE   write C code that asserts each size and offset of lib/api.js, for a 32-bit compiler
 
 lib/api.js has the layout of the structs in WebAssembly, whose pointers and size_t have four bytes (layout.py),
@@ -73,16 +73,15 @@ def asserts(api):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true")
     parser.add_argument("--asserts", type=pathlib.Path)
     arguments = parser.parse_args()
     api = layout.Api(generated.description())
     if arguments.asserts:
         arguments.asserts.write_text(asserts(api), encoding="utf-8")
-        return 0
-    files = {"lib/api.js": javascript(api), "lib/api.d.ts": typescript.declarations(api), "callbacks.c": c_callbacks(api)}
-    return max(generated.save(HERE / name, text, arguments.check) for name, text in files.items())
+        return
+    generated.save_all(HERE, {"lib/api.js": javascript(api), "lib/api.d.ts": typescript.declarations(api),
+                              "callbacks.c": c_callbacks(api)})
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

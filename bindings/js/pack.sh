@@ -10,6 +10,7 @@ if [ -z "${SHD_WASM:-}" ]; then
   (cd "$root" && cmake --preset wasm && cmake --build --preset wasm) >&2
   SHD_WASM=$root/build/wasm/bindings/js/shd.wasm
 fi
+python3 "$source/../generate.py" js
 stage=$(mktemp -d)
 trap 'rm -rf "$stage"' EXIT
 cp -r "$source"/{package.json,README.md,lib,examples} "$root/LICENSE" "$stage"

@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes shd/cdef.lua, the declarations for LuaJIT's ffi, and shd/tables.lua, from shd.json.
-
-    generate.py [--check]      write the files, or compare them with shd.json
-"""
+"""Writes shd/cdef.lua, the declarations for LuaJIT's ffi, and shd/tables.lua, from shd.json."""
 import pathlib
 import re
 import sys
@@ -194,6 +191,5 @@ class Tables:
 
 
 if __name__ == "__main__":
-    described, compare = Api(generated.description()), "--check" in sys.argv[1:]
-    sys.exit(generated.save(HERE / "shd/cdef.lua", Declarations(described).text(), compare)
-             or generated.save(HERE / "shd/tables.lua", Tables(described).text(), compare))
+    described = Api(generated.description())
+    generated.save_all(HERE / "shd", {"cdef.lua": Declarations(described).text(), "tables.lua": Tables(described).text()})

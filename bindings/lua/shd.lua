@@ -7,6 +7,9 @@
 ---
 --- shd.<noun> makes an object: shd_mesh_create is shd.mesh. Every other function of C has its name without "shd_", and
 --- is a method of its first argument: shd.render(context, frame), context:render(frame).
+if not pcall(require, "shd.tables") then
+  error("shd/tables.lua is not in git: run `python3 bindings/generate.py lua` in the clone", 0)
+end
 local array = require "shd.array"
 local call = require "shd.call"
 local library = require "shd.native"

@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes shd/__init__.pyi, the types of descs and enums for editors and type checkers, from shd.json.
-
-    generate.py [--check]      write the file, or compare it with shd.json
-"""
+"""Writes shd/__init__.pyi, the types of descs and enums for editors and type checkers, from shd.json."""
 import pathlib
 import re
 import sys
@@ -107,4 +104,4 @@ class Stubs:
 
 
 if __name__ == "__main__":
-    sys.exit(generated.save(OUTPUT, Stubs(generated.description()).text(), "--check" in sys.argv[1:]))
+    generated.save(OUTPUT, Stubs(generated.description()).text())

@@ -12,6 +12,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
@@ -38,6 +39,7 @@ def needed(library):
 
 class Build(build_py):
     def run(self):
+        subprocess.run([sys.executable, HERE.parent / "generate.py", "python"], check=True)
         super().run()
         package = pathlib.Path(self.build_lib) / "shd"
         package.mkdir(parents=True, exist_ok=True)

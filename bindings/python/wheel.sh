@@ -47,7 +47,7 @@ build "$work-core" shd
 sources=$work/sources  # pip builds inside the sources
 rm -rf "$sources"
 mkdir -p "$sources/bindings"
-cp -r "$here/../shd.json" "$here" "$sources/bindings/"
+cp -r "$here"/../{shd.json,generate.py,generated.py} "$here" "$sources/bindings/"
 mkdir "$sources/bindings/python/licenses"  # of all that is linked in
 cp "$root/LICENSE" "$sources/bindings/python/licenses/shd.txt"
 libstdcxx=$(dpkg -S "$("${CXX:-c++}" -print-file-name=libstdc++.a | xargs realpath)" | cut -d: -f1)

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: MIT
 """Writes the generated sources of the crates shd-sys and shd from shd.json.
 
-    generate.py [--check]      write the files, or compare them with shd.json
-
 shd-sys/src/api.rs has the whole C API, shd-sys/tests/layout.rs its offsets, and shd/src/descs.rs the descs and enums of
 the safe crate.
 """
@@ -175,13 +173,13 @@ class Sys:
         return "\n".join(lines)
 
 
-def main(check):
+def main():
     table = generated.description()
     sys_crate = Sys(table)
-    texts = {"shd-sys/src/api.rs": sys_crate.api(), "shd-sys/tests/layout.rs": sys_crate.layout(),
-             "shd/src/descs.rs": descs.Descs(table, sys_crate.type_of).text()}
-    return max([generated.save(HERE / path, text, check) for path, text in texts.items()])
+    generated.save_all(HERE, {
+        "shd-sys/src/api.rs": sys_crate.api(), "shd-sys/tests/layout.rs": sys_crate.layout(),
+        "shd/src/descs.rs": descs.Descs(table, sys_crate.type_of).text()})
 
 
 if __name__ == "__main__":
-    sys.exit(main("--check" in sys.argv[1:]))
+    main()

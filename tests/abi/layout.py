@@ -1,86 +1,41 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the sizes of the public structs and the places of their members on this machine as layout_<library>.inc.
+"""Padding of the public structs on LP64, from the sizes and offsets of bindings/shd.json, which bindings.offsets checks.
 
-    layout.py --include include --output tests/abi [--compiler cc]
-
-The files are for LP64. A change of a released struct is a field appended at its end; everything else breaks callers.
+    layout.py DESCRIPTION                   no sized struct ends with padding, where an appended field would lie that
+                                            older callers leave undefined
+    layout.py DESCRIPTION --paddings FILE   writes a row of C for each piece of padding
 """
 import argparse
+import json
 import pathlib
-import re
-import subprocess
 import sys
-import tempfile
-
-sys.dont_write_bytecode = True
-from components import headers_of
-
-COMMENT = re.compile(r"/\*.*?\*/", re.S)
-STRUCT = re.compile(r"typedef struct (\w+) \{(.*?)\n\} \1;", re.S)
-DECLARATOR = re.compile(r"\(\*(\w+)\)|(\w+)(?:\[\w+\])*$")
-TITLE = {
-    "shd": "The public structs of libshd on LP64: members in order. Padding is a row of its own; it is never given to a "
-           "member.",
-    "shd_color": "The public structs of libshd_color on LP64; see layout_shd.inc.",
-    "shd_io": "The public structs of libshd_io on LP64; see layout_shd.inc.",
-    "shd_scene": "The public structs of libshd_scene on LP64; see layout_shd.inc.",
-}
 
 
-def structs(header):
-    """Name and members of each struct of a header, in order."""
-    text = COMMENT.sub("", header.read_text(encoding="utf-8"))
-    for name, body in STRUCT.findall(text):
-        members = []
-        for declaration in body.split(";"):
-            declaration = " ".join(declaration.split())
-            if not declaration:
-                continue
-            if "(" in declaration:  # a callback, or a pointer to arrays
-                members.append(re.search(r"\(\*(?:const )?(\w+)\)", declaration).group(1))
-                continue
-            for part in declaration.split(","):
-                members.append(DECLARATOR.search(part.strip()).group(2))
-        yield name, members
-
-
-def program(headers, rows):
-    lines = ["#include <stddef.h>", "#include <stdio.h>", *[f"#include <shd/{h}.h>" for h in headers],
-             "int main(void)", "{", "    size_t end;"]
-    for name, members in rows:
-        lines += [f'    printf("SHD_STRUCT({name}, %zu)\\n", sizeof({name}));', "    end = 0;"]
-        for member in members:
-            size = f"sizeof((({name} *)0)->{member})"
-            lines += [
-                f"    if (offsetof({name}, {member}) != end)",
-                f'        printf("SHD_PADDING({name}, %zu, %zu)\\n", end, offsetof({name}, {member}) - end);',
-                f'    printf("SHD_FIELD({name}, {member}, %zu, %zu)\\n", offsetof({name}, {member}), {size});',
-                f"    end = offsetof({name}, {member}) + {size};"]
-        lines.append(f'    if (end != sizeof({name})) printf("SHD_PADDING({name}, %zu, %zu)\\n", end, '
-                     f"sizeof({name}) - end);")
-    return "\n".join([*lines, "    return 0;", "}", ""])
+def paddings(struct):
+    """Offset and size of each piece of padding."""
+    end = 0
+    for field in [*struct["fields"], {"offset": struct["size"], "size": 0}]:
+        if field["offset"] != end:
+            yield end, field["offset"] - end
+        end = field["offset"] + field["size"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--include", type=pathlib.Path, required=True)
-    parser.add_argument("--output", type=pathlib.Path, required=True)
-    parser.add_argument("--compiler", default="cc")
+    parser.add_argument("description", type=pathlib.Path)
+    parser.add_argument("--paddings", type=pathlib.Path)
     arguments = parser.parse_args()
-    for library in TITLE:
-        headers = headers_of(arguments.include, library)
-        rows = sorted(r for h in headers for r in structs(arguments.include / "shd" / f"{h}.h"))
-        with tempfile.TemporaryDirectory() as folder:
-            source, binary = pathlib.Path(folder) / "layout.c", pathlib.Path(folder) / "layout"
-            source.write_text(program(headers, rows), encoding="utf-8")
-            subprocess.run([arguments.compiler, "-I", arguments.include, source, "-o", binary], check=True)
-            text = subprocess.run([binary], check=True, capture_output=True, text=True).stdout
-        head = f"/* SPDX-License-Identifier: MIT */\n/* {TITLE[library]}\n   Written by layout.py. */\n"
-        kept = arguments.output / f"layout_{library.removeprefix('shd_')}.inc"
-        kept.write_text(head + text, encoding="utf-8")
-        print(f"{kept.name}: {len(rows)} structs")
-    return 0
+    structs = json.loads(arguments.description.read_text(encoding="utf-8"))["structs"]
+    rows = [(s, offset, size) for s in structs for offset, size in paddings(s)]
+    if arguments.paddings:
+        text = "".join(f"SHD_PADDING({s['name']}, {offset}, {size})\n" for s, offset, size in rows)
+        arguments.paddings.write_text(text, encoding="utf-8")
+        return 0
+    wrong = [s["name"] for s, offset, size in rows
+             if s["fields"][0]["name"] == "struct_size" and offset + size == s["size"]]
+    print("".join(f"{name}: ends with padding\n" for name in wrong) + f"{len(structs)} structs, {len(rows)} paddings")
+    return int(bool(wrong))
 
 
 if __name__ == "__main__":

@@ -2,34 +2,28 @@
 # SPDX-License-Identifier: MIT
 """Copies the public headers as another version would have them: sized structs with fewer or with more fields at the end.
 
-    resize_headers.py older|newer --include include --layouts tests/abi --table src/core/sized_structs.h --output DIR
+    resize_headers.py older|newer --include include --description bindings/shd.json --table src/core/sized_structs.h --output DIR
 
 `older` takes the last field from each sized struct, and the line that gives it a default; another one where padding
 would be left at the end, which no version has. Fields up to the required one of the table stay. `newer` appends 12 or 16 bytes.
 What was done is written to DIR/resized.txt.
 """
 import argparse
+import json
 import pathlib
 import re
 import sys
 
-ROW = re.compile(r"SHD_(STRUCT|FIELD)\((\w+), (?:(\w+), (\d+), )?(\d+)\)")
 TABLE = re.compile(r"^ +ROW\(\w+, (\w+), (\w+),", re.M)
 # Elements whose size the struct that lists them has.
 ELEMENTS = ["shd_tap", "shd_blend_step"]
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 
 
-def read_layouts(folder):
+def read_layouts(description):
     """Size, and name and end of each field, of every struct."""
-    layouts = {}
-    for path in sorted(folder.glob("layout_*.inc")):
-        for kind, struct, field, offset, size in ROW.findall(path.read_text(encoding="utf-8")):
-            if kind == "STRUCT":
-                layouts[struct] = (int(size), [])
-            else:
-                layouts[struct][1].append((field, int(offset) + int(size)))
-    return layouts
+    structs = json.loads(description.read_text(encoding="utf-8"))["structs"]
+    return {s["name"]: (s["size"], [(f["name"], f["offset"] + f["size"]) for f in s["fields"]]) for s in structs}
 
 
 def fields_to_drop(struct, required, layouts):
@@ -61,10 +55,10 @@ def drop(text, struct, names):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("version", choices=["older", "newer"])
-    for name in ["include", "layouts", "table", "output"]:
+    for name in ["include", "description", "table", "output"]:
         parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    layouts = read_layouts(arguments.layouts)
+    layouts = read_layouts(arguments.description)
     rows = TABLE.findall(arguments.table.read_text(encoding="utf-8"))
     log = []
     (arguments.output / "shd").mkdir(parents=True, exist_ok=True)

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes the interface that the tree keeps, from the headers: exported functions, layouts of structs, and with
-# abigail-tools the dumps. Run it, and then bindings/update.sh, after a change of include/shd that is meant.
+# Writes what the tree keeps of the headers: the exported functions, bindings/shd.json and bindings/cpp/shd_api.hpp. Run
+# it after a change of include/shd that is meant. The lower layers of the other bindings are written, too.
 set -euo pipefail
 cd "$(dirname "$0")"
-include=../../include
 for library in shd shd_color shd_embree shd_io shd_scene; do
-  python3 symbols.py "$library" --include "$include" --update
-  python3 dump.py --include "$include" --library "$library" --dumps . --update || [ $? -eq 77 ]
+  python3 symbols.py "$library" --include ../../include --update
 done
-python3 layout.py --include "$include" --output .
+cd ../../bindings
+python3 describe.py
+python3 cpp/generate.py
+python3 generate.py

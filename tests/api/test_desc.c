@@ -50,13 +50,8 @@ static void level_padding(const char *name, size_t end, unsigned char *a, unsign
         const char *type;
         size_t offset, size;
     } k_padding[] = {
-#define SHD_STRUCT(type, size)
-#define SHD_FIELD(type, field, offset, size)
 #define SHD_PADDING(type, offset, size) {#type, offset, size},
-#include "../abi/layout_color.inc"
-#include "../abi/layout_io.inc"
-#include "../abi/layout_scene.inc"
-#include "../abi/layout_shd.inc"
+#include "paddings.inc" /* written by tests/abi/layout.py */
         {"shd_context_desc", offsetof(shd_context_desc, executor) + offsetof(shd_executor, worker_count) + 4, 4},
     };
     size_t i;

@@ -10,7 +10,7 @@ if ! "$PYTHON" -c 'import setuptools, numpy, pip, wheel' 2>/dev/null; then
 fi
 rm -rf "$WORK"
 mkdir -p "$WORK/bindings"
-cp -r "$sources/shd.json" "$sources/python" "$WORK/bindings/"  # pip builds inside the sources
+cp -r "$sources"/{shd.json,generate.py,generated.py,python} "$WORK/bindings/"  # pip builds inside the sources
 "$PYTHON" -m pip install --quiet --root-user-action=ignore --disable-pip-version-check --no-index \
   --no-build-isolation --no-deps --target "$WORK/site" "$WORK/bindings/python"
 library=$SHD_LIBRARY

@@ -9,6 +9,7 @@ root=$(cd "$rust/../.." && pwd)
 crates="$WORK/crates"
 unset SHD_LIB_DIR
 
+"$PYTHON" "$root/bindings/generate.py" rust
 rm -rf "$crates" "$WORK/target"
 mkdir -p "$crates"
 cp -r "$rust"/{Cargo.toml,Cargo.lock,shd,shd-sys} "$crates"

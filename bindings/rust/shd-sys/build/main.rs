@@ -9,6 +9,7 @@
 mod found;
 mod source;
 
+use std::path::Path;
 use std::{env, process};
 
 /// Ends the build with a message.
@@ -28,6 +29,9 @@ fn libraries() -> Vec<String> {
 }
 
 fn main() {
+    if !Path::new("src/api.rs").exists() {
+        fail("src/api.rs is not in git: run `python3 bindings/generate.py rust` in the clone");
+    }
     println!("cargo:rerun-if-changed=build");
     println!("cargo:rerun-if-env-changed=SHD_LIB_DIR");
     if let Some(folder) = env::var_os("SHD_LIB_DIR") {
