@@ -173,7 +173,7 @@ def main():
                  "--benchmark_enable_random_interleaving=true", f"--benchmark_out={bench}"])
         if report is None and not options.processor:
             report = pathlib.Path(scratch) / "shootout"
-            run([options.build / "examples/shootout/shd-shootout", "-o", report])
+            run([options.build / "examples/apps/shootout/shd-shootout", "-o", report])
         folder.mkdir(parents=True, exist_ok=True)
         write_json(folder / "bench.json", small_bench(read_json(bench)))
         if report is not None:

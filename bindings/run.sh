@@ -51,7 +51,7 @@ if command -v ccache >/dev/null; then
 fi
 jobs=$(compile_jobs)
 say "headers of Godot"
-examples/godot/fetch_headers.sh "$build/godot" || echo "bindings.godot will be skipped"
+examples/apps/godot/fetch_headers.sh "$build/godot" || echo "bindings.godot will be skipped"
 say "build"
 cmake --preset release -B "$build" -DSHD_BUILD_BENCH=OFF -DSHD_TEST_ARTEFACTS=ON "${launcher[@]}" &&
   ninja -C "$build" -j "$jobs" bindings || exit 1

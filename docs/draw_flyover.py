@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws docs/pictures/flyover-memory.svg from the CSV file of examples/flyover: memory, and tiles that were loaded.
+"""Draws docs/pictures/flyover-memory.svg from the CSV file of examples/apps/flyover: memory, and tiles that were loaded.
 
     draw_flyover.py FLYOVER.csv [PICTURE.svg]
 """

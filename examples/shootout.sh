@@ -17,7 +17,7 @@ if [ "${1:-}" = --newer-mesa ]; then
   build_beside_newer_mesa shd-shootout xplanet-images
   newer_versions
   rm -rf "${root:?}/shd-build/shootout-mesa25"
-  inside "$newer_build/examples/shootout/shd-shootout" "$@" -o /shd-build/shootout-mesa25
+  inside "$newer_build/examples/apps/shootout/shd-shootout" "$@" -o /shd-build/shootout-mesa25
   # Single figures and lists leave no report.
   if [ -d "$root/shd-build/shootout-mesa25" ]; then
     mkdir -p out/shootout-mesa25
@@ -52,4 +52,4 @@ if [ -z "$build" ]; then
     -DSHD_WITH_OCIO=OFF -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF
   cmake --build "$build" --parallel "$(compile_jobs)" --target shd-shootout
 fi
-"$build/examples/shootout/shd-shootout" -o out/shootout "$@"
+"$build/examples/apps/shootout/shd-shootout" -o out/shootout "$@"

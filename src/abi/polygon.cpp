@@ -11,16 +11,16 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "data/column.h"
-#include "geometry/harmonic.h"
-#include "geometry/polygon.h"
-#include "geometry/sparse_solver.h"
+#include "polygon/coordinates.h"
+#include "polygon/harmonic.h"
+#include "polygon/sparse_solver.h"
 
 namespace {
 
 using namespace shd;
 using namespace shd::abi;
-using geometry::Polygon;
-using geometry::PolygonFlaw;
+using polygon::Polygon;
+using polygon::PolygonFlaw;
 
 constexpr uint64_t kMaxValues = 1u << 24;  // nodes of the harmonic solution times vertices
 constexpr size_t kTaskPoints = 16384;
@@ -61,19 +61,19 @@ shd_result read_vertices(const shd_polygon_desc& desc, Polygon* out) {
 shd_result read_polygon(const shd_polygon_desc* in, shd_polygon_desc* desc, Polygon* out) {
   SHD_TRY(read_desc("polygon", in, false, desc));
   SHD_TRY(check_enum("polygon.kind", desc->kind, 0, SHD_BARYCENTRIC_HARMONIC));
-  SHD_TRY(check_count("polygon.vertex_count", desc->vertex_count, 3, geometry::kMaxPolygon));
+  SHD_TRY(check_count("polygon.vertex_count", desc->vertex_count, 3, polygon::kMaxPolygon));
   SHD_TRY(check_count("polygon.segments", desc->segments, 1, 256));
   SHD_TRY(read_vertices(*desc, out));
   const uint32_t kind = enum_bits(desc->kind);
-  SHD_TRY(refuse_flaw(geometry::find_flaw(*out), kind));
+  SHD_TRY(refuse_flaw(polygon::find_flaw(*out), kind));
   const bool is_convex_kind = kind == SHD_BARYCENTRIC_WACHSPRESS || kind == SHD_BARYCENTRIC_DISCRETE_HARMONIC;
-  if (is_convex_kind) return refuse_flaw(geometry::find_concavity(*out), kind);
+  if (is_convex_kind) return refuse_flaw(polygon::find_concavity(*out), kind);
   if (kind != SHD_BARYCENTRIC_HARMONIC) return SHD_OK;
-  if (!geometry::has_sparse_solver()) {
+  if (!polygon::has_sparse_solver()) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "polygon.kind: %u is HARMONIC, but the library was built without Eigen",
                       kind);
   }
-  const uint64_t values = uint64_t{geometry::harmonic_node_count(desc->vertex_count, desc->segments)} * out->count;
+  const uint64_t values = uint64_t{polygon::harmonic_node_count(desc->vertex_count, desc->segments)} * out->count;
   if (values <= kMaxValues) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "polygon.segments: %u with %u vertices gives %llu values, above %llu",
                     desc->segments, desc->vertex_count, static_cast<unsigned long long>(values),
@@ -83,7 +83,7 @@ shd_result read_polygon(const shd_polygon_desc* in, shd_polygon_desc* desc, Poly
 /// The columns of a call.
 struct Columns {
   InColumn in[2];
-  OutColumn out[geometry::kMaxPolygon];
+  OutColumn out[polygon::kMaxPolygon];
 };
 
 shd_result read_columns(const shd_polygon_points& points, const shd_polygon_weights& weights, uint32_t vertex_count,
@@ -106,14 +106,14 @@ shd_result read_columns(const shd_polygon_points& points, const shd_polygon_weig
 struct Coordinates {
   shd_barycentric kind;
   Polygon polygon;
-  geometry::HarmonicField field;
+  polygon::HarmonicField field;
 };
 
 /// Sets the weights of a point. Returns whether it lies outside.
 bool find_weights(const Coordinates& c, double x, double y, double* weights) {
-  const geometry::PolygonPlace place = find_place(c.polygon, x, y);
-  const bool is_outside = place.kind == geometry::PolygonPlace::kOutside;
-  const bool is_inside = place.kind == geometry::PolygonPlace::kInside;
+  const polygon::PolygonPlace place = find_place(c.polygon, x, y);
+  const bool is_outside = place.kind == polygon::PolygonPlace::kOutside;
+  const bool is_inside = place.kind == polygon::PolygonPlace::kInside;
   if (!is_inside && !(is_outside && c.kind == SHD_BARYCENTRIC_MEAN_VALUE)) {
     edge_weights(c.polygon, place, weights);
   } else if (c.kind == SHD_BARYCENTRIC_HARMONIC) {
@@ -130,7 +130,7 @@ struct Counts {
 
 void evaluate(const Coordinates& coordinates, const shd_polygon_points& points, const shd_f32_out* out, size_t first,
               size_t end, Counts* counts) {
-  double weights[geometry::kMaxPolygon];
+  double weights[polygon::kMaxPolygon];
   size_t outside = 0, nonfinite = 0;
   for (size_t i = first; i < end; ++i) {
     const float x = data::load(points.position[0], i), y = data::load(points.position[1], i);

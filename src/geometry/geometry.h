@@ -38,9 +38,5 @@
 /// | pixel_box.h      | boxes of pixels                                                             |
 /// | outline.h        | edges and vertices of triangles as rectangles                               |
 /// | emit.h           | the outcome of one triangle on the pixel grid                               |
-/// | polygon.h        | barycentric coordinates on polygons in closed form, and flaws of polygons   |
-/// | harmonic.h       | harmonic coordinates on polygons, by linear elements                        |
-/// | triangulate.h    | constrained Delaunay triangulations of polygons                             |
-/// | sparse_solver.h  | sparse linear systems; the only user of Eigen                               |
 /// | assemble.h       | culling, clipping and counting: mesh triangles to ScreenTriangle            |
 #pragma once

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

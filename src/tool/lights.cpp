@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 #include "tool/materials.h"
 #include "tool/textures.h"
 

@@ -9,10 +9,10 @@
 
 #include <unistd.h>
 
+#include "command/failure.h"
 #include "tool/camera.h"
 #include "tool/draws.h"
 #include "tool/environment.h"
-#include "tool/failure.h"
 #include "tool/lights.h"
 #include "tool/occlusion.h"
 #include "tool/output.h"

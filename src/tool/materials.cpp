@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 #include "tool/occlusion.h"
 #include "tool/solids.h"
 #include "tool/textures.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 #include "tool/shapes.h"
 #include "tool/textures.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 #include "tool/textures.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <shd/embree.h>
 #endif
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

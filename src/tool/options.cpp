@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <shd/color.h>
 #endif
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tool/shadows.h"
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

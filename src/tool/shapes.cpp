@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags) {
   shd_shape_desc desc = shd_shape_desc_default();

@@ -26,5 +26,4 @@
 /// | output.h    | file names and saving                                   |
 /// | progress.h  | progress and the time left                              |
 /// | handles.h   | handles that release themselves                         |
-/// | failure.h   | exit codes                                              |
 #pragma once

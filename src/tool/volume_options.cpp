@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "core/failure.h"
-#include "io/jpeg_header.h"
-#include "io/printable.h"
-#include "io/scrub.h"
-#include "io/sniff.h"
-#include "io/tga_header.h"
-#include "io/tiff_pages.h"
-#include "io/vdb_header.h"
+#include "io/check/jpeg_header.h"
+#include "io/check/scrub.h"
+#include "io/check/sniff.h"
+#include "io/check/tga_header.h"
+#include "io/check/tiff_pages.h"
+#include "io/file/printable.h"
+#include "io/vdb/header.h"
 
 #define SHD_FUZZ_CHECK(condition)                                          \
   do {                                                                     \

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/failure.h"
-#include "io/texture_file.h"
+#include "io/container/texture_file.h"
 
 #define SHD_FUZZ_CHECK(condition)                                          \
   do {                                                                     \

@@ -22,14 +22,14 @@ DATA_FOLDERS = {"golden", "corpus"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
-    "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h", "src/io/oiio_tiles.cpp",
-                     "src/tool/maketx/decoder.cpp", "src/tool/maketx/main.cpp", "src/tool/maketx/pyramid.cpp", "src/tool/maketx/source.h",
-                     "src/tool/maketx/target.h"},
-    "openvdb/": {"src/io/vdb.cpp"},
-    "zstd": {"src/io/inflate.cpp"},
-    "zlib.h": {"src/io/inflate.cpp"},
-    "astcenc.h": {"src/io/astc.cpp"},
-    "Eigen/": {"src/geometry/sparse_solver.cpp"},
+    "OpenImageIO/": {"src/io/oiio/oiio.cpp", "src/io/oiio/encode.cpp", "src/io/oiio/handle.h", "src/io/oiio/tiles.cpp",
+                     "src/io/maketx/decoder.cpp", "src/io/maketx/main.cpp", "src/io/maketx/pyramid.cpp", "src/io/maketx/source.h",
+                     "src/io/maketx/target.h"},
+    "openvdb/": {"src/io/vdb/vdb.cpp"},
+    "zstd": {"src/io/container/inflate.cpp"},
+    "zlib.h": {"src/io/container/inflate.cpp"},
+    "astcenc.h": {"src/io/container/astc.cpp"},
+    "Eigen/": {"src/polygon/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},
     "nlohmann/": {"src/scene/read/gltf_part.h"},
@@ -43,17 +43,17 @@ THIRD_PARTY = {
 # (memory_file.h) or a file system of shd (assimp_files.cpp). maketx/ has files of its own.
 OPENERS = {
     r"(?<![\w>])::(?:open|openat|creat)\s*\(|(?<![\w.>:])open(?:at)?\s*\([^;{]*\bO_(?:RDONLY|WRONLY|RDWR)\b":
-        {"src/core/regular_file.h", "src/io/write_file.cpp"},
-    r"\bf(?:re)?open\s*\(": {"src/io/worker_confine.cpp", "src/io/worker_main.cpp"},
+        {"src/core/regular_file.h", "src/io/file/write_file.cpp"},
+    r"\bf(?:re)?open\s*\(": {"src/io/server/confine.cpp", "src/io/server/main.cpp"},
     r"\b(?:basic_)?(?:[io]?fstream|filebuf)\b": set(),
-    r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio.cpp", "src/io/oiio_tiles.cpp"},
-    r"\bio::(?:File|Archive)\b": {"src/io/vdb.cpp"},
+    r"\bImage(?:Input|Output|Buf|Cache)::open\s*\(|\bImageBuf\s+\w+\s*\(": {"src/io/oiio/oiio.cpp", "src/io/oiio/tiles.cpp"},
+    r"\bio::(?:File|Archive)\b": {"src/io/vdb/vdb.cpp"},
     r"\bReadFile\s*\(": {"src/scene/read/assimp_import.cpp"},
     r"\bCreateFrom(?:File|Env)\s*\(": set(),
-    r"\bdlopen\s*\(": {"src/io/module.cpp", "src/io/silence.cpp", "src/io/worker_module.cpp",
+    r"\bdlopen\s*\(": {"src/io/file/module.cpp", "src/io/oiio/silence.cpp", "src/io/server/module.cpp",
                          "src/scene/reading.cpp"},
 }
-OPENERS_OF_THEIR_OWN = "src/tool/maketx/"
+OPENERS_OF_THEIR_OWN = "src/io/maketx/"
 FORBIDDEN_CALLS = re.compile(
     r"\b(MulAdd|MulSub|NegMulAdd|NegMulSub|MulAddSub|ApproximateReciprocal\w*|fma|fmaf|ffast-math)\b")
 UNSIGNED_ZEROS = re.compile(r"\bhn::(?:Floor|Ceil|Round|Trunc)\s*\(")

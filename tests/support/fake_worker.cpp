@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/packet.h"
-#include "io/worker_protocol.h"
+#include "io/worker/packet.h"
+#include "io/worker/protocol.h"
 
 namespace
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tool/failure.h"
+#include "command/failure.h"
 
 namespace {
 

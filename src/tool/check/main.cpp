@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "command/failure.h"
 #include "tool/check/judge.h"
 #include "tool/check/picture.h"
-#include "tool/failure.h"
 
 namespace {
 

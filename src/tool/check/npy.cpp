@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include "command/failure.h"
 #include "image/half.h"
 #include "tool/check/table.h"
-#include "tool/failure.h"
 
 namespace {
 

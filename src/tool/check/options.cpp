@@ -5,8 +5,8 @@
 #include <cstring>
 #include <functional>
 
+#include "command/failure.h"
 #include "tool/check/table.h"
-#include "tool/failure.h"
 
 const char* const kHelp =
     R"(Usage: shd-check [options] TEXTURE LOOKUPS

@@ -6,10 +6,10 @@
 
 #include <shd/io.h>
 
+#include "command/failure.h"
 #include "image/half.h"
 #include "tool/check/npy.h"
 #include "tool/check/table.h"
-#include "tool/failure.h"
 
 namespace {
 

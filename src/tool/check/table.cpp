@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "command/failure.h"
 #include "core/regular_file.h"
-#include "tool/failure.h"
 
 std::string read_file(const std::string& path) {
   const shd::core::RegularFile opened = shd::core::open_regular(path.c_str());

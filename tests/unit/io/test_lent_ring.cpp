@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Memory that is lent to a pipe and used again: never the bytes that the pipe may still refer to, and not more memory
 // than the pipe and two pieces need.
-#include "io/worker_memory.h"
+#include "io/server/memory.h"
 
 #include <fcntl.h>
 #include <sys/uio.h>

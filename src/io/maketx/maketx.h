@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: io/maketx, the program shd-maketx. Installed with its manual, shd-maketx.1.
+///
+/// Input:      the command line; an image file, of any size, that OpenImageIO reads. The file is untrusted.
+/// Output:     a tiled TIFF or OpenEXR file with all mip levels.
+/// Invariants: an error is a Failure with a sentence for the user and an exit code; the output appears whole or not at
+///             all; an interrupted run continues from the folder OUTPUT.part, with the same bits in the end; rows in
+///             memory are bounded by --memory; only the decoder, a confined process, reads the bytes of the input.
+///             Levels are those of libshd, because texture/table/mip_stream.h adds in the order of its builders.
+///
+/// | file        | contents                                             |
+/// |-------------|------------------------------------------------------|
+/// | main.cpp    | from options to the file                             |
+/// | options.h   | the command line, checked                            |
+/// | source.h    | the input: its description, and its rows in bands    |
+/// | decoder.h   | the process that decodes the input                   |
+/// | pyramid.h   | levels of rows, for every format                     |
+/// | part.h      | the folder of an unfinished run                      |
+/// | target.h    | the tiled file                                       |
+/// | convert.h   | bands through the pyramid and into the file          |
+/// | bar.h       | progress and the time left                           |
+#pragma once
