@@ -79,9 +79,11 @@ typedef enum shd_display_precision {
 typedef struct shd_color_desc {
     uint32_t struct_size;                    /**< set by shd_color_desc_default() */
     shd_display_precision display_precision; /**< precision of 8-bit images; default SHD_DISPLAY_PRECISION_BAKED */
-    const char *config_path;   /**< path of a config file, at most 64 MiB; NULL = the file named by the environment
-                                    variable OCIO if it is set and not empty, else the built-in config. The config
-                                    and the tables that it names must be regular files */
+    /**
+     * Path of a config file, at most 64 MiB; NULL = the file named by the environment variable OCIO if it is set and
+     * not empty, else the built-in config. The config and the tables that it names must be regular files.
+     */
+    const char *config_path;
     const char *config_text;   /**< a config in memory (YAML); then config_path must be NULL and OCIO is not read */
     const char *working_space; /**< colour space or role of framebuffers; NULL = the role scene_linear */
     /* ---- end of 0.1; append below ---- */

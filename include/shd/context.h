@@ -63,9 +63,9 @@ typedef struct shd_executor {
      * longjmp; may call shd.
      */
     shd_result (*parallel_for)(void *user_data, uint32_t count, shd_task_fn task, void *task_data);
-    void *user_data;       /**< borrowed until release of the context */
-    uint32_t worker_count; /**< `worker` is below this number, 1..1024; scratch memory is allocated for this number
-                                of workers */
+    void *user_data; /**< borrowed until release of the context */
+    /** `worker` is below this number, 1..1024; scratch memory is allocated for this number of workers. */
+    uint32_t worker_count;
 } shd_executor;
 
 /** Severity of a line of the log. */
@@ -120,8 +120,10 @@ typedef uint32_t shd_context_flags; /**< shd_context_flag bits */
 typedef struct shd_context_desc {
     uint32_t struct_size;    /**< set by shd_context_desc_default() */
     shd_context_flags flags; /**< default 0 */
-    uint32_t worker_count;   /**< threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread;
-                                  default 0 = one per core */
+    /**
+     * Threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread; default 0 = one per core.
+     */
+    uint32_t worker_count;
     shd_simd simd;           /**< default SHD_SIMD_BEST; SHD_ERROR_UNSUPPORTED if it cannot run here */
     shd_allocator allocator; /**< default malloc and free; huge pages are requested for blocks of 8 MiB and more */
     shd_executor executor;   /**< default built-in */

@@ -38,9 +38,12 @@ typedef struct shd_tap {
     uint32_t y;       /**< row, after wrapping */
     uint32_t border;  /**< 1 = the border colour instead of the texel, else 0 */
     float weight;     /**< share of the result; the weights of all taps sum to 1 up to rounding */
-    float value[4];   /**< stored channels as the blends read them: unorm channels as integers, unless a wrap is
-                           SHD_WRAP_BORDER; comparison lookups: 0 or 1 in the channel of r */
-    uint32_t z;       /**< slice of a 3D texture, after wrapping; else 0 */
+    /**
+     * Stored channels as the blends read them: unorm channels as integers, unless a wrap is SHD_WRAP_BORDER; comparison
+     * lookups: 0 or 1 in the channel of r.
+     */
+    float value[4];
+    uint32_t z; /**< slice of a 3D texture, after wrapping; else 0 */
 } shd_tap;
 
 /** A blend of two nodes of the tree. Grows with shd_explanation.blend_size. */

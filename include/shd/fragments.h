@@ -73,12 +73,14 @@ typedef struct shd_fragments {
 
 /** Output of a program: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
 typedef struct shd_radiance {
-    uint32_t struct_size;      /**< size of the library's struct */
-    uint32_t target_count;     /**< number of `target` elements: 3 */
-    float *r, *g, *b, *a;      /**< packed columns of `count` elements */
-    uint32_t *discard;         /**< starts as 0; any other value drops the row. NULL without SHD_MATERIAL_DISCARDS */
-    float *const (*target)[4]; /**< [target_count] r, g, b, a of SHD_AOV_TARGET1, 2 and 3; start as 0. NULL for
-                                    targets that the framebuffer lacks */
+    uint32_t struct_size;  /**< size of the library's struct */
+    uint32_t target_count; /**< number of `target` elements: 3 */
+    float *r, *g, *b, *a;  /**< packed columns of `count` elements */
+    uint32_t *discard;     /**< starts as 0; any other value drops the row. NULL without SHD_MATERIAL_DISCARDS */
+    /**
+     * [target_count] r, g, b, a of SHD_AOV_TARGET1, 2 and 3; start as 0. NULL for targets that the framebuffer lacks.
+     */
+    float *const (*target)[4];
     /* ---- end of 0.1; append below ---- */
 } shd_radiance;
 

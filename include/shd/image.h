@@ -69,8 +69,11 @@ typedef enum shd_format {
     SHD_FORMAT_BC6H_SFLOAT = 34, /**< three channels from -65504 to 65504 */
     SHD_FORMAT_BC7 = 35,
     SHD_FORMAT_BC7_SRGB = 36,
-    SHD_FORMAT_RGB9E5 = 37, /**< one uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel
-                                 is its number times 2^(e - 24): 0 to 65408 */
+    /**
+     * One uint32_t: r, g, b as numbers of 9 bits from bit 0 on, e in bits 27 to 31. A channel is its number times 2^(e
+     * - 24): 0 to 65408.
+     */
+    SHD_FORMAT_RGB9E5 = 37,
     SHD_FORMAT_MAX_ENUM = 0x7fffffff
 } shd_format;
 
@@ -86,9 +89,9 @@ typedef struct shd_image {
     shd_format format;    /**< storage of `pixels` */
     uint32_t width;       /**< pixels, 1..65536 */
     uint32_t height;      /**< pixels, 1..65536 */
-    void *pixels;         /**< [height][width], row 0 on top; borrowed for the call; blocks are
-                               [ceil(height / 4)][ceil(width / 4)] */
-    size_t row_stride;    /**< bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed */
+    /** [height][width], row 0 on top; borrowed for the call; blocks are [ceil(height / 4)][ceil(width / 4)]. */
+    void *pixels;
+    size_t row_stride; /**< bytes between rows of pixels or blocks, at least the bytes of a row; 0 = packed */
     /* ---- end of 0.1; append below ---- */
 } shd_image;
 

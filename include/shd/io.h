@@ -67,8 +67,10 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_EXR = 1 << 2,
     SHD_FILE_FORMAT_TIFF = 1 << 3,
     SHD_FILE_FORMAT_HDR = 1 << 4, /**< Radiance RGBE */
-    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature; no
-                                       palettes whose first index is not 0 */
+    /**
+     * Recognised by a plausible header, after all others: it has no signature; no palettes whose first index is not 0.
+     */
+    SHD_FILE_FORMAT_TGA = 1 << 5,
     SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
     SHD_FILE_FORMAT_DDS = 1 << 7, /**< blocks and pixels (shd/texture_file.h) */
     SHD_FILE_FORMAT_WEBP = 1 << 8,
@@ -151,27 +153,45 @@ typedef struct shd_load_desc {
     shd_table_flags tables;         /**< tables of textures; default SHD_TABLE_MIPMAP */
     uint32_t subimage;              /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
     uint64_t max_file_bytes;        /**< size of the file; 0 = 2^30 */
-    uint64_t max_pixels;            /**< width * height, of the data and of the display window, and the pixels of all
-                                         levels with SHD_LOAD_FILE_LEVELS; 0 = 2^28 */
-    uint64_t max_bytes;             /**< decoded, as RGBA, all levels; 0 = 2^32 */
-    double max_ratio;               /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
-    double time_limit;              /**< [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
-                                         checked between bands of rows. A worker that is stopped (SIGSTOP, a debugger)
-                                         costs a load all of its time; when it has been silent for two seconds, the
-                                         next load starts another one */
-    const char *worker_path;        /**< program that decodes, relative to the working directory at the call; NULL =
-                                         shd-io-worker beside libshd_io or in its installed place; borrowed for the
-                                         call */
-    const shd_raw_desc *raw;        /**< textures: the file is voxels of this layout; borrowed for the call; default
-                                         NULL */
-    const shd_stack_desc *stack;    /**< textures: slices of a 3D texture from the files of the desc, without a path;
-                                         borrowed for the call; default NULL */
-    const shd_vdb_desc *vdb;        /**< textures: grid and box of an OpenVDB file; borrowed for the call; default NULL
-                                         = the first grid of float or double, if the content is OpenVDB */
-    shd_texture_file_info *info;    /**< textures: gets the contents of a KTX2 or DDS file; all zero on failure and for
-                                         other files, and its struct_size is read; default NULL */
-    shd_vdb_info *vdb_info;         /**< textures: gets the properties of an OpenVDB grid; all zero on failure and for
-                                         other files, and its struct_size is read; default NULL */
+    /**
+     * width * height, of the data and of the display window, and the pixels of all levels with SHD_LOAD_FILE_LEVELS; 0
+     * = 2^28.
+     */
+    uint64_t max_pixels;
+    uint64_t max_bytes; /**< decoded, as RGBA, all levels; 0 = 2^32 */
+    double max_ratio;   /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
+    /**
+     * [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is checked between bands of rows. A worker
+     * that is stopped (SIGSTOP, a debugger) costs a load all of its time; when it has been silent for two seconds, the
+     * next load starts another one.
+     */
+    double time_limit;
+    /**
+     * Program that decodes, relative to the working directory at the call; NULL = shd-io-worker beside libshd_io or in
+     * its installed place; borrowed for the call.
+     */
+    const char *worker_path;
+    /** Textures: the file is voxels of this layout; borrowed for the call; default NULL. */
+    const shd_raw_desc *raw;
+    /**
+     * Textures: slices of a 3D texture from the files of the desc, without a path; borrowed for the call; default NULL.
+     */
+    const shd_stack_desc *stack;
+    /**
+     * Textures: grid and box of an OpenVDB file; borrowed for the call; default NULL = the first grid of float or
+     * double, if the content is OpenVDB.
+     */
+    const shd_vdb_desc *vdb;
+    /**
+     * Textures: gets the contents of a KTX2 or DDS file; all zero on failure and for other files, and its struct_size
+     * is read; default NULL.
+     */
+    shd_texture_file_info *info;
+    /**
+     * Textures: gets the properties of an OpenVDB grid; all zero on failure and for other files, and its struct_size is
+     * read; default NULL.
+     */
+    shd_vdb_info *vdb_info;
     /* ---- end of 0.1; append below ---- */
 } shd_load_desc;
 
@@ -315,12 +335,18 @@ typedef enum shd_dither {
 
 /** Options of a save. */
 typedef struct shd_save_desc {
-    uint32_t struct_size;           /**< set by shd_save_desc_default() */
-    uint32_t bit_depth;             /**< a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
-                                         default 0 = 8 for PNG, 16 for EXR, 32 for TIFF. For images always 0 */
-    shd_color_encoding color_space; /**< framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and
-                                         DATA do not. Images: the tag of PNG and EXR; AUTO = by pixel format */
-    shd_dither dither;              /**< a framebuffer's colour in 8 and 16 bits; default none */
+    uint32_t struct_size; /**< set by shd_save_desc_default() */
+    /**
+     * A framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32; default 0 = 8 for PNG, 16 for EXR, 32 for
+     * TIFF. For images always 0.
+     */
+    uint32_t bit_depth;
+    /**
+     * Framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and DATA do not. Images: the tag of PNG
+     * and EXR; AUTO = by pixel format.
+     */
+    shd_color_encoding color_space;
+    shd_dither dither; /**< a framebuffer's colour in 8 and 16 bits; default none */
     /**
      * Replaces the sRGB curve of a framebuffer in 8 and 16 bits; see shd_color_apply_view() in shd/color.h. Default
      * none.

@@ -56,22 +56,32 @@ typedef enum shd_light_kind {
 typedef struct shd_light_desc {
     uint32_t struct_size; /**< set by shd_light_desc_default() */
     shd_light_kind kind;  /**< default SHD_LIGHT_KIND_POINT */
-    float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1. Points and spots: E = 1 at distance r takes
-                               I = r^2 */
-    float position[3];    /**< position of points, spots and the cookie of directional lights; world space, finite;
-                               default 0 */
-    float direction[3];   /**< directional lights and spots: direction of the light rays, world space, any length
-                               except 0; default (0, -1, 0) */
-    float range;          /**< points and spots: distance from which E is 0 [world units]; default 0 = no limit. Lights
-                            with a finite range are culled beyond it */
-    float inner_angle;    /**< spots: half angle of the full cone [rad], 0..outer_angle; default 0 */
-    float outer_angle;    /**< spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default
-                            pi/4 */
-    float up[3];          /**< up direction of the cookie and of shadow maps, world space. Orthogonalised against
-                            `direction`; replaced by another direction if parallel to it. Default (0, 1, 0) */
-    float extent[2];      /**< directional lights: width and height of the cookie [world units], above 0; default 1.
-                               The centre of the cookie lies on the ray from `position`; with wraps that repeat, the
-                               cookie tiles the plane */
+    /** I, scene-linear RGB, 0..1e12; default 1. Points and spots: E = 1 at distance r takes I = r^2. */
+    float intensity[3];
+    /** Position of points, spots and the cookie of directional lights; world space, finite; default 0. */
+    float position[3];
+    /**
+     * Directional lights and spots: direction of the light rays, world space, any length except 0; default (0, -1, 0).
+     */
+    float direction[3];
+    /**
+     * Points and spots: distance from which E is 0 [world units]; default 0 = no limit. Lights with a finite range are
+     * culled beyond it.
+     */
+    float range;
+    float inner_angle; /**< spots: half angle of the full cone [rad], 0..outer_angle; default 0 */
+    /** Spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default pi/4. */
+    float outer_angle;
+    /**
+     * Up direction of the cookie and of shadow maps, world space. Orthogonalised against `direction`; replaced by
+     * another direction if parallel to it. Default (0, 1, 0).
+     */
+    float up[3];
+    /**
+     * Directional lights: width and height of the cookie [world units], above 0; default 1. The centre of the cookie
+     * lies on the ray from `position`; with wraps that repeat, the cookie tiles the plane.
+     */
+    float extent[2];
     /**
      * Light cookie: a texture of colours that multiply E, as seen from the light. It covers the square around the outer
      * cone of a spot, or a rectangle of size `extent` for a directional light. The fourth channel is ignored. Points

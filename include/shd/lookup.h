@@ -69,8 +69,11 @@ typedef struct shd_lookups {
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
     shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
     shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w */
-    shd_f32_in w;         /**< third coordinate: across the slices of a 3D texture, or of a direction; required by these
-                               textures, without effect for others */
+    /**
+     * Third coordinate: across the slices of a 3D texture, or of a direction; required by these textures, without
+     * effect for others.
+     */
+    shd_f32_in w;
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
     shd_f32_in dwdy;      /**< dw/dy; absent = 0 */
     shd_f32_in reference; /**< compared with texels by samplers with `compares`; absent = 0 */
@@ -101,8 +104,11 @@ typedef struct shd_texels {
     shd_f32_out du[4];
     shd_f32_out dv[4];
     size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
-    shd_f32_out dw[4];      /**< d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted.
-                                 2D textures return SHD_ERROR_UNSUPPORTED */
+    /**
+     * d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted. 2D textures return
+     * SHD_ERROR_UNSUPPORTED.
+     */
+    shd_f32_out dw[4];
     /**
      * 0 for lookups that found all their tiles. With SHD_MISSING_TILES_COARSER, l + 1 if a tile of level l is missing
      * and coarser levels were filtered instead. NULL = not wanted.

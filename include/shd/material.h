@@ -95,8 +95,8 @@ typedef enum shd_debug_view {
     SHD_DEBUG_VIEW_NONE = 0,   /**< the model */
     SHD_DEBUG_VIEW_NORMAL = 1, /**< shading normal: (n + 1) / 2 */
     SHD_DEBUG_VIEW_UV = 2,     /**< texture coordinates: (u - floor(u), v - floor(v), 0) */
-    SHD_DEBUG_VIEW_LEVEL = 3,  /**< level of detail of the diffuse texture: blue for level 0, over green, to red for
-                                    the last level */
+    /** Level of detail of the diffuse texture: blue for level 0, over green, to red for the last level. */
+    SHD_DEBUG_VIEW_LEVEL = 3,
     SHD_DEBUG_VIEW_BARYCENTRICS = 4, /**< barycentric coordinates in the triangle */
     SHD_DEBUG_VIEW_MAX_ENUM = 0x7fffffff
 } shd_debug_view;
@@ -217,25 +217,32 @@ typedef struct shd_material_desc {
     shd_model model;           /**< default SHD_MODEL_LAMBERT */
     shd_debug_view debug_view; /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
     shd_material_flags flags;  /**< default none */
-    float ambient[3];          /**< k_a, 0..1e6. Default -1 in all channels: k_a is ambient_share times the diffuse
-                                    colour, k_d times its slot. SHD_SLOT_AMBIENT replaces the slot of the diffuse
-                                    colour in this product */
-    float ambient_share;       /**< 0..1; default 1/16; used if ambient is -1. METALLIC_ROUGHNESS multiplies k_a by its
-                                    base colour in any case, so k_a is ambient_share there */
-    float diffuse[3];          /**< k_d or base colour, 0..1e6; default 0.8 */
-    float specular[3];         /**< k_s, 0..1e6; default 0.5 */
-    float exponent;            /**< p, 0..1e6; default 64 */
-    float metallic;            /**< 0..1; default 0 */
-    float roughness;           /**< 0..1; default 0.5 */
-    float ior;                 /**< index of refraction of GLASS, and of METALLIC_ROUGHNESS for the part that is not
-                                    metal, 1..10;
-                                    default 1.5 */
-    float emission[3];         /**< 0..1e12; default 0, so a slot needs a larger value here */
-    float opacity;             /**< opacity of models, 0..1; default 1 */
-    float occlusion_strength;  /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
-    const shd_slot *slots;     /**< [slot_count], all with the same struct_size, at most one for each target;
-                                    borrowed for the call; coefficients without a slot are constant */
-    uint32_t slot_count;       /**< default 0 */
+    /**
+     * k_a, 0..1e6. Default -1 in all channels: k_a is ambient_share times the diffuse colour, k_d times its slot.
+     * SHD_SLOT_AMBIENT replaces the slot of the diffuse colour in this product.
+     */
+    float ambient[3];
+    /**
+     * 0..1; default 1/16; used if ambient is -1. METALLIC_ROUGHNESS multiplies k_a by its base colour in any case, so
+     * k_a is ambient_share there.
+     */
+    float ambient_share;
+    float diffuse[3];  /**< k_d or base colour, 0..1e6; default 0.8 */
+    float specular[3]; /**< k_s, 0..1e6; default 0.5 */
+    float exponent;    /**< p, 0..1e6; default 64 */
+    float metallic;    /**< 0..1; default 0 */
+    float roughness;   /**< 0..1; default 0.5 */
+    /** Index of refraction of GLASS, and of METALLIC_ROUGHNESS for the part that is not metal, 1..10; default 1.5. */
+    float ior;
+    float emission[3];        /**< 0..1e12; default 0, so a slot needs a larger value here */
+    float opacity;            /**< opacity of models, 0..1; default 1 */
+    float occlusion_strength; /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
+    /**
+     * [slot_count], all with the same struct_size, at most one for each target; borrowed for the call; coefficients
+     * without a slot are constant.
+     */
+    const shd_slot *slots;
+    uint32_t slot_count;                 /**< default 0 */
     shd_normal_encoding normal_encoding; /**< default SHD_NORMAL_ENCODING_XYZ */
     float normal_scale;                  /**< factor of x and y of mapped normals, -1e3..1e3; default 1 */
     shd_bump bump;                       /**< default SHD_BUMP_NONE */
@@ -255,10 +262,10 @@ typedef struct shd_material_desc {
     shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
     float alpha_cutoff;           /**< fragments with a smaller alpha are dropped, 0..1; default 0 = none */
     shd_material_program program; /**< default none */
-    const shd_interpolation *interpolation; /**< [varying_count]; borrowed for the call; NULL = all
-                                                 SHD_INTERPOLATION_PERSPECTIVE */
-    size_t varying_count;                   /**< varyings that program.vertex writes, 0..SHD_MAX_VARYINGS; 0 without
-                                                 program.vertex */
+    /** [varying_count]; borrowed for the call; NULL = all SHD_INTERPOLATION_PERSPECTIVE. */
+    const shd_interpolation *interpolation;
+    /** Varyings that program.vertex writes, 0..SHD_MAX_VARYINGS; 0 without program.vertex. */
+    size_t varying_count;
     /**
      * Strength c of a clear coat over METALLIC_ROUGHNESS, 0..1; default 0 = none. As KHR_materials_clearcoat of glTF,
      * with its own roughness and normal n_c and F = 0.04 + 0.96 (1 - |n_c.v|)^5: the model times 1 - c F, plus the sum

@@ -78,12 +78,12 @@ typedef struct shd_mesh_desc {
     shd_mesh_flags flags;            /**< default none */
     /** x, y, z, object space, and handedness, +1 or -1; see @ref tangents. All four or none; stored unchanged. */
     shd_f32_in tangent[4];
-    shd_f32_in uv[2];             /**< u, v; both or none; 0 if absent */
-    shd_f32_in uv1[2];            /**< u, v of a second set; both or none; 0 if absent */
-    const shd_f32_in *attributes; /**< [attribute_count] columns for materials and programs, such as colours; any may be
-                                       absent */
-    uint32_t attribute_count;     /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
-    shd_topology topology;        /**< default SHD_TOPOLOGY_TRIANGLES */
+    shd_f32_in uv[2];  /**< u, v; both or none; 0 if absent */
+    shd_f32_in uv1[2]; /**< u, v of a second set; both or none; 0 if absent */
+    /** [attribute_count] columns for materials and programs, such as colours; any may be absent. */
+    const shd_f32_in *attributes;
+    uint32_t attribute_count; /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
+    shd_topology topology;    /**< default SHD_TOPOLOGY_TRIANGLES */
     /**
      * Vertex numbers of the triangles in the order of `topology`; counter-clockwise = front. NULL = indices16; if that
      * is NULL too, 0, 1, 2, ... In strips and fans the largest number (0xffffffff, or 0xffff in indices16) starts a new
@@ -154,16 +154,16 @@ SHD_API void shd_mesh_release(shd_mesh *mesh);
 
 /** Counts and bounds of a mesh. */
 typedef struct shd_mesh_info {
-    uint32_t struct_size;       /**< set by shd_mesh_info_default() */
-    uint32_t vertex_count;      /**< including the vertices that SHD_MESH_TANGENTS added */
-    uint32_t triangle_count;    /**< number of separate triangles, also for strips and fans */
-    float bounds_min[3];        /**< bound of the finite positions; 0 if there are none */
-    float bounds_max[3];        /**< bound of the finite positions; 0 if there are none */
-    uint32_t nonfinite_count;   /**< vertices with a position that is not finite */
-    uint32_t normalless_count;  /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
-    uint32_t tangentless_count; /**< SHD_MESH_TANGENTS: vertices without a tangent from uv; they get a perpendicular
-                                     one */
-    uint32_t split_count;       /**< SHD_MESH_TANGENTS: vertices that were added */
+    uint32_t struct_size;      /**< set by shd_mesh_info_default() */
+    uint32_t vertex_count;     /**< including the vertices that SHD_MESH_TANGENTS added */
+    uint32_t triangle_count;   /**< number of separate triangles, also for strips and fans */
+    float bounds_min[3];       /**< bound of the finite positions; 0 if there are none */
+    float bounds_max[3];       /**< bound of the finite positions; 0 if there are none */
+    uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
+    uint32_t normalless_count; /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
+    /** SHD_MESH_TANGENTS: vertices without a tangent from uv; they get a perpendicular one. */
+    uint32_t tangentless_count;
+    uint32_t split_count; /**< SHD_MESH_TANGENTS: vertices that were added */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_info;
 

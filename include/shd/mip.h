@@ -37,9 +37,9 @@ typedef enum shd_mip_kernel {
 
 /** Source of each level. */
 typedef enum shd_mip_source {
-    SHD_MIP_SOURCE_BASE = 0,     /**< every level is made from the base and rounded once */
-    SHD_MIP_SOURCE_PREVIOUS = 1, /**< every level is made from the previous, stored level; faster for many levels,
-                                      but rounding errors add up */
+    SHD_MIP_SOURCE_BASE = 0, /**< every level is made from the base and rounded once */
+    /** Every level is made from the previous, stored level; faster for many levels, but rounding errors add up. */
+    SHD_MIP_SOURCE_PREVIOUS = 1,
     SHD_MIP_SOURCE_MAX_ENUM = 0x7fffffff
 } shd_mip_source;
 
@@ -76,10 +76,13 @@ typedef struct shd_mip_desc {
     shd_texel_content content; /**< default SHD_TEXEL_CONTENT_COLOR */
     shd_mip_kernel kernel;     /**< default SHD_MIP_KERNEL_BOX */
     shd_mip_source source;     /**< default SHD_MIP_SOURCE_BASE */
-    shd_wrap wrap_u;           /**< texels beyond the edge, for kernels wider than the box; default SHD_WRAP_REPEAT.
-                                    With SHD_WRAP_BORDER only texels inside count, with weights scaled to sum 1 */
-    shd_wrap wrap_v;           /**< as wrap_u, for v */
-    float alpha_cutoff;        /**< cutoff of SHD_TEXEL_CONTENT_ALPHA_COVERAGE, 0..1; default 0.5 */
+    /**
+     * Texels beyond the edge, for kernels wider than the box; default SHD_WRAP_REPEAT. With SHD_WRAP_BORDER only texels
+     * inside count, with weights scaled to sum 1.
+     */
+    shd_wrap wrap_u;
+    shd_wrap wrap_v;    /**< as wrap_u, for v */
+    float alpha_cutoff; /**< cutoff of SHD_TEXEL_CONTENT_ALPHA_COVERAGE, 0..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
 } shd_mip_desc;
 

@@ -143,14 +143,14 @@ SHD_NODISCARD SHD_API shd_result shd_occlusion_compute_vertices(shd_context *con
 
 /** A texture of occlusion, with the coverage of shd/bake.h. Required: width, height. */
 typedef struct shd_occlusion_atlas {
-    uint32_t struct_size;  /**< set by shd_occlusion_atlas_default() */
-    uint32_t width;        /**< texels, 1..16384 */
-    uint32_t height;       /**< texels, 1..16384 */
-    uint32_t uv_set;       /**< as shd_bake_desc.uv_set: 0 or 1; default 0 */
-    uint32_t dilation;     /**< as shd_bake_desc.dilation, 0..1024 texels; default 0 */
-    float empty;           /**< value of texels that stay empty, finite; default 1 */
-    const shd_draw *draws; /**< [draw_count] surfaces; mesh, object_to_world and instances are read; NULL if draw_count
-                                is 0 */
+    uint32_t struct_size; /**< set by shd_occlusion_atlas_default() */
+    uint32_t width;       /**< texels, 1..16384 */
+    uint32_t height;      /**< texels, 1..16384 */
+    uint32_t uv_set;      /**< as shd_bake_desc.uv_set: 0 or 1; default 0 */
+    uint32_t dilation;    /**< as shd_bake_desc.dilation, 0..1024 texels; default 0 */
+    float empty;          /**< value of texels that stay empty, finite; default 1 */
+    /** [draw_count] surfaces; mesh, object_to_world and instances are read; NULL if draw_count is 0. */
+    const shd_draw *draws;
     size_t draw_count;     /**< up to 2^20 */
     shd_u32_out states;    /**< shd_texel_state of width * height texels; default not wanted */
     shd_bake_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted; all zero on failure */

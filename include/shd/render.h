@@ -128,12 +128,12 @@ typedef struct shd_draw {
     shd_cull cull;           /**< default SHD_CULL_NONE */
     shd_compare compare;     /**< default SHD_COMPARE_LESS */
     float depth_bias;        /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
-    float depth_bias_slope;  /**< factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
-                                  default 0 */
-    shd_fill fill;           /**< default SHD_FILL_SOLID */
-    float fill_width;        /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */
-    shd_edge_flags edges;    /**< edges of SHD_FILL_LINES; default SHD_EDGE_ALL */
-    float crease_cosine;     /**< threshold of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
+    /** Factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite; default 0. */
+    float depth_bias_slope;
+    shd_fill fill;        /**< default SHD_FILL_SOLID */
+    float fill_width;     /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */
+    shd_edge_flags edges; /**< edges of SHD_FILL_LINES; default SHD_EDGE_ALL */
+    float crease_cosine;  /**< threshold of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 
@@ -153,8 +153,8 @@ static inline shd_draw shd_draw_default(void)
 typedef enum shd_render_flag {
     SHD_RENDER_NONE = 0,
     SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_samples: coverage is computed at least twice */
-    SHD_RENDER_LOAD = 2, /**< keep the planes instead of clearing them: each sample starts with the values of its
-                              pixel */
+    /** Keep the planes instead of clearing them: each sample starts with the values of its pixel. */
+    SHD_RENDER_LOAD = 2,
     SHD_RENDER_FLAG_MAX_ENUM = 0x7fffffff
 } shd_render_flag;
 typedef uint32_t shd_render_flags; /**< shd_render_flag bits */
@@ -207,30 +207,38 @@ typedef enum shd_background {
 
 /** Statistics of a frame: the counts from nonfinite to rasterised add up to `triangles`. */
 typedef struct shd_render_stats {
-    uint32_t struct_size;         /**< set by shd_render_stats_default() */
-    uint64_t triangles;           /**< in all draws */
-    uint64_t nonfinite;           /**< dropped: a vertex is NaN or infinite after transformation */
-    uint64_t outside;             /**< dropped: outside the view volume */
-    uint64_t culled;              /**< dropped: facing the culled way, without area on the pixel grid, or
-                                       (SHD_FILL_LINES) without a visible edge that belongs to the triangle */
-    uint64_t empty;               /**< dropped: between pixel centres */
-    uint64_t rasterised;          /**< drawn, hidden or not */
-    uint64_t clipped;             /**< cut by a clip plane, among outside, culled, empty and rasterised */
-    uint64_t fragments;           /**< shaded; opaque draws count a pixel once for every triangle that is visible in
-                                       it, in each pass (shd_render_desc.pass_triangles) */
+    uint32_t struct_size; /**< set by shd_render_stats_default() */
+    uint64_t triangles;   /**< in all draws */
+    uint64_t nonfinite;   /**< dropped: a vertex is NaN or infinite after transformation */
+    uint64_t outside;     /**< dropped: outside the view volume */
+    /**
+     * Dropped: facing the culled way, without area on the pixel grid, or (SHD_FILL_LINES) without a visible edge that
+     * belongs to the triangle.
+     */
+    uint64_t culled;
+    uint64_t empty;      /**< dropped: between pixel centres */
+    uint64_t rasterised; /**< drawn, hidden or not */
+    uint64_t clipped;    /**< cut by a clip plane, among outside, culled, empty and rasterised */
+    /**
+     * Shaded; opaque draws count a pixel once for every triangle that is visible in it, in each pass
+     * (shd_render_desc.pass_triangles).
+     */
+    uint64_t fragments;
     uint64_t nonfinite_fragments; /**< fragments whose r, g, b or a was NaN or infinite (kept as written) */
-    uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 without
-                                       SHD_RENDER_COUNT_HIDDEN. Draws that blend or drop fragments may be tested against
-                                       stale depth, so their count is approximate */
+    /**
+     * Covered, but failed the depth test before shading; 0 without SHD_RENDER_COUNT_HIDDEN. Draws that blend or drop
+     * fragments may be tested against stale depth, so their count is approximate.
+     */
+    uint64_t hidden_samples;
     /**
      * PAINTER and NEWELL: pairs of triangles or pieces that overlap on the screen where the one painted first is nearer
      * somewhere in the overlap, by more than the tolerance of NEWELL. A lower bound where triangles are dense: pairs
      * are searched in the cells of a grid, and in a cell of n triangles up to 64 n + 1024 pairs are compared.
      */
     uint64_t order_conflicts;
-    uint64_t splits;         /**< cuts of NEWELL */
-    uint64_t scratch_bytes;  /**< peak of working memory, with what the context keeps from earlier calls; depends on
-                                  the number of workers */
+    uint64_t splits; /**< cuts of NEWELL */
+    /** Peak of working memory, with what the context keeps from earlier calls; depends on the number of workers. */
+    uint64_t scratch_bytes;
     double vertex_seconds;   /**< wall-clock time of transforming vertices */
     double assembly_seconds; /**< wall-clock time of finding visible triangles and clipping them */
     double binning_seconds;  /**< wall-clock time of sorting triangles by distance (if at all) and into tiles */
@@ -282,10 +290,10 @@ typedef struct shd_render_desc {
      * viewport. NULL = `view`.
      */
     const shd_camera *camera;
-    shd_view view;                  /**< default: identity matrices, eye at 0 */
-    shd_visibility visibility;      /**< default SHD_VISIBILITY_DEPTH */
-    const shd_draw *draws;          /**< [draw_count], all with the same struct_size, in order; NULL if draw_count is
-                                         0 */
+    shd_view view;             /**< default: identity matrices, eye at 0 */
+    shd_visibility visibility; /**< default SHD_VISIBILITY_DEPTH */
+    /** [draw_count], all with the same struct_size, in order; NULL if draw_count is 0. */
+    const shd_draw *draws;
     size_t draw_count;              /**< up to 2^20 */
     const shd_light *const *lights; /**< [light_count]; NULL if light_count is 0 */
     /**
@@ -293,15 +301,18 @@ typedef struct shd_render_desc {
      * that reaches a fragment is multiplied by the visibility at its position, with its shading normal. NULL = none.
      */
     const struct shd_shadow *const *shadows;
-    size_t light_count;         /**< up to 2^20 */
-    uint32_t picture_width;     /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
-    uint32_t picture_height;    /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
-    uint32_t crop_x;            /**< column of the picture at which the framebuffer begins; the framebuffer lies
-                                     inside the picture; default 0 */
-    uint32_t crop_y;            /**< row of the picture at which the framebuffer begins; default 0 */
-    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; cuts triangles, lines and points
-                                     at its edge; NULL = the whole picture */
-    const shd_region *scissor;  /**< pixels of the picture that may change; NULL = all */
+    size_t light_count;      /**< up to 2^20 */
+    uint32_t picture_width;  /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    uint32_t picture_height; /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    /** Column of the picture at which the framebuffer begins; the framebuffer lies inside the picture; default 0. */
+    uint32_t crop_x;
+    uint32_t crop_y; /**< row of the picture at which the framebuffer begins; default 0 */
+    /**
+     * Target of NDC -1..1 in the picture, not empty; cuts triangles, lines and points at its edge; NULL = the whole
+     * picture.
+     */
+    const shd_region *viewport;
+    const shd_region *scissor; /**< pixels of the picture that may change; NULL = all */
     /**
      * n, 2..16; 0 and 1 = off. The frame is drawn as a picture n times as large, up to 65536 pixels a side, with the
      * framebuffer's number of samples in each pixel; crop, viewport and scissor are scaled by n. Colour and targets of
@@ -325,22 +336,30 @@ typedef struct shd_render_desc {
      * several passes or with supersampling takes 16 bytes for each pixel of a framebuffer with interleaved colour.
      */
     uint32_t pass_triangles;
-    shd_render_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted. All zero on failure, except
-                                  where the struct_size or the unknown end of this desc is refused */
-    shd_progress progress;   /**< default none */
-    shd_present present;     /**< receives the finished tiles; default none */
+    /**
+     * Statistics; its struct_size is read; NULL = not wanted. All zero on failure, except where the struct_size or the
+     * unknown end of this desc is refused.
+     */
+    shd_render_stats *stats;
+    shd_progress progress; /**< default none */
+    shd_present present;   /**< receives the finished tiles; default none */
     /**
      * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
      * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. It must
      * have been created with the tables of the models of the draws (shd_environment_desc.tables).
      */
     const struct shd_environment *environment;
-    float environment_intensity;   /**< factor of its radiance, 0..1e12; default 1 */
-    float environment_to_world[9]; /**< rotation or reflection of its directions, column-major, with orthonormal
-                                        columns within 1e-3; default identity */
-    shd_background background;     /**< default SHD_BACKGROUND_CLEAR */
-    float background_roughness;    /**< roughness of the GGX lobe that blurs the environment behind the picture, 0..1;
-                                        values above 0 need SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp */
+    float environment_intensity; /**< factor of its radiance, 0..1e12; default 1 */
+    /**
+     * Rotation or reflection of its directions, column-major, with orthonormal columns within 1e-3; default identity.
+     */
+    float environment_to_world[9];
+    shd_background background; /**< default SHD_BACKGROUND_CLEAR */
+    /**
+     * Roughness of the GGX lobe that blurs the environment behind the picture, 0..1; values above 0 need
+     * SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp.
+     */
+    float background_roughness;
     /**
      * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
      * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all

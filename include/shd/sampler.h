@@ -92,8 +92,11 @@ typedef enum shd_filter {
  * 0 or below, and where the footprint of all other filters is at most one texel long.
  */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST, NEAREST_MIP and
-                                         NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear for all others */
+    /**
+     * The default of the filter: nearest for NEAREST, NEAREST_MIP and NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear
+     * for all others.
+     */
+    SHD_MAGNIFICATION_DEFAULT = 0,
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -263,19 +266,21 @@ typedef struct shd_sampler_desc {
     shd_magnification magnification; /**< default SHD_MAGNIFICATION_DEFAULT */
     shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
     shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
-    float border[4];                 /**< colour of texels outside with SHD_WRAP_BORDER: stored r, g, b, a, linear,
-                                          before the swizzle of the texture; channels that come from its `fill` are
-                                          `fill` outside, too; finite; default 0 */
-    shd_profile profile;             /**< default SHD_PROFILE_LEAST_ERROR. It also determines which
-                                          lookups are magnified (shd_magnification) */
-    float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */
-    float lod_min;                   /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
-    float lod_max;                   /**< highest level of detail, 0..32; default 32 */
-    float width_x;                   /**< factor of the derivatives in x, 0..64; default 1 */
-    float width_y;                   /**< factor of the derivatives in y, 0..64; default 1 */
-    float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
-    float blur_v;                    /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
-    float max_anisotropy;            /**< largest ratio of the footprint's axes, 1..64; default 16 */
+    /**
+     * Colour of texels outside with SHD_WRAP_BORDER: stored r, g, b, a, linear, before the swizzle of the texture;
+     * channels that come from its `fill` are `fill` outside, too; finite; default 0.
+     */
+    float border[4];
+    /** Default SHD_PROFILE_LEAST_ERROR. It also determines which lookups are magnified (shd_magnification). */
+    shd_profile profile;
+    float lod_bias;       /**< added to the level of detail, -15..15; default 0 */
+    float lod_min;        /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
+    float lod_max;        /**< highest level of detail, 0..32; default 32 */
+    float width_x;        /**< factor of the derivatives in x, 0..64; default 1 */
+    float width_y;        /**< factor of the derivatives in y, 0..64; default 1 */
+    float blur_u;         /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
+    float blur_v;         /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
+    float max_anisotropy; /**< largest ratio of the footprint's axes, 1..64; default 16 */
     shd_probe_weights
         probe_weights; /**< weights of ANISOTROPIC in LEAST_ERROR and EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
     shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */

@@ -47,25 +47,29 @@ typedef uint32_t shd_scene_flags; /**< shd_scene_flag bits */
 
 /** Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT. */
 typedef struct shd_scene_desc {
-    uint32_t struct_size;      /**< set by shd_scene_desc_default() */
-    shd_scene_flags flags;     /**< default none */
-    shd_mesh_flags mesh_flags; /**< flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1;
-                                          default none */
-    const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file, and
-                                          its filter and magnification where the file has nearest texels or
-                                          levels. Borrowed for the call; NULL = trilinear */
-    const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
-                                          ignored; worker_path is that of the model,
-                                          too. Borrowed for the call; NULL = defaults */
-    uint64_t max_file_bytes;         /**< sum of the model and the files that are read with it; 0 = 2^30 */
-    uint64_t max_vertices;           /**< sum over all meshes; 0 = 2^26 */
-    uint64_t max_triangles;          /**< sum over all meshes; 0 = 2^26 */
-    uint64_t max_nodes;              /**< 0 = 2^18; always at most 512 deep */
-    uint64_t max_instances;          /**< up to 2^20, the maximum of a frame; 0 = 2^18 */
-    uint64_t max_texture_bytes;      /**< all textures with their mip levels; 0 = 2^32 */
-    double time_limit;               /**< [s] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked
-                                          between the steps of a reader */
-    uint64_t max_reader_bytes;       /**< memory of the process that reads, and of what it sends; 0 = 2^32 [bytes] */
+    uint32_t struct_size;  /**< set by shd_scene_desc_default() */
+    shd_scene_flags flags; /**< default none */
+    /** Flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1; default none. */
+    shd_mesh_flags mesh_flags;
+    /**
+     * Sampler of all textures; its wraps are replaced by those of the file, and its filter and magnification where the
+     * file has nearest texels or levels. Borrowed for the call; NULL = trilinear.
+     */
+    const shd_sampler_desc *sampler;
+    /**
+     * Formats, flags, tables and budgets of each texture file; its color_space is ignored; worker_path is that of the
+     * model, too. Borrowed for the call; NULL = defaults.
+     */
+    const shd_load_desc *texture;
+    uint64_t max_file_bytes;    /**< sum of the model and the files that are read with it; 0 = 2^30 */
+    uint64_t max_vertices;      /**< sum over all meshes; 0 = 2^26 */
+    uint64_t max_triangles;     /**< sum over all meshes; 0 = 2^26 */
+    uint64_t max_nodes;         /**< 0 = 2^18; always at most 512 deep */
+    uint64_t max_instances;     /**< up to 2^20, the maximum of a frame; 0 = 2^18 */
+    uint64_t max_texture_bytes; /**< all textures with their mip levels; 0 = 2^32 */
+    /** [s] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked between the steps of a reader. */
+    double time_limit;
+    uint64_t max_reader_bytes; /**< memory of the process that reads, and of what it sends; 0 = 2^32 [bytes] */
     /**
      * Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
      * until the load returns. SHD_ERROR_NOT_FOUND = no such file; any other result than SHD_OK ends the load. Runs on
@@ -140,21 +144,24 @@ SHD_API void shd_scene_release(shd_scene *scene);
 
 /** Contents of a file. */
 typedef struct shd_scene_info {
-    uint32_t struct_size;     /**< set by shd_scene_info_default() */
-    uint32_t mesh_count;      /**< with triangles */
-    uint32_t material_count;  /**< at least 1 */
-    uint32_t texture_count;   /**< that could be read */
-    uint32_t light_count;     /**< 0 where the file has none */
-    uint32_t camera_count;    /**< 0 where the file has none */
-    uint32_t instance_count;  /**< as many as draws */
-    uint32_t warning_count;   /**< parts of the file that were left out or changed */
-    uint64_t vertex_count;    /**< sum over all meshes, each counted once */
-    uint64_t triangle_count;  /**< sum over all meshes, each counted once */
-    float bounds_min[3];      /**< lowest x, y, z of all instances, world space */
-    float bounds_max[3];      /**< highest x, y, z of all instances, world space */
-    double origin[3];         /**< a place in the world of the file is origin + the place in world space; 0 unless the
-                                  model is far away from 0. Equal in all poses */
-    uint32_t animation_count; /**< 0 where the file has none */
+    uint32_t struct_size;    /**< set by shd_scene_info_default() */
+    uint32_t mesh_count;     /**< with triangles */
+    uint32_t material_count; /**< at least 1 */
+    uint32_t texture_count;  /**< that could be read */
+    uint32_t light_count;    /**< 0 where the file has none */
+    uint32_t camera_count;   /**< 0 where the file has none */
+    uint32_t instance_count; /**< as many as draws */
+    uint32_t warning_count;  /**< parts of the file that were left out or changed */
+    uint64_t vertex_count;   /**< sum over all meshes, each counted once */
+    uint64_t triangle_count; /**< sum over all meshes, each counted once */
+    float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
+    float bounds_max[3];     /**< highest x, y, z of all instances, world space */
+    /**
+     * A place in the world of the file is origin + the place in world space; 0 unless the model is far away from 0.
+     * Equal in all poses.
+     */
+    double origin[3];
+    uint32_t animation_count;     /**< 0 where the file has none */
     uint32_t deformed_mesh_count; /**< meshes with a skin or morph targets, which each pose makes anew */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_info;

@@ -96,15 +96,20 @@ typedef struct shd_shadow_desc {
      * is replaced by 2, or by n + 1 for PCF. 0..1000; default 1.
      */
     float bias_slope;
-    float normal_offset;  /**< before the lookup, points are moved along their normal by this world length, 0..1e9;
-                               default 0. For coarse meshes with smooth normals: about the edge length of a texel */
-    shd_cull caster_cull; /**< faces that cast no shadow: BACK faces are turned away from the light, FRONT faces
-                               towards it. Replaces the culling of the draws. Default SHD_CULL_NONE, for open surfaces.
-                               FRONT avoids acne on closed objects without a bias, but light leaks where they touch
-                               other surfaces */
-    float bleed;          /**< VARIANCE, SUMMED_AREA_VARIANCE: visibilities below this value become 0, 0..0.99;
-                               default 0 */
-    float min_variance;   /**< VARIANCE, SUMMED_AREA_VARIANCE: world length squared, 0..1e9; default 0 */
+    /**
+     * Before the lookup, points are moved along their normal by this world length, 0..1e9; default 0. For coarse meshes
+     * with smooth normals: about the edge length of a texel.
+     */
+    float normal_offset;
+    /**
+     * Faces that cast no shadow: BACK faces are turned away from the light, FRONT faces towards it. Replaces the
+     * culling of the draws. Default SHD_CULL_NONE, for open surfaces. FRONT avoids acne on closed objects without a
+     * bias, but light leaks where they touch other surfaces.
+     */
+    shd_cull caster_cull;
+    /** VARIANCE, SUMMED_AREA_VARIANCE: visibilities below this value become 0, 0..0.99; default 0. */
+    float bleed;
+    float min_variance; /**< VARIANCE, SUMMED_AREA_VARIANCE: world length squared, 0..1e9; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_shadow_desc;
 

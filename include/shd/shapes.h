@@ -86,10 +86,10 @@ static inline shd_shape_desc shd_shape_desc_default(void)
 
 /** Output columns of a shape. They do not overlap; each may be absent. */
 typedef struct shd_shape_columns {
-    uint32_t struct_size;    /**< set by shd_shape_columns_default() */
-    uint32_t vertex_count;   /**< elements in each column of vertices, at least the number from shd_shape_count() */
-    size_t index_count;      /**< elements in `indices`, at least the number from shd_shape_count() unless `indices`
-                                  is absent */
+    uint32_t struct_size;  /**< set by shd_shape_columns_default() */
+    uint32_t vertex_count; /**< elements in each column of vertices, at least the number from shd_shape_count() */
+    /** Elements in `indices`, at least the number from shd_shape_count() unless `indices` is absent. */
+    size_t index_count;
     shd_f32_out position[3]; /**< x, y, z, object space */
     shd_f32_out normal[3];   /**< x, y, z, unit, outwards */
     shd_f32_out uv[2];       /**< u, v */

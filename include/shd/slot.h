@@ -31,26 +31,32 @@ SHD_BEGIN_DECLS
  * three channels, scalars one.
  */
 typedef enum shd_slot_target {
-    SHD_SLOT_DIFFUSE = 0,              /**< colour k_d or base colour; the fourth channel multiplies opacity */
-    SHD_SLOT_AMBIENT = 1,              /**< colour k_a */
-    SHD_SLOT_SPECULAR = 2,             /**< colour k_s */
-    SHD_SLOT_EXPONENT = 3,             /**< scalar p */
-    SHD_SLOT_OPACITY = 4,              /**< scalar */
-    SHD_SLOT_EMISSION = 5,             /**< colour */
-    SHD_SLOT_METALLIC = 6,             /**< scalar */
-    SHD_SLOT_ROUGHNESS = 7,            /**< scalar */
-    SHD_SLOT_OCCLUSION = 8,            /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
-    SHD_SLOT_NORMAL = 9,               /**< tangent-space normal in shd_material_desc.normal_encoding */
-    SHD_SLOT_HEIGHT = 10,              /**< scalar height, for bumps and parallax; takes 2D textures only */
-    SHD_SLOT_MATCAP = 11,              /**< colour by the direction of the normal in view; takes 2D textures only */
-    SHD_SLOT_NORMAL_MIXED = 12,        /**< scalar: mixed moment of slopes; read with SHD_NORMAL_ENCODING_MOMENTS and
-                                     SHD_SLOT_NORMAL only. A constant slot gives slopes without covariance */
+    SHD_SLOT_DIFFUSE = 0,   /**< colour k_d or base colour; the fourth channel multiplies opacity */
+    SHD_SLOT_AMBIENT = 1,   /**< colour k_a */
+    SHD_SLOT_SPECULAR = 2,  /**< colour k_s */
+    SHD_SLOT_EXPONENT = 3,  /**< scalar p */
+    SHD_SLOT_OPACITY = 4,   /**< scalar */
+    SHD_SLOT_EMISSION = 5,  /**< colour */
+    SHD_SLOT_METALLIC = 6,  /**< scalar */
+    SHD_SLOT_ROUGHNESS = 7, /**< scalar */
+    SHD_SLOT_OCCLUSION = 8, /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
+    SHD_SLOT_NORMAL = 9,    /**< tangent-space normal in shd_material_desc.normal_encoding */
+    SHD_SLOT_HEIGHT = 10,   /**< scalar height, for bumps and parallax; takes 2D textures only */
+    SHD_SLOT_MATCAP = 11,   /**< colour by the direction of the normal in view; takes 2D textures only */
+    /**
+     * Scalar: mixed moment of slopes; read with SHD_NORMAL_ENCODING_MOMENTS and SHD_SLOT_NORMAL only. A constant slot
+     * gives slopes without covariance.
+     */
+    SHD_SLOT_NORMAL_MIXED = 12,
     SHD_SLOT_CLEARCOAT = 13,           /**< scalar: strength of the clear coat, clamped to 0..1 */
     SHD_SLOT_CLEARCOAT_ROUGHNESS = 14, /**< scalar: roughness of the clear coat */
     SHD_SLOT_CLEARCOAT_NORMAL = 15, /**< tangent-space normal of the clear coat, SHD_NORMAL_ENCODING_XYZ with z > 0 */
     SHD_SLOT_TINT =
-        16, /**< colour that multiplies the diffuse slot, and a fourth channel that multiplies opacity: colours
-                             of vertices over a texture (glTF 2.0, 3.9.2) */
+        /**
+         * Colour that multiplies the diffuse slot, and a fourth channel that multiplies opacity: colours of vertices
+         * over a texture (glTF 2.0, 3.9.2).
+         */
+    16,
     SHD_SLOT_TARGET_MAX_ENUM = 0x7fffffff
 } shd_slot_target;
 
@@ -105,13 +111,16 @@ typedef struct shd_slot {
     shd_slot_target target; /**< the coefficient; each slot of a material has a different one */
     shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
     uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
-    shd_texture *texture;   /**< SHD_SLOT_SOURCE_TEXTURE: a 2D texture, or a 3D texture that is looked up at places;
-                                 else NULL; retained by the material */
-    shd_sampler *sampler;   /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
-    shd_slot_fn procedure;  /**< function of SHD_SLOT_SOURCE_PROCEDURE */
-    void *user_data;        /**< passed to `procedure`; borrowed until release of the material */
-    uint32_t channel;       /**< channel of the texture or the solid texture for scalars, 0..3; default 0 */
-    uint32_t uv_set;        /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
+    /**
+     * SHD_SLOT_SOURCE_TEXTURE: a 2D texture, or a 3D texture that is looked up at places; else NULL; retained by the
+     * material.
+     */
+    shd_texture *texture;
+    shd_sampler *sampler;  /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
+    shd_slot_fn procedure; /**< function of SHD_SLOT_SOURCE_PROCEDURE */
+    void *user_data;       /**< passed to `procedure`; borrowed until release of the material */
+    uint32_t channel;      /**< channel of the texture or the solid texture for scalars, 0..3; default 0 */
+    uint32_t uv_set;       /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
     /**
      * (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
      * KHR_texture_transform is T R S, with the rotation r and v downwards
@@ -132,8 +141,8 @@ typedef struct shd_slot {
      */
     float place_transform[16];
     shd_place_space place_space; /**< space of the position; default SHD_PLACE_SPACE_OBJECT */
-    float place_width;           /**< factor of the width of a pixel, 0..1000; 0 = no band limit, level 0 of
-                                      3D textures; default 1 */
+    /** Factor of the width of a pixel, 0..1000; 0 = no band limit, level 0 of 3D textures; default 1. */
+    float place_width;
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 

@@ -94,24 +94,34 @@ typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 typedef struct shd_texture_desc {
     uint32_t struct_size; /**< set by shd_texture_desc_default() */
-    shd_format format;    /**< any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups
-                                  decode them (docs/compressed.md): the caller gives its mip levels; other tables are
-                                  kept decoded */
-    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
-    uint32_t height;      /**< texels, 1..65536 */
-    const void *texels;   /**< [layers][height][width], row 0 on top, aligned to a channel; copied without
-                                  SHD_TEXTURE_BORROW. Blocks: [layers][ceil(height / 4)][ceil(width / 4)], at any
-                                  address */
-    size_t row_stride;    /**< bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed */
-    size_t layer_stride;  /**< bytes between layers, at least the rows of a layer times the row stride; 0 = packed */
-    uint32_t layers;      /**< images of the array, 1..2048; default 1 */
+    /**
+     * Any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups decode them
+     * (docs/compressed.md): the caller gives its mip levels; other tables are kept decoded.
+     */
+    shd_format format;
+    uint32_t width;  /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
+    uint32_t height; /**< texels, 1..65536 */
+    /**
+     * [layers][height][width], row 0 on top, aligned to a channel; copied without SHD_TEXTURE_BORROW. Blocks:
+     * [layers][ceil(height / 4)][ceil(width / 4)], at any address.
+     */
+    const void *texels;
+    size_t row_stride;       /**< bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed */
+    size_t layer_stride;     /**< bytes between layers, at least the rows of a layer times the row stride; 0 = packed */
+    uint32_t layers;         /**< images of the array, 1..2048; default 1 */
     shd_texture_flags flags; /**< default none */
     shd_channel swizzle[4];  /**< sources of r, g, b, a of lookups; default SHD_CHANNEL_DEFAULT */
-    float fill[4];           /**< values of channels that the format does not have, in lookups inside and outside the
-                                  image; finite; default 0, 0, 0, 1 */
-    shd_table_flags tables;  /**< default none */
-    uint32_t level_count;    /**< number of `levels` per layer; the mipmap ends with the last one, even if it is
-                                  larger than 1 x 1; default 0 = the library builds the levels */
+    /**
+     * Values of channels that the format does not have, in lookups inside and outside the image; finite; default 0, 0,
+     * 0, 1.
+     */
+    float fill[4];
+    shd_table_flags tables; /**< default none */
+    /**
+     * Number of `levels` per layer; the mipmap ends with the last one, even if it is larger than 1 x 1; default 0 = the
+     * library builds the levels.
+     */
+    uint32_t level_count;
     /**
      * The caller's mip levels for SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of this format;
      * copied. Element l is level l + 1: max(1, width >> (l + 1)) by max(1, height >> (l + 1)). A ripmap of the same
@@ -176,18 +186,18 @@ SHD_API void shd_texture_release(shd_texture *texture);
 
 /** Size, format and memory of a texture. */
 typedef struct shd_texture_info {
-    uint32_t struct_size;    /**< set by shd_texture_info_default() */
-    shd_format format;       /**< format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
-    uint32_t width;          /**< texels of level 0 */
-    uint32_t height;         /**< texels of level 0 */
-    uint32_t layers;         /**< images of the array */
-    uint32_t level_count;    /**< 1; with SHD_TABLE_MIPMAP the number of levels down to 1 x 1, or the number of given
-                                  levels + 1 */
+    uint32_t struct_size; /**< set by shd_texture_info_default() */
+    shd_format format;    /**< format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
+    uint32_t width;       /**< texels of level 0 */
+    uint32_t height;      /**< texels of level 0 */
+    uint32_t layers;      /**< images of the array */
+    /** 1; with SHD_TABLE_MIPMAP the number of levels down to 1 x 1, or the number of given levels + 1. */
+    uint32_t level_count;
     shd_table_flags tables;  /**< tables of the texture */
     shd_texture_flags flags; /**< as in its desc */
-    size_t byte_size; /**< bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed
-                           base level */
-    uint32_t depth;   /**< slices of level 0; 0 = not a 3D texture */
+    /** Bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed base level. */
+    size_t byte_size;
+    uint32_t depth;            /**< slices of level 0; 0 = not a 3D texture */
     shd_projection projection; /**< as in its desc */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;

@@ -119,11 +119,14 @@ typedef shd_result (*shd_load_tiles_fn)(void *user_data, const shd_tile *tiles, 
 
 /** Source of the tiles of a texture. Frozen. */
 typedef struct shd_tile_source {
-    shd_tile_cache *cache;            /**< retained; NULL = the texture has its texels in memory */
-    shd_load_tiles_fn load;           /**< required with `cache` */
-    void (*release)(void *user_data); /**< called once, after the last `load`, when the texture is destroyed; may be
-                                           NULL. It is not called if shd_texture_create() fails */
-    void *user_data;                  /**< passed to both; borrowed until release of the texture */
+    shd_tile_cache *cache;  /**< retained; NULL = the texture has its texels in memory */
+    shd_load_tiles_fn load; /**< required with `cache` */
+    /**
+     * Called once, after the last `load`, when the texture is destroyed; may be NULL. It is not called if
+     * shd_texture_create() fails.
+     */
+    void (*release)(void *user_data);
+    void *user_data; /**< passed to both; borrowed until release of the texture */
 } shd_tile_source;
 
 /**

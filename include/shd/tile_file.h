@@ -45,14 +45,19 @@ SHD_BEGIN_DECLS
 
 /** Options of a texture in a file. Required: cache. */
 typedef struct shd_tile_file_desc {
-    uint32_t struct_size;           /**< set by shd_tile_file_desc_default() */
-    shd_color_encoding color_space; /**< meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it
-                                         declares nothing. Other numbers must be linear, or be declared so here */
-    shd_tile_cache *cache;          /**< retained by the texture */
-    size_t max_readers;             /**< open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some
-                                         memory of OpenImageIO; more exist while more threads read. A KTX2 or DDS file
-                                         has one descriptor for all threads */
-    float fill[4];                  /**< colour of absent files of a set, linear; finite; default 0, 0, 0, 1 */
+    uint32_t struct_size; /**< set by shd_tile_file_desc_default() */
+    /**
+     * Meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it declares nothing. Other numbers must
+     * be linear, or be declared so here.
+     */
+    shd_color_encoding color_space;
+    shd_tile_cache *cache; /**< retained by the texture */
+    /**
+     * Open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some memory of OpenImageIO; more exist
+     * while more threads read. A KTX2 or DDS file has one descriptor for all threads.
+     */
+    size_t max_readers;
+    float fill[4]; /**< colour of absent files of a set, linear; finite; default 0, 0, 0, 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_tile_file_desc;
 
@@ -71,8 +76,11 @@ typedef struct shd_tile_file_info {
     uint32_t columns;     /**< files of a set side by side; 1 for a file */
     uint32_t rows;        /**< files of a set one above the other; 1 for a file */
     uint32_t files;       /**< files that exist */
-    uint32_t tile_width;  /**< texels of a tile of a file. Caches whose tiles are as large or larger read each tile of
-                               a file once. KTX2 and DDS: 4 for blocks, 1 for pixels */
+    /**
+     * Texels of a tile of a file. Caches whose tiles are as large or larger read each tile of a file once. KTX2 and
+     * DDS: 4 for blocks, 1 for pixels.
+     */
+    uint32_t tile_width;
     uint32_t tile_height; /**< texels of a tile of a file */
     /* ---- end of 0.1; append below ---- */
 } shd_tile_file_info;

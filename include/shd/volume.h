@@ -48,14 +48,17 @@ typedef struct shd_volume shd_volume;
 
 /** Density, transfer function, steps and shading of a volume. Required: point_count, texture, density, extinction. */
 typedef struct shd_volume_desc {
-    uint32_t struct_size;  /**< set by shd_volume_desc_default() */
-    uint32_t point_count;  /**< points of the transfer function, 1..256 */
-    shd_texture *texture;  /**< 3D texture; retained */
-    shd_f32_in density;    /**< [point_count] densities of the points, -1e38..1e38, never decreasing. Values are
-                                interpolated between points; two points of one density are a jump */
+    uint32_t struct_size; /**< set by shd_volume_desc_default() */
+    uint32_t point_count; /**< points of the transfer function, 1..256 */
+    shd_texture *texture; /**< 3D texture; retained */
+    /**
+     * [point_count] densities of the points, -1e38..1e38, never decreasing. Values are interpolated between points; two
+     * points of one density are a jump.
+     */
+    shd_f32_in density;
     shd_f32_in extinction; /**< [point_count] sigma [1 / world unit], 0..1e12 */
-    shd_f32_in color[3];   /**< [point_count] scene-linear r, g, b, 0..1e6: radiance, or the diffuse colour of
-                                `material`; absent = 1 */
+    /** [point_count] scene-linear r, g, b, 0..1e6: radiance, or the diffuse colour of `material`; absent = 1. */
+    shd_f32_in color[3];
     /**
      * Shades the points by the lights of the frame, with shadows and cookies, but not by its environment: an opaque
      * material without slots and debug view, of a model that reflects light; others are SHD_ERROR_UNSUPPORTED. Its
@@ -68,8 +71,11 @@ typedef struct shd_volume_desc {
     float box_max[3]; /**< corner of the texture's (1, 1, 1); above box_min on each axis; default 1 */
     float step;       /**< length of a step [world units], above 0, at most 1e12; default 1/256 */
     float
-        jitter; /**< the point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed
-                           from the pixel of the picture and `seed`; 0..1; default 0 */
+        /**
+         * The point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed from the
+         * pixel of the picture and `seed`; 0..1; default 0.
+         */
+        jitter;
     uint32_t seed;  /**< seed of the jitter; default 0 */
     uint32_t flags; /**< reserved; 0 */
     /* ---- end of 0.1; append below ---- */

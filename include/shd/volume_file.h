@@ -158,14 +158,17 @@ typedef enum shd_vdb_class {
 
 /** Properties of a loaded grid. */
 typedef struct shd_vdb_info {
-    uint32_t struct_size;      /**< set by shd_vdb_info_default() */
-    shd_vdb_class grid_class;  /**< as declared by the file */
-    int32_t index_min[3];      /**< voxel of texel (0, 0, 0), in index space */
-    float background;          /**< value of all voxels that the file does not store */
-    uint64_t active_voxels;    /**< in the whole grid */
-    float object_to_world[16]; /**< from texture coordinates (u, v, w) to the world of the file, column-major: for
-                                    shd_volume_draw, if the box of the volume is the default box */
-    char grid[64];             /**< name of the grid; its first 63 bytes, control characters replaced */
+    uint32_t struct_size;     /**< set by shd_vdb_info_default() */
+    shd_vdb_class grid_class; /**< as declared by the file */
+    int32_t index_min[3];     /**< voxel of texel (0, 0, 0), in index space */
+    float background;         /**< value of all voxels that the file does not store */
+    uint64_t active_voxels;   /**< in the whole grid */
+    /**
+     * From texture coordinates (u, v, w) to the world of the file, column-major: for shd_volume_draw, if the box of the
+     * volume is the default box.
+     */
+    float object_to_world[16];
+    char grid[64]; /**< name of the grid; its first 63 bytes, control characters replaced */
     /* ---- end of 0.1; append below ---- */
 } shd_vdb_info;
 
