@@ -95,7 +95,7 @@ void project(const Kind& kind, Directions* to) {
   shd_f32_out* const columns[6] = {&out.u, &out.v, &out.dudx, &out.dvdx, &out.dudy, &out.dvdy};
   for (int c = 0; c < 6; ++c) *columns[c] = shd_f32_out_column(to->point[c].data(), 0);
   out.face = shd_u32_out_column(to->face.data(), 0);
-  check(shd_project_directions(context, &in, &out));
+  check(shd_projection_project(context, &in, &out));
   shd_context_release(context);
 }
 
@@ -141,10 +141,11 @@ void run(benchmark::State& state, const Target& target, const Kind& kind, shd_fi
   shd_texture_desc desc = shd_texture_desc_default();
   static const std::vector<uint8_t> texels = make_rgba8(2048);
   desc.format = SHD_FORMAT_RGBA8;
-  desc.width = kind.width, desc.height = kind.height, desc.layers = kind.layers;
+  desc.width = kind.width, desc.height = kind.height, desc.layer_count = kind.layers;
   desc.texels = texels.data();
   desc.tables = SHD_TABLE_MIPMAP;
   desc.projection = plane ? SHD_PROJECTION_NONE : kind.projection;
+  if (!plane) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
   shd_texture* texture = nullptr;
   check(shd_texture_create(context, &desc, &texture));
   shd_sampler_desc sampler_desc = shd_sampler_desc_default();

@@ -45,7 +45,7 @@ void run_shd(benchmark::State& state, const Spheres& spheres, const Target& targ
   for (auto _ : state) scene.render();
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()));
   finish(state, spheres);
-  state.counters["fragments"] = static_cast<double>(scene.stats().fragments);
+  state.counters["fragments"] = static_cast<double>(scene.stats().fragment_count);
   record_rate(row_name(spheres, target.name, variant), rate);
   const double plain = recorded_rate(row_name(spheres, target.name));
   if (variant.name != kPlain.name && plain > 0.0) state.counters["over_spheres"] = plain / rate;

@@ -152,7 +152,7 @@ std::vector<float> make_sky() {
   return texels;
 }
 
-shd_environment* make_environment(shd_context* context, shd_environment_tables tables) {
+shd_environment* make_environment(shd_context* context, shd_environment_table_flags tables) {
   static const std::vector<float> texels = make_sky();
   shd_image image = shd_image_default();
   image.format = SHD_FORMAT_RGB32F;
@@ -190,7 +190,7 @@ void run_background(benchmark::State& state, const Target& target) {
   run(state, &plane);
 }
 
-void run_create(benchmark::State& state, shd_environment_tables tables) {
+void run_create(benchmark::State& state, shd_environment_table_flags tables) {
   shd_context* context = make_context(SHD_SIMD_BEST);
   shd_environment_release(make_environment(context, tables));
   for (auto _ : state) shd_environment_release(make_environment(context, tables));

@@ -79,11 +79,11 @@ void run(benchmark::State& state, const Content& content, bool texture, bool iso
     return;
   }
   shd_context* context = make_context(SHD_SIMD_BEST);
-  for (const shd_load_flags flags : {SHD_LOAD_IN_PROCESS, SHD_LOAD_DEFAULT}) load(context, file.path(), texture, flags);
+  for (const shd_load_flags flags : {SHD_LOAD_IN_PROCESS, SHD_LOAD_NONE}) load(context, file.path(), texture, flags);
   std::vector<double> here, there;
   for (auto _ : state) {
     here.push_back(load(context, file.path(), texture, SHD_LOAD_IN_PROCESS));
-    if (isolated) there.push_back(load(context, file.path(), texture, SHD_LOAD_DEFAULT));
+    if (isolated) there.push_back(load(context, file.path(), texture, SHD_LOAD_NONE));
     state.SetIterationTime(isolated ? there.back() : here.back());
   }
   state.SetItemsProcessed(state.iterations() * kEdge * kEdge);

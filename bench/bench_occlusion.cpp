@@ -26,7 +26,7 @@ struct Model {
   explicit Model(shd_simd simd) : context(make_context(simd, 0)) {
     shd_shape_desc shape = shd_shape_desc_default();
     shd_material_desc unlit = shd_material_desc_default();
-    shape.shape = SHD_SHAPE_TEAPOT;
+    shape.kind = SHD_SHAPE_TEAPOT;
     shape.segments[0] = 40;
     check(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &mesh));
     check(shd_mesh_get_info(mesh, &info));

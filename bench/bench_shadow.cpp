@@ -78,8 +78,9 @@ class PostScene {
     check(shd_shadow_render(context_, shadow_, &desc));
   }
   void sample(const shd_shadow_lookups& lookups, std::vector<float>* out) const {
-    const shd_f32_out visibility = {out->data(), 0};
-    check(shd_shadow_sample(shadow_, &lookups, &visibility));
+    shd_shadow_values values = shd_shadow_values_default();
+    values.visibility.data = out->data();
+    check(shd_shadow_sample(shadow_, &lookups, &values));
   }
 
  private:

@@ -80,7 +80,7 @@ void run(benchmark::State& state, shd_simd simd, const Kind& kind, const Variant
   shd_solid_values values = shd_solid_values_default();
   if (!variant.has_color) values.value.data = columns.out[0].data();
   for (size_t c = 0; c < 3 && variant.has_gradient; ++c) values.gradient[c].data = columns.out[1 + c].data();
-  for (size_t c = 0; c < 4 && variant.has_color; ++c) values.color[c].data = columns.out[4 + c].data();
+  for (size_t c = 0; c < 4 && variant.has_color; ++c) values.channel[c].data = columns.out[4 + c].data();
   for (auto _ : state) check(shd_solid_evaluate(context, &desc, &points, &values));
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kPlaces));
   shd_context_release(context);

@@ -126,7 +126,7 @@ shd_sampler* make_sampler(shd_context* context, const Row& row) {
 double megabytes_of(const shd_tile_cache* cache) {
   shd_tile_cache_stats stats = shd_tile_cache_stats_default();
   check(shd_tile_cache_get_stats(cache, &stats));
-  return static_cast<double>(stats.loaded_tiles * stats.tile_bytes) / (1 << 20);
+  return static_cast<double>(stats.loaded_tile_count * stats.tile_bytes) / (1 << 20);
 }
 
 Run run_shd(shd_context* context, const Row& row) {
@@ -140,7 +140,7 @@ Run run_shd(shd_context* context, const Row& row) {
   cache_desc.tile_bytes = kFileTile * kFileTile * 4 * (row.extension == "exr" ? 2 : 1);
   shd_tile_file_desc desc = shd_tile_file_desc_default();
   check(shd_tile_cache_create(context, &cache_desc, &desc.cache));
-  desc.color_space = SHD_COLOR_ENCODING_DATA;
+  desc.encoding = SHD_COLOR_ENCODING_DATA;
   shd_texture* texture = nullptr;
   check(shd_texture_open(context, path_of(row.extension).c_str(), &desc, &texture, nullptr));
   shd_lookups columns = shd_lookups_default();

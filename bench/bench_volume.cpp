@@ -77,6 +77,7 @@ struct Objects {
     desc.width = dimensions == 3 ? kEdge : 1024;
     desc.height = dimensions == 3 ? kEdge : 2048;
     desc.depth = dimensions == 3 ? kEdge : 0;
+    if (dimensions == 3) desc.kind = SHD_TEXTURE_KIND_3D;
     desc.texels = texels.data();
     desc.tables = SHD_TABLE_MIPMAP;
     check(shd_texture_create(context, &desc, &texture));
@@ -150,6 +151,7 @@ void run_volume(benchmark::State& state, const Target& target, const VolumeScene
   fill_density(scene.density, kVolumeEdge, texels.data());
   shd_texture_desc texture_desc = shd_texture_desc_default();
   texture_desc.format = SHD_FORMAT_R8;
+  texture_desc.kind = SHD_TEXTURE_KIND_3D;
   texture_desc.width = texture_desc.height = texture_desc.depth = kVolumeEdge;
   texture_desc.texels = texels.data();
   shd_texture* texture = nullptr;
@@ -165,7 +167,7 @@ void run_volume(benchmark::State& state, const Target& target, const VolumeScene
   desc.point_count = 4;
   desc.density = shd_f32_column(scene.points, 0);
   desc.extinction = shd_f32_column(scene.extinction, 0);
-  for (float& corner : desc.box_min) corner = -1.0f;
+  for (float& corner : desc.bounds_min) corner = -1.0f;
   desc.step = 2.0f / kVolumeEdge;
   desc.material = scene.shaded ? material : nullptr;
   shd_volume* volume = nullptr;

@@ -34,7 +34,7 @@ FrameScene::FrameScene(shd_simd simd, uint32_t samples, shd_format color, uint32
   check(shd_texture_create(context_, &texture, &texture_));
   shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
   framebuffer.width = framebuffer.height = kFrameEdge;
-  framebuffer.samples = samples;
+  framebuffer.sample_count = samples;
   framebuffer.color_format = color;
   check(shd_framebuffer_create(context_, &framebuffer, &framebuffer_));
   desc_.framebuffer = framebuffer_;

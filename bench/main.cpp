@@ -15,7 +15,7 @@ std::vector<Target> targets() {
     desc.simd = static_cast<shd_simd>(simd);
     shd_context* context = nullptr;
     if (shd_context_create(&desc, &context) != SHD_OK) continue;
-    found.push_back({desc.simd, shd_context_simd_target(context)});
+    found.push_back({desc.simd, shd_context_get_simd_target(context)});
     shd_context_release(context);
   }
   return found;

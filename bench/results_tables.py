@@ -5,7 +5,8 @@
     results_tables.py [--check] [--root DIR] [--use SLUG]
 
 A table lies between the marks <!-- NAME:begin SLUG --> and <!-- NAME:end -->. NAME is a table below, SLUG a folder of
-bench/results. --use changes the folder in all marks. --check writes nothing, prints what differs and exits 1 then.
+bench/results; the table `processors` takes several. --use changes the folder in all other marks. --check writes nothing,
+prints what differs and exits 1 then.
 """
 import argparse
 import json
@@ -13,7 +14,7 @@ import pathlib
 import re
 import sys
 
-MARKED = re.compile(r"(<!-- (?P<name>[\w-]+):begin )(?P<slug>[\w-]+)( -->\n)(?P<text>.*?)(<!-- (?P=name):end -->)", re.S)
+MARKED = re.compile(r"(<!-- (?P<name>[\w-]+):begin )(?P<slugs>[\w-]+(?: [\w-]+)*)( -->\n)(?P<text>.*?)(<!-- (?P=name):end -->)", re.S)
 MARK = re.compile(r"<!-- [\w-]+:(?:begin|end)\b")
 OTHER_TARGETS = {"SCALAR", "EMU128"}
 SHORT_LIST = ("nearest", "bilinear_mip", "trilinear", "ripmap", "summed_area_oriented", "ewa_16", "one_level_8",
@@ -29,6 +30,15 @@ FRAMES = (  # title, row of llvmpipe and of float planes, row of RGBA8
     ("the trilinear floor with SHD_PRECISION_FAST", None, "floor/trilinear_fast_rgba8"),
     ("perspective floor, anisotropic 16, unlit", "floor/anisotropic", "floor/anisotropic_rgba8"),
     ("the anisotropic floor with SHD_PRECISION_FAST", None, "floor/anisotropic_fast_rgba8"),
+)
+PEERS = (("llvmpipe", "llvmpipe"), ("openimageio", "OpenImageIO"))
+PROCESSOR_ROWS = (  # title, row of shd for each target, row of each peer
+    ("frame: 8 spheres, 2 k triangles, texture, 2 lights", "frame/rgba8/2k/{}", "frame/spheres/2k/{}"),
+    ("frame: 1,000 spheres, 1 M triangles, the same", "frame/rgba8/1M/{}", "frame/spheres/1M/{}"),
+    ("frame: floor, trilinear", "frame/floor/trilinear_rgba8/{}", "frame/floor/trilinear/{}"),
+    ("frame: floor, anisotropic 16", "frame/floor/anisotropic_rgba8/{}", "frame/floor/anisotropic/{}"),
+    *((f"lookups: {title}", *2 * (f"texture/{row}/rgba8/{{}}/floor/edge:2048",)) for title, row in
+      (("nearest", "nearest"), ("trilinear", "trilinear"), ("anisotropic 16", "anisotropic"))),
 )
 LOOKUPS = (("nearest", "nearest"), ("bilinear", "bilinear"), ("trilinear", "trilinear"),
            ("anisotropic 16", "anisotropic"), ("EWA 16, peers anisotropic", "ewa"))
@@ -92,14 +102,32 @@ def frames_table(results):
     return table(["frame, 1024 x 1024", "llvmpipe", "RGBA8", "float planes"], rows())
 
 
-def short_frames_table(results):
+def processors_table(*processors):
+    """Milliseconds of frames and of as many lookups as a frame has pixels. Cells of shd have a time for each SIMD target,
+    bold where it is longer than that of the fastest peer. The last line has the versions of the compiler and the peers."""
+    def cells(results, own, peers):
+        times = [results.ms(peer) for peer in peers]
+        least = min((time for time in times if time is not None), default=float("inf"))
+        texts = ((number(time), time > least) for target in results.targets
+                 if (time := results.ms(own.format(target))) is not None)
+        yield ", ".join(f"**{text}**" if is_slower else text for text, is_slower in texts)
+        yield from (number(time) for time in times)
+
     def rows():
-        for title, planes, bytes_ in FRAMES:
-            if planes is None:
-                continue
-            peer, own = f"frame/{planes}/llvmpipe", f"frame/{bytes_}/{results.targets[0]}"
-            yield title, f"{number(results.ms(own))} ms", f"{number(results.ms(peer))} ms", number(ratio(results, own, peer), 2)
-    return table(["frame, 1024 x 1024 RGBA8", "shd", "llvmpipe", "ratio"], rows())
+        for title, own, peer in PROCESSOR_ROWS:
+            peers = [peer.format(who) for who, _ in PEERS]
+            yield title, *(cell for results in processors for cell in cells(results, own, peers))
+    names = [re.sub(r"\(R\)| Processor", "", results.bench["context"]["cpu"]) for results in processors]
+    heads = [head for name in names for head in (f"{name}: shd", *(title for _, title in PEERS))]
+    yield from without_empty_columns(["ms, one thread, 1024 x 1024 RGBA8", *heads], list(rows()))
+    yield ""
+    parts = (part for results in processors for part in versions(results) if not part.startswith("OpenColorIO"))
+    yield "; ".join(dict.fromkeys(parts)) + "."
+
+
+def without_empty_columns(heads, rows):
+    kept = [i for i in range(len(heads)) if any(row[i] for row in rows)]
+    return table([heads[i] for i in kept], ([row[i] for i in kept] for row in rows))
 
 
 def lookup_cells(results, row, who):
@@ -107,15 +135,10 @@ def lookup_cells(results, row, who):
     return number(results.rate(f"texture/{peer_row}/rgba8/{who}/floor/edge:2048"))
 
 
-def lookups_table(results, targets=None):
-    who = [*(targets or results.targets), "llvmpipe", "openimageio"]
-    names = {"llvmpipe": "llvmpipe", "openimageio": "OpenImageIO"}
-    heads = ["M lookups/s, perspective floor, RGBA8 to float RGBA", *(names.get(w, "shd" if targets else w) for w in who)]
+def lookups_table(results):
+    who = [*results.targets, "llvmpipe", "openimageio"]
+    heads = ["M lookups/s, perspective floor, RGBA8 to float RGBA", *(dict(PEERS).get(w, w) for w in who)]
     return table(heads, ([title, *(lookup_cells(results, row, w) for w in who)] for title, row in LOOKUPS))
-
-
-def short_lookups_table(results):
-    return lookups_table(results, results.targets[:1])
 
 
 def calls_table(results):
@@ -171,12 +194,15 @@ def fronts_table(results):
     return table(["peer", *(f"{budget} texels" for budget in budgets)], rows)
 
 
+def versions(results):
+    context = results.bench["context"]
+    return [context["compiler"], *(f"{name} {context[key].removeprefix(name + ' ')}" for name, key in
+            (("llvmpipe", "llvmpipe"), ("OpenImageIO", "openimageio"), ("OpenColorIO", "opencolorio")) if key in context)]
+
+
 def bench_machine(results):
     context = results.bench["context"]
-    parts = [context["date"], f"{context['cpu']} ({context['simd'].split()[0]})", context["compiler"],
-             *(f"{name} {context[key].removeprefix(name + ' ')}" for name, key in
-               (("llvmpipe", "llvmpipe"), ("OpenImageIO", "openimageio"), ("OpenColorIO", "opencolorio")) if key in context)]
-    return ["; ".join(parts) + "."]
+    return ["; ".join([context["date"], f"{context['cpu']} ({context['simd'].split()[0]})", *versions(results)]) + "."]
 
 
 def shootout_machine(results):
@@ -187,9 +213,9 @@ def shootout_machine(results):
 
 
 TABLES = {
-    "frames": frames_table, "short-frames": short_frames_table, "lookups": lookups_table,
-    "short-lookups": short_lookups_table, "calls": calls_table, "displays": displays_table, "shadows": shadows_table,
-    "filters": filters_table, "shootout": short_filters_table, "fronts": fronts_table,
+    "processors": processors_table, "frames": frames_table, "lookups": lookups_table, "calls": calls_table,
+    "displays": displays_table, "shadows": shadows_table, "filters": filters_table, "shootout": short_filters_table,
+    "fronts": fronts_table,
     "bench-machine": bench_machine, "shootout-machine": shootout_machine,
 }
 
@@ -209,16 +235,18 @@ class Writer:
             self.problems.append(f"{page}: {marks} marks, but {found} pairs of NAME:begin SLUG and NAME:end")
 
         def replace(match):
-            name, slug = match["name"], self.use or match["slug"]
+            name, slugs = match["name"], match["slugs"].split()
+            if self.use and name != "processors":
+                slugs = [self.use]
             if name not in TABLES:
                 self.problems.append(f"{page}: {name} is none of the tables {', '.join(TABLES)}")
                 return match[0]
             try:
-                lines = "\n".join(TABLES[name](self.of(slug)))
-            except (OSError, ValueError, KeyError, IndexError) as error:
-                self.problems.append(f"{page}: {name} of {slug}: {type(error).__name__} {error}")
+                lines = "\n".join(TABLES[name](*map(self.of, slugs)))
+            except (OSError, ValueError, KeyError, IndexError, TypeError) as error:
+                self.problems.append(f"{page}: {name} of {' '.join(slugs)}: {type(error).__name__} {error}")
                 return match[0]
-            return f"{match[1]}{slug}{match[4]}{lines}\n{match[6]}"
+            return f"{match[1]}{' '.join(slugs)}{match[4]}{lines}\n{match[6]}"
         return MARKED.sub(replace, text)
 
 

@@ -37,7 +37,7 @@ class BlockLevels {
   /// Sets the texels and levels of a desc, which must not outlive this object.
   void set(shd_texture_desc* desc) const {
     desc->texels = images_[0].pixels;
-    desc->levels = images_.data() + 1;
+    desc->level_images = images_.data() + 1;
     desc->level_count = static_cast<uint32_t>(images_.size()) - 1;
   }
 
@@ -117,14 +117,14 @@ void Sampling::move_into_tiles(const shd_texture_desc& of_memory) {
   desc.texels = nullptr;
   desc.tiles.cache = cache;
   desc.tiles.user_data = &levels_;
-  desc.tiles.load = [](void* user_data, const shd_tile* tiles, size_t count) {
+  desc.tiles.load = [](const shd_tile* tiles, size_t count, void* user_data) {
     const auto& levels = *static_cast<const std::vector<std::vector<uint8_t>>*>(user_data);
     for (size_t i = 0; i < count; ++i) {
       const shd_tile& tile = tiles[i];
       const auto width = static_cast<size_t>(std::sqrt(static_cast<double>(levels[tile.level].size() / 4)));
-      for (uint32_t y = 0; y < tile.height; ++y) {
+      for (uint32_t y = 0; y < tile.area.height; ++y) {
         std::memcpy(static_cast<uint8_t*>(tile.texels) + y * tile.row_stride,
-                    &levels[tile.level][4 * ((tile.y + y) * width + tile.x)], 4 * tile.width);
+                    &levels[tile.level][4 * ((tile.area.y + y) * width + tile.area.x)], 4 * tile.area.width);
       }
     }
     return SHD_OK;

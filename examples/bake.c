@@ -121,7 +121,7 @@ int main(void)
     shd_draw draw = shd_draw_default();
     float *memory = (float *)malloc(4 * TEXELS * sizeof *memory);
     int good;
-    torus.shape = SHD_SHAPE_TORUS;
+    torus.kind = SHD_SHAPE_TORUS;
     torus.tube_radius = 0.45f;
     desc.model = SHD_MODEL_PROGRAM;
     desc.program.fragment = bands;

@@ -80,6 +80,7 @@ static shd_result create_material(shd_context *context, shd_texture **texture, s
     shd_result result;
     int c;
     td.format = SHD_FORMAT_RGBA8_SRGB;
+    td.kind = SHD_TEXTURE_KIND_3D;
     td.width = td.height = td.depth = EDGE;
     td.texels = block;
     td.tables = SHD_TABLE_MIPMAP;
@@ -105,7 +106,7 @@ static shd_result render(shd_context *context, const shd_mesh *mesh, const shd_m
     shd_render_desc rd = shd_render_desc_default();
     shd_image image = shd_image_default();
     shd_result result;
-    fd.width = WIDTH, fd.height = HEIGHT, fd.samples = 8;
+    fd.width = WIDTH, fd.height = HEIGHT, fd.sample_count = 8;
     result = shd_framebuffer_create(context, &fd, &framebuffer);
     camera.eye[0] = 1.5f, camera.eye[1] = 4.0f, camera.eye[2] = 7.0f;
     camera.target[1] = 1.0f;
@@ -149,7 +150,7 @@ int main(void)
     shd_shape_desc pot = shd_shape_desc_default();
     shd_light_desc sun = shd_light_desc_default(), sky = shd_light_desc_default();
     int c, good;
-    pot.shape = SHD_SHAPE_TEAPOT;
+    pot.kind = SHD_SHAPE_TEAPOT;
     sun.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     sun.direction[0] = -0.6f, sun.direction[1] = -0.8f, sun.direction[2] = -0.5f;
     sky.kind = SHD_LIGHT_KIND_AMBIENT;

@@ -10,7 +10,7 @@ struct budget {
     size_t limit, used, peak, blocks;
 };
 
-static void *budget_allocate(void *user_data, size_t size, size_t alignment)
+static void *budget_allocate(size_t size, size_t alignment, void *user_data)
 {
     struct budget *budget = (struct budget *)user_data;
     void **block;
@@ -26,7 +26,7 @@ static void *budget_allocate(void *user_data, size_t size, size_t alignment)
     return (void *)start;
 }
 
-static void budget_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void budget_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     struct budget *budget = (struct budget *)user_data;
     (void)alignment;

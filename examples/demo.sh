@@ -12,6 +12,7 @@ packages=(
   libtbb-dev                                    # threads
   libopenimageio-dev                            # image files
   libopencolorio-dev                            # colour management
+  libcli11-dev                                  # options of the programs
   libassimp-dev nlohmann-json3-dev assimp-testmodels  # 3D models: the importer, and the duck and the spider
 )
 

@@ -132,7 +132,7 @@ static vec3 sky(vec3 direction)
 }
 
 /* The marble of the pedestal, at one place. */
-static vec3 marble_at(vec3 p)
+static vec3 marble_at(shd_context *context, vec3 p)
 {
     shd_solid_desc desc = shd_solid_desc_default();
     shd_solid_points points = shd_solid_points_default();
@@ -147,18 +147,18 @@ static vec3 marble_at(vec3 p)
     points.position[1] = shd_f32_column(&p.y, 0);
     points.position[2] = shd_f32_column(&p.z, 0);
     values.value = shd_f32_out_column(&value, 0);
-    if (shd_solid_evaluate(NULL, &desc, &points, &values) != SHD_OK) value = 0;
+    if (shd_solid_evaluate(context, &desc, &points, &values) != SHD_OK) value = 0;
     return vec(0.25f + 0.6f * value, 0.27f + 0.58f * value, 0.3f + 0.52f * value);
 }
 
-static vec3 surface_color(vec3 p, int thing)
+static vec3 surface_color(shd_context *context, vec3 p, int thing)
 {
     if (thing == BALL) return vec(0.75f, 0.12f, 0.05f);
-    if (thing == PEDESTAL) return marble_at(p);
+    if (thing == PEDESTAL) return marble_at(context, p);
     return fmodf(fabsf(floorf(p.x) + floorf(p.z)), 2) < 1 ? vec(0.55f, 0.55f, 0.5f) : vec(0.12f, 0.13f, 0.15f);
 }
 
-static vec3 shade(vec3 p, vec3 n, vec3 view, int thing)
+static vec3 shade(shd_context *context, vec3 p, vec3 n, vec3 view, int thing)
 {
     const vec3 to_sun = unit(vec(-0.6f, 0.6f, 0.4f));
     const float lambert = fmaxf(dot(n, to_sun), 0), up = 0.5f + 0.5f * n.y;
@@ -166,12 +166,12 @@ static vec3 shade(vec3 p, vec3 n, vec3 view, int thing)
     const float sun = lambert > 0 ? sunlight(add(p, scale(2e-3f, n)), to_sun) : 0;
     const float gloss = thing == FLOOR ? 0.1f : 0.5f;
     const float lit = 0.95f * sun * lambert, shine = gloss * sun * powf(fmaxf(dot(n, h), 0), 60);
-    const vec3 k = surface_color(p, thing);
+    const vec3 k = surface_color(context, p, thing);
     return vec(k.x * (lit + 0.22f * up) + shine, k.y * (lit + 0.25f * up) + shine, k.z * (lit + 0.3f * up) + shine);
 }
 
 /* Radiance along a ray, with at most `bounces` mirror reflections. */
-static vec3 trace(vec3 from, vec3 direction, int bounces)
+static vec3 trace(shd_context *context, vec3 from, vec3 direction, int bounces)
 {
     int thing = FLOOR;
     const float t = march(from, direction, &thing);
@@ -180,11 +180,12 @@ static vec3 trace(vec3 from, vec3 direction, int bounces)
     if (t < 0) return sky(direction);
     p = add(from, scale(t, direction));
     n = normal_at(p);
-    color = shade(p, n, direction, thing);
+    color = shade(context, p, n, direction, thing);
     if (bounces > 0) {
         const vec3 mirrored = add(direction, scale(-2 * dot(direction, n), n));
         fresnel = (thing == BALL ? 0.1f : 0.05f) + 0.5f * powf(1 - clamp(-dot(direction, n), 0, 1), 5);
-        color = add(scale(1 - fresnel, color), scale(fresnel, trace(add(p, scale(2e-3f, n)), mirrored, bounces - 1)));
+        color = add(scale(1 - fresnel, color),
+                    scale(fresnel, trace(context, add(p, scale(2e-3f, n)), mirrored, bounces - 1)));
     }
     fog = 1 - expf(-0.002f * t * t);
     return add(scale(1 - fog, color), scale(fog, sky(direction)));
@@ -193,6 +194,7 @@ static vec3 trace(vec3 from, vec3 direction, int bounces)
 /* ---- the program: one ray for each fragment ---- */
 
 struct picture {
+    shd_context *context;
     uint32_t width, height;
 };
 
@@ -208,7 +210,7 @@ static void march_fragments(const shd_fragments *in, shd_radiance *out, void *us
         const float x = (2 * in->x[i] - (float)picture->width) / (float)picture->height;
         const float y = 1 - 2 * in->y[i] / (float)picture->height;
         const vec3 direction = unit(add(scale(2.2f, forward), add(scale(x, right), scale(y, up))));
-        const vec3 color = trace(eye, direction, 1);
+        const vec3 color = trace(picture->context, eye, direction, 1);
         out->r[i] = color.x, out->g[i] = color.y, out->b[i] = color.z;
     }
 }
@@ -233,7 +235,7 @@ static shd_result render(shd_context *context, struct picture *picture, uint8_t 
     material_desc.program.fragment = march_fragments;
     material_desc.program.user_data = picture;
     fd.width = picture->width, fd.height = picture->height;
-    fd.samples = picture->width > SMALL ? 4 : 1;
+    fd.sample_count = picture->width > SMALL ? 4 : 1;
     result = shd_mesh_create(context, &md, &mesh);
     if (result == SHD_OK) result = shd_material_create(context, &material_desc, &material);
     if (result == SHD_OK) result = shd_framebuffer_create(context, &fd, &framebuffer);
@@ -274,8 +276,9 @@ int main(int argc, char **argv)
     picture.width = (uint32_t)(width < 16 ? 16 : width > LARGEST ? LARGEST : width);
     picture.height = picture.width * 5 / 8;
     pixels = (uint8_t *)calloc((size_t)picture.width * picture.height, 4);
-    good = pixels && shd_context_create(NULL, &context) == SHD_OK && render(context, &picture, pixels) == SHD_OK &&
-           is_right(&picture, pixels);
+    good = pixels && shd_context_create(NULL, &context) == SHD_OK;
+    picture.context = context;
+    good = good && render(context, &picture, pixels) == SHD_OK && is_right(&picture, pixels);
     if (!good) fprintf(stderr, "distance_field: wrong picture or error: %s\n", shd_last_error());
     shd_context_release(context);
     free(pixels);

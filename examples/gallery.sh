@@ -15,6 +15,7 @@ packages=(
   build-essential cmake ninja-build pkg-config      # to build
   libhwy-dev libtbb-dev                             # SIMD (Highway), threads
   libopenimageio-dev libopencolorio-dev             # image files, colour management
+  libcli11-dev                                      # options of the programs
   libassimp-dev nlohmann-json3-dev assimp-testmodels xplanet-images  # the importer, models, and a map of the earth
   blender-data                                      # environments
   openimageio-tools fonts-dejavu-core               # oiiotool puts the sheet together, with labels

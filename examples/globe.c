@@ -207,7 +207,7 @@ static shd_result make(struct globe *g, int argc, char **argv)
     sphere.segments[0] = 128, sphere.segments[1] = 64;
     if (result == SHD_OK) result = shd_mesh_create_shape(g->context, &sphere, SHD_MESH_NONE, &g->mesh);
     fd.width = fd.height = SIZE;
-    fd.samples = 4;
+    fd.sample_count = 4;
     return result == SHD_OK ? shd_framebuffer_create(g->context, &fd, &g->framebuffer) : result;
 }
 

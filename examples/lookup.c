@@ -94,7 +94,7 @@ int main(void)
         } else {
             int as_expected = check();
             good += as_expected;
-            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_context_simd_target(context),
+            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_context_get_simd_target(context),
                    filters[i].name, r[0], r[COUNT - 1], as_expected ? "as expected" : "WRONG");
         }
         shd_sampler_release(sampler);

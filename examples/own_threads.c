@@ -28,7 +28,7 @@ static void run_tasks(struct pool *pool, uint32_t worker)
     while (pool->next < pool->count) {
         uint32_t index = pool->next++;
         pthread_mutex_unlock(&pool->lock);
-        pool->task(pool->task_data, index, worker);
+        pool->task(index, worker, pool->task_data);
         pthread_mutex_lock(&pool->lock);
         pool->total += 1;
         if (++pool->finished == pool->count) pthread_cond_signal(&pool->done);
@@ -49,7 +49,7 @@ static void *thread_main(void *argument)
 }
 
 /* The pool runs one job after the other, because only the main thread calls shd. */
-static shd_result pool_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result pool_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     struct pool *pool = (struct pool *)user_data;
     pthread_mutex_lock(&pool->lock);

@@ -49,7 +49,7 @@ static shd_result render(shd_context *context, const struct scene *scene, shd_sh
     shd_plane_view green = shd_plane_view_default();
     size_t i;
     shd_result result;
-    fd.width = WIDTH, fd.height = HEIGHT, fd.samples = 4;
+    fd.width = WIDTH, fd.height = HEIGHT, fd.sample_count = 4;
     camera.eye[0] = 4.0f, camera.eye[1] = 3.0f, camera.eye[2] = 1.6f;
     camera.target[1] = 0.4f;
     if ((result = shd_framebuffer_create(context, &fd, &framebuffer)) != SHD_OK) return result;

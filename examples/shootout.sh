@@ -38,6 +38,7 @@ fi
 packages=(
   build-essential cmake ninja-build pkg-config  # to build
   libhwy-dev libtbb-dev zlib1g-dev              # SIMD (Highway), threads, PNG
+  libcli11-dev                                  # options
   libopenimageio-dev libosmesa6-dev             # the peers
   libvulkan-dev glslang-tools mesa-vulkan-drivers
   xplanet-images                                # a photograph: the map of the earth
@@ -49,7 +50,7 @@ if [ -z "$build" ]; then
   echo "== Building shd and shd-shootout in $build: minutes on a few cores"
   # Without libshd_color and libshd_scene, whose parts the report does not need.
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON \
-    -DSHD_WITH_OCIO=OFF -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF
+    -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_OCIO=OFF -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF
   cmake --build "$build" --parallel "$(compile_jobs)" --target shd-shootout
 fi
 "$build/examples/apps/shootout/shd-shootout" -o out/shootout "$@"

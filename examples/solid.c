@@ -116,7 +116,7 @@ int main(void)
     shd_light_desc sun = shd_light_desc_default(), sky = shd_light_desc_default();
     int kind, good;
     fd.width = fd.height = TILE;
-    fd.samples = 8;
+    fd.sample_count = 8;
     sun.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     sun.direction[0] = 0.4f, sun.direction[1] = -0.8f, sun.direction[2] = -0.6f;
     sky.kind = SHD_LIGHT_KIND_AMBIENT;

@@ -48,7 +48,7 @@ int main(void)
     }
     require(shd_mesh_create(context, &mesh_desc, &mesh));
     picture_desc.width = picture_desc.height = 480;
-    picture_desc.samples = 8; /* smooth edges */
+    picture_desc.sample_count = 8; /* smooth edges */
     require(shd_framebuffer_create(context, &picture_desc, &picture));
 
     draw.mesh = mesh, draw.material = material;
@@ -63,5 +63,5 @@ int main(void)
     shd_material_release(material);
     shd_texture_release(texture);
     shd_context_release(context);
-    return stats.fragments > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return stats.fragment_count > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

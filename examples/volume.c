@@ -33,6 +33,7 @@ static shd_result make_volume(struct frame *f, int which, float (*density)(float
     if (!texels) return SHD_ERROR_OUT_OF_MEMORY;
     fill_density(density, EDGE, texels);
     td.format = SHD_FORMAT_R8;
+    td.kind = SHD_TEXTURE_KIND_3D;
     td.width = td.height = td.depth = EDGE;
     td.texels = texels;
     result = shd_texture_create(f->context, &td, &f->texture[which]);
@@ -45,7 +46,7 @@ static shd_result make_volume(struct frame *f, int which, float (*density)(float
     vd.extinction = shd_f32_column(points[0] + 1, 5 * sizeof(float));
     for (c = 0; c < 3; ++c) {
         vd.color[c] = shd_f32_column(points[0] + 2 + c, 5 * sizeof(float));
-        vd.box_min[c] = -1.0f;
+        vd.bounds_min[c] = -1.0f;
     }
     vd.step = 1.0f / EDGE;
     vd.jitter = 1.0f; /* noise instead of rings */

@@ -15,7 +15,7 @@ jobs=${SHD_JOBS:-$(nproc)}
 presets=("${@:-core}")
 wanted=(cmake g++ libcmocka-dev libhwy-dev ninja-build pkg-config python3)
 for preset in "${presets[@]}"; do
-  [ "$preset" = core ] || wanted+=(libassimp-dev libbenchmark-dev libdraco-dev libmeshoptimizer-dev nlohmann-json3-dev libeigen3-dev libboost-dev libembree-dev libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev python3-numpy)
+  [ "$preset" = core ] || wanted+=(libassimp-dev libbenchmark-dev libcli11-dev libdraco-dev libmeshoptimizer-dev nlohmann-json3-dev libeigen3-dev libboost-dev libembree-dev libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev python3-numpy)
 done
 
 # consumer.add_subdirectory would build the library once more.

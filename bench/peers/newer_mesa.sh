@@ -19,7 +19,7 @@ build_beside_newer_mesa() {
   shift
   {
     open_chroot
-    install_packages cmake g++ libbenchmark-dev libhwy-dev ninja-build pkg-config python3 zlib1g-dev "$@"
+    install_packages cmake g++ libbenchmark-dev libcli11-dev libhwy-dev ninja-build pkg-config python3 zlib1g-dev "$@"
     for package in "${peer_packages[@]}"; do
       if inside apt-cache show "$package" >/dev/null 2>&1; then
         install_packages "$package"
@@ -30,7 +30,7 @@ build_beside_newer_mesa() {
     copy_sources
     inside cmake -S /shd -B "$newer_build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_BENCH=ON \
       -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON -DSHD_WITH_OCIO=OFF -DSHD_WITH_TBB=OFF -DSHD_WITH_ASSIMP=OFF \
-      -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF "-DSHD_COMMIT=$(git describe --always --dirty)"
+      -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF "-DSHD_COMMIT=$(git describe --always --dirty)"
     inside cmake --build "$newer_build" -j "${SHD_JOBS:-$(nproc)}" --target "$target"
   } >&2
 }

@@ -108,14 +108,14 @@ static void draw(shd_context* context, const char* name, const shd_material_desc
   shd_light* sun = NULL;
   shd_framebuffer* framebuffer = NULL;
 
-  torus.shape = SHD_SHAPE_TORUS;
+  torus.kind = SHD_SHAPE_TORUS;
   require(shd_mesh_create_shape(context, &torus, 0, &mesh));
   require(shd_material_create(context, material_desc, &material));
   sun_desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   sun_desc.direction[0] = -0.5f, sun_desc.direction[1] = -1.0f, sun_desc.direction[2] = -0.25f;
   require(shd_light_create(context, &sun_desc, &sun));
   framebuffer_desc.width = WIDTH, framebuffer_desc.height = HEIGHT;
-  framebuffer_desc.samples = 4;
+  framebuffer_desc.sample_count = 4;
   require(shd_framebuffer_create(context, &framebuffer_desc, &framebuffer));
 
   camera.eye[0] = 0.5f, camera.eye[1] = 1.5f, camera.eye[2] = 2.0f;

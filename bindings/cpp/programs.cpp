@@ -89,7 +89,7 @@ void look_up(shd_context* context) {
 // as RGBA8 in sRGB.
 void draw(shd_context* context, const char* name, const shd_material_desc& material_desc) {
   shd_shape_desc torus = shd_shape_desc_default();
-  torus.shape = SHD_SHAPE_TORUS;
+  torus.kind = SHD_SHAPE_TORUS;
   const shd::mesh mesh = shd::mesh_create_shape(context, &torus, 0);
   const shd::material material = shd::material_create(context, &material_desc);
   shd_light_desc sun_desc = shd_light_desc_default();
@@ -97,7 +97,7 @@ void draw(shd_context* context, const char* name, const shd_material_desc& mater
   sun_desc.direction[0] = -0.5f, sun_desc.direction[1] = -1.0f, sun_desc.direction[2] = -0.25f;
   const shd::light sun = shd::light_create(context, &sun_desc);
   shd_framebuffer_desc size = shd_framebuffer_desc_default();
-  size.width = kWidth, size.height = kHeight, size.samples = 4;
+  size.width = kWidth, size.height = kHeight, size.sample_count = 4;
   const shd::framebuffer framebuffer = shd::framebuffer_create(context, &size);
 
   shd_camera camera = shd_camera_default();

@@ -82,7 +82,7 @@ class owner {
   Handle* handle_ = nullptr;
 };
 
-/// An owner of another reference to a borrowed handle, such as the result of shd_scene_mesh().
+/// An owner of another reference to a borrowed handle, such as the result of shd_scene_get_mesh().
 template <class Owner>
 Owner retain(typename Owner::handle_type* handle) noexcept {
   Owner borrowed(handle);
@@ -159,7 +159,7 @@ texture texture_create(shd_context* context_, const shd_texture_desc* desc, shd_
   auto kept = std::make_unique<Load>(std::move(load));
   shd_texture_desc tiled = *desc;
   tiled.tiles.cache = cache;
-  tiled.tiles.load = [](void* user_data, const shd_tile* tiles, std::size_t count) noexcept -> shd_result {
+  tiled.tiles.load = [](const shd_tile* tiles, std::size_t count, void* user_data) noexcept -> shd_result {
     try {
       (*static_cast<Load*>(user_data))(span<const shd_tile>(tiles, count));
       return SHD_OK;
@@ -186,7 +186,7 @@ scene scene_load_found(const shd_scene_desc* desc, Find& find, Load load) {
     std::exception_ptr failure;
   } call = {find, nullptr};
   shd_scene_desc found = desc ? *desc : shd_scene_desc_default();
-  found.find = [](void* user_data, const char* name, const void** out_bytes, std::size_t* out_size) noexcept {
+  found.find = [](const char* name, const void** out_bytes, std::size_t* out_size, void* user_data) noexcept {
     Call& running = *static_cast<Call*>(user_data);
     try {
       const span<const unsigned char> bytes = running.find(name);
@@ -197,7 +197,7 @@ scene scene_load_found(const shd_scene_desc* desc, Find& find, Load load) {
       return SHD_ERROR_CALLBACK;
     }
   };
-  found.find_user_data = &call;
+  found.user_data = &call;
   shd::scene made;
   const shd_result result = load(found, made);
   if (call.failure) std::rethrow_exception(call.failure);

@@ -13,6 +13,7 @@
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>
+#include <shd/draw.h>
 #include <shd/edges.h>
 #if __has_include(<shd/embree.h>)
 #include <shd/embree.h>
@@ -32,6 +33,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/names.h>
 #include <shd/occlusion.h>
 #include <shd/polygon.h>
 #include <shd/present.h>
@@ -310,7 +312,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 /// shd_scene_pose().
 [[nodiscard]] inline shd_result scene_pose(
     const shd_scene* scene_,
-    uint32_t animation,
+    size_t animation,
     double seconds,
     shd::scene& out_scene) noexcept {
   shd_scene* handle = nullptr;
@@ -400,10 +402,10 @@ inline void bake(shd_context* context_, const shd_render_desc* frame, const shd_
   check(shd_bake(context_, frame, desc));
 }
 
-/// Get the precision that the rules of a graphics API require at least. See shd_bounds_preset().
-inline shd_bounds_desc bounds_preset(shd_rules rules) {
+/// Get the precision that the rules of a graphics API require at least. See shd_bounds_desc_from_rules().
+inline shd_bounds_desc bounds_desc_from_rules(shd_rules rules) {
   shd_bounds_desc made = shd_bounds_desc_default();
-  check(shd_bounds_preset(rules, &made));
+  check(shd_bounds_desc_from_rules(rules, &made));
   return made;
 }
 
@@ -449,10 +451,10 @@ inline void color_render(
 /// Callback for shd_display.apply that calls shd_color_apply_display(), so that one call saves a display image:
 /// `save.display.apply = shd_color_apply_view, save.display.user_data = &view`. See shd_color_apply_view().
 inline void color_apply_view(
-    void* color_view,
     const shd_framebuffer* framebuffer_,
-    const shd_image* out_) {
-  check(shd_color_apply_view(color_view, framebuffer_, out_));
+    const shd_image* out_,
+    void* color_view) {
+  check(shd_color_apply_view(framebuffer_, out_, color_view));
 }
 
 /// Transform an image for a display, as shd_color_apply_display() does with a framebuffer. See
@@ -470,10 +472,10 @@ inline void color_apply_display_image(
 /// Convert an image from one colour space to another in place. See shd_color_convert().
 inline void color_convert(
     const shd_color* color_,
+    const shd_image* in_out,
     const char* from_space,
-    const char* to_space,
-    const shd_image* in_out) {
-  check(shd_color_convert(color_, from_space, to_space, in_out));
+    const char* to_space) {
+  check(shd_color_convert(color_, in_out, from_space, to_space));
 }
 
 #endif
@@ -532,21 +534,21 @@ inline shd_environment_info environment_get_info(const shd_environment* environm
 }
 
 /// Look up the irradiance of surfaces whose normals are the directions, on the executor of the environment's context.
-/// See shd_environment_irradiance().
-inline void environment_irradiance(
+/// See shd_environment_sample_irradiance().
+inline void environment_sample_irradiance(
     const shd_environment* environment_,
     const shd_environment_lookups* lookups,
-    const shd_environment_light* out_) {
-  check(shd_environment_irradiance(environment_, lookups, out_));
+    shd_environment_values* out_) {
+  check(shd_environment_sample_irradiance(environment_, lookups, out_));
 }
 
 /// Look up the radiance, or its mean over lobes, on the executor of the environment's context. See
-/// shd_environment_radiance().
-inline void environment_radiance(
+/// shd_environment_sample_radiance().
+inline void environment_sample_radiance(
     const shd_environment* environment_,
     const shd_environment_lookups* lookups,
-    const shd_environment_light* out_) {
-  check(shd_environment_radiance(environment_, lookups, out_));
+    shd_environment_values* out_) {
+  check(shd_environment_sample_radiance(environment_, lookups, out_));
 }
 
 /// Explain lookup `index` of a batch. Call once without memory for the counts, then again with it. See
@@ -562,14 +564,18 @@ inline void texture_explain(
 
 /// Compute derivatives from ray differentials. See shd_derivatives_from_differentials().
 inline void derivatives_from_differentials(
+    shd_context* context_,
     const shd_ray_differentials* rays,
-    const shd_derivatives* out_) {
-  check(shd_derivatives_from_differentials(rays, out_));
+    shd_derivatives* out_) {
+  check(shd_derivatives_from_differentials(context_, rays, out_));
 }
 
 /// Compute derivatives from ray cones. See shd_derivatives_from_cones().
-inline void derivatives_from_cones(const shd_ray_cones* cones, const shd_derivatives* out_) {
-  check(shd_derivatives_from_cones(cones, out_));
+inline void derivatives_from_cones(
+    shd_context* context_,
+    const shd_ray_cones* cones,
+    shd_derivatives* out_) {
+  check(shd_derivatives_from_cones(context_, cones, out_));
 }
 
 /// Make a framebuffer: colour 0, depth 1, AOVs 0, triangle and draw 0xffffffff. See shd_framebuffer_create().
@@ -589,8 +595,8 @@ inline shd_framebuffer_info framebuffer_get_info(const shd_framebuffer* framebuf
 /// Get the position of a sample in its pixel. Positions and order are the standard sample locations of the Vulkan 1.3
 /// specification ("Multisampling"), which are those of Direct3D 11's standard pattern. They are multiples of 1/16
 /// pixel. See shd_sample_position().
-inline void sample_position(uint32_t samples, uint32_t index, float* out_x, float* out_y) {
-  check(shd_sample_position(samples, index, out_x, out_y));
+inline void sample_position(size_t sample_count, size_t index, float* out_x, float* out_y) {
+  check(shd_sample_position(sample_count, index, out_x, out_y));
 }
 
 /// Get a plane without copying. See shd_framebuffer_view_plane().
@@ -649,10 +655,10 @@ inline shd::bitmap bitmap_load_memory(
   return made;
 }
 
-/// Get the pixels without copying. See shd_bitmap_image().
-inline shd_image bitmap_image(const shd_bitmap* bitmap_) {
+/// Get the pixels without copying. See shd_bitmap_get_image().
+inline shd_image bitmap_get_image(const shd_bitmap* bitmap_) {
   shd_image made = shd_image_default();
-  check(shd_bitmap_image(bitmap_, &made));
+  check(shd_bitmap_get_image(bitmap_, &made));
   return made;
 }
 
@@ -718,7 +724,7 @@ inline void texture_query_levels(
     const shd_texture* texture_,
     const shd_sampler* sampler_,
     const shd_lookups* lookups,
-    const shd_levels* out_) {
+    shd_levels* out_) {
   check(shd_texture_query_levels(texture_, sampler_, lookups, out_));
 }
 
@@ -793,19 +799,19 @@ inline void mip_build(
     shd_context* context_,
     const shd_image* base,
     const shd_mip_desc* desc,
-    uint32_t level_count,
+    size_t level_count,
     const shd_image* levels) {
   check(shd_mip_build(context_, base, desc, level_count, levels));
 }
 
 /// Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals. See
-/// shd_normal_moments().
-inline void normal_moments(
+/// shd_mip_build_moments().
+inline void mip_build_moments(
     shd_context* context_,
     const shd_image* normals,
     const shd_image* out_,
     const shd_image* mixed) {
-  check(shd_normal_moments(context_, normals, out_, mixed));
+  check(shd_mip_build_moments(context_, normals, out_, mixed));
 }
 
 /// Compute the occlusion of points. See shd_occlusion_compute().
@@ -813,7 +819,7 @@ inline void occlusion_compute(
     shd_context* context_,
     const shd_occlusion_desc* desc,
     const shd_occlusion_points* points,
-    const shd_f32_out* out_) {
+    shd_occlusion_values* out_) {
   check(shd_occlusion_compute(context_, desc, points, out_));
 }
 
@@ -839,27 +845,27 @@ inline void occlusion_bake(
 
 /// Compute the barycentric coordinates of points. See shd_polygon_evaluate().
 inline void polygon_evaluate(
-    const shd_context* context_,
+    shd_context* context_,
     const shd_polygon_desc* desc,
     const shd_polygon_points* points,
     shd_polygon_weights* out_) {
   check(shd_polygon_evaluate(context_, desc, points, out_));
 }
 
-/// Project directions to points of an image, with derivatives. See shd_project_directions().
-inline void project_directions(
+/// Project directions to points of an image, with derivatives. See shd_projection_project().
+inline void projection_project(
     shd_context* context_,
     const shd_directions* directions,
     shd_projected_points* out_) {
-  check(shd_project_directions(context_, directions, out_));
+  check(shd_projection_project(context_, directions, out_));
 }
 
-/// Compute the directions of points of an image. See shd_unproject_directions().
-inline void unproject_directions(
+/// Compute the directions of points of an image. See shd_projection_unproject().
+inline void projection_unproject(
     shd_context* context_,
     const shd_image_points* points,
     shd_point_directions* out_) {
-  check(shd_unproject_directions(context_, points, out_));
+  check(shd_projection_unproject(context_, points, out_));
 }
 
 /// Convert images of directions to another projection, layout, size or format. See shd_projection_convert().
@@ -910,14 +916,14 @@ inline shd_scene_info scene_get_info(const shd_scene* scene_) {
 }
 
 /// The desc of a material, as a starting point for variants of it. See shd_scene_get_material_desc().
-inline shd_material_desc scene_get_material_desc(const shd_scene* scene_, uint32_t index) {
+inline shd_material_desc scene_get_material_desc(const shd_scene* scene_, size_t index) {
   shd_material_desc made = shd_material_desc_default();
   check(shd_scene_get_material_desc(scene_, index, &made));
   return made;
 }
 
 /// The desc of a light. See shd_scene_get_light_desc().
-inline shd_light_desc scene_get_light_desc(const shd_scene* scene_, uint32_t index) {
+inline shd_light_desc scene_get_light_desc(const shd_scene* scene_, size_t index) {
   shd_light_desc made = shd_light_desc_default();
   check(shd_scene_get_light_desc(scene_, index, &made));
   return made;
@@ -925,14 +931,14 @@ inline shd_light_desc scene_get_light_desc(const shd_scene* scene_, uint32_t ind
 
 /// A camera of the file. If the file has no aspect, it is 0, which means the aspect of the picture. If the file has no
 /// near and far plane, they enclose the whole model. See shd_scene_get_camera().
-inline shd_camera scene_get_camera(const shd_scene* scene_, uint32_t index) {
+inline shd_camera scene_get_camera(const shd_scene* scene_, size_t index) {
   shd_camera made = shd_camera_default();
   check(shd_scene_get_camera(scene_, index, &made));
   return made;
 }
 
 /// An instance of the scene. See shd_scene_get_instance().
-inline shd_scene_instance scene_get_instance(const shd_scene* scene_, uint32_t index) {
+inline shd_scene_instance scene_get_instance(const shd_scene* scene_, size_t index) {
   shd_scene_instance made = shd_scene_instance_default();
   check(shd_scene_get_instance(scene_, index, &made));
   return made;
@@ -949,7 +955,7 @@ inline void scene_fill_render(const shd_scene* scene_, shd_render_desc* in_out_r
 /// name is that of SHD_SCENE_PART_ANIMATION. See shd_scene_get_animation_times().
 inline void scene_get_animation_times(
     const shd_scene* scene_,
-    uint32_t index,
+    size_t index,
     double* out_first,
     double* out_last) {
   check(shd_scene_get_animation_times(scene_, index, out_first, out_last));
@@ -960,7 +966,7 @@ inline void scene_get_animation_times(
 /// `scene`. It shares materials, textures and all meshes without skins and morph targets with it; parts keep their
 /// indices, except instances, lights and cameras whose numbers are out of range in the pose, which give a warning. See
 /// shd_scene_pose().
-inline shd::scene scene_pose(const shd_scene* scene_, uint32_t animation, double seconds) {
+inline shd::scene scene_pose(const shd_scene* scene_, size_t animation, double seconds) {
   shd::scene made;
   check(scene_pose(scene_, animation, seconds, made));
   return made;
@@ -987,12 +993,12 @@ inline void shadow_render(
 inline void shadow_sample(
     const shd_shadow* shadow_,
     const shd_shadow_lookups* lookups,
-    const shd_f32_out* out_) {
+    shd_shadow_values* out_) {
   check(shd_shadow_sample(shadow_, lookups, out_));
 }
 
 /// Compute the numbers of vertices and indices of a shape. See shd_shape_count().
-inline void shape_count(const shd_shape_desc* desc, uint32_t* out_vertex_count, size_t* out_index_count) {
+inline void shape_count(const shd_shape_desc* desc, size_t* out_vertex_count, size_t* out_index_count) {
   check(shd_shape_count(desc, out_vertex_count, out_index_count));
 }
 
@@ -1003,7 +1009,7 @@ inline void shape_fill(const shd_shape_desc* desc, const shd_shape_columns* colu
 
 /// Evaluate a solid texture at `points->count` points. See shd_solid_evaluate().
 inline void solid_evaluate(
-    const shd_context* context_,
+    shd_context* context_,
     const shd_solid_desc* desc,
     const shd_solid_points* points,
     shd_solid_values* out_) {
@@ -1081,8 +1087,8 @@ inline shd_tile_cache_stats tile_cache_get_stats(const shd_tile_cache* cache) {
 /// Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps the
 /// latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream. See
 /// shd_tile_cache_load_requested().
-inline void tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles, uint32_t* out_loaded) {
-  check(shd_tile_cache_load_requested(cache, max_tiles, out_loaded));
+inline void tile_cache_load_requested(shd_tile_cache* cache, size_t max_tiles, size_t* out_loaded_count) {
+  check(shd_tile_cache_load_requested(cache, max_tiles, out_loaded_count));
 }
 
 #if __has_include(<shd/tile_file.h>)

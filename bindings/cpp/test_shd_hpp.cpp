@@ -25,13 +25,13 @@ struct Counter {
   std::atomic<long> live{0}, total{0};
 };
 
-void* allocate(void* user_data, std::size_t size, std::size_t alignment) {
+void* allocate(std::size_t size, std::size_t alignment, void* user_data) {
   Counter& counter = *static_cast<Counter*>(user_data);
   ++counter.live, ++counter.total;
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 
-void release(void* user_data, void* memory, std::size_t, std::size_t) {
+void release(void* memory, std::size_t, std::size_t, void* user_data) {
   --static_cast<Counter*>(user_data)->live;
   std::free(memory);
 }
@@ -157,7 +157,7 @@ void test_blocks() {
   level.width = level.height = 2;
   desc.texels = level.pixels = bc7;
   desc.tables = SHD_TABLE_MIPMAP;
-  desc.levels = &level;
+  desc.level_images = &level;
   desc.level_count = 1;
   const shd::texture second = shd::texture_create(context, &desc);
   const float u = 0.375f, v = 0.125f;
@@ -192,9 +192,9 @@ struct Load {
     ++*calls;
     if (*fails) throw std::runtime_error("no tile");
     for (const shd_tile& tile : tiles) {
-      for (std::uint32_t y = 0; y < tile.height; ++y) {
+      for (std::uint32_t y = 0; y < tile.area.height; ++y) {
         auto* row = static_cast<std::uint8_t*>(tile.texels) + y * tile.row_stride;
-        for (std::uint32_t x = 0; x < tile.width; ++x) row[x] = texel(tile.x + x, tile.y + y);
+        for (std::uint32_t x = 0; x < tile.area.width; ++x) row[x] = texel(tile.area.x + x, tile.area.y + y);
       }
     }
   }
@@ -247,10 +247,10 @@ void test_tiles() {
   fails = false;
   expect(look_up(context, texture) == look_up(context, memory), "tiles/bits");
   const shd_tile_cache_stats stats = shd::tile_cache_get_stats(cache);
-  expect(stats.loads == static_cast<std::uint64_t>(calls) && stats.failed_tiles > 0, "tiles/loads");
+  expect(stats.load_count == static_cast<std::uint64_t>(calls) && stats.failed_tile_count > 0, "tiles/loads");
   texture.reset();
   expect(kept.use_count() == 1, "tiles/released");
-  desc.depth = desc.layers = 2;
+  desc.layer_count = 0;
   thrown = false;
   try {
     texture = shd::texture_create(context, &desc, cache, Load{&calls, &fails, kept});
@@ -266,10 +266,10 @@ void test_tiled_file() {
   const shd::tile_cache cache = shd::tile_cache_create(context, nullptr);
   shd_tile_file_desc desc = shd_tile_file_desc_default();
   desc.cache = cache;
-  desc.color_space = SHD_COLOR_ENCODING_LINEAR;
+  desc.encoding = SHD_COLOR_ENCODING_LINEAR;
   shd_tile_file_info info = shd_tile_file_info_default();
   const shd::texture file = shd::texture_open(context, SHD_TEST_TILED_FILE, &desc, &info);
-  expect(info.files == 1 && info.tile_width == 16, "file/info");
+  expect(info.file_count == 1 && info.tile_width == 16, "file/info");
   std::array<std::uint8_t, 256> texels;
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i);
   shd_texture_desc memory = shd_texture_desc_default();
@@ -314,7 +314,7 @@ void test_scene() {
     expect(info.triangle_count == 1 && info.animation_count == 1, "scene/info");
     bool warned = false;
     for (std::uint32_t i = 0; i < info.warning_count; ++i) {
-      warned = warned || std::strstr(shd_scene_warning(scene, i), "none.png");
+      warned = warned || std::strstr(shd_scene_get_warning(scene, i), "none.png");
     }
     expect(warned, "scene/warning");
     double first = -1, last = -1;

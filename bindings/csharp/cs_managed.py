@@ -4,13 +4,15 @@ from cs_native import field_name, is_size
 from cs_types import COLUMNS, VIEWS, camel
 
 # Fields that the partial class of src/ has.
-BY_HAND = {("shd_texture_desc", "tiles"), ("shd_context_desc", "allocator"), ("shd_context_desc", "executor"), ("shd_context_desc", "log"),
-           ("shd_texture_desc", "texels"), ("shd_texture_desc", "levels"), ("shd_texture_desc", "level_count"),
+BY_HAND = {("shd_texture_desc", "tiles"), ("shd_context_desc", "allocator"), ("shd_context_desc", "executor"),
+           ("shd_context_desc", "log"),
+           ("shd_texture_desc", "kind"), ("shd_texture_desc", "texels"), ("shd_texture_desc", "level_images"),
+           ("shd_texture_desc", "level_count"),
            ("shd_image", "pixels"), ("shd_draw", "uniforms"), ("shd_slot", "procedure"), ("shd_slot", "user_data"),
            ("shd_material_desc", "program"), ("shd_render_desc", "stats"), ("shd_render_desc", "progress"),
            ("shd_render_desc", "present"), ("shd_save_desc", "display"), ("shd_occlusion_desc", "tracer"),
            ("shd_bake_desc", "stats"), ("shd_occlusion_atlas", "stats"), ("shd_scene_desc", "find"),
-           ("shd_scene_desc", "find_user_data")}
+           ("shd_scene_desc", "user_data")}
 # The field with the number of rows of the columns.
 ROWS = {"shd_mesh_desc": "vertex_count", "shd_volume_desc": "point_count", "shd_polygon_desc": "vertex_count",
         "shd_shape_columns": "vertex_count"}
@@ -244,7 +246,8 @@ class Managed:
     def view_field(self, field):
         name, text, length = field_name(field), field["type"], field.get("length", [])
         if "*" not in text:
-            return f"public {self.types.type_of(text)} {name} {{ get {{ return raw->{name}; }} }}"
+            kind = "long" if is_size(field) else self.types.type_of(text)
+            return f"public {kind} {name} {{ get {{ return raw->{name}; }} }}"
         if "void" in text:
             return f"public IntPtr {name} {{ get {{ return (IntPtr)raw->{name}; }} }}"
         if length and length[0].isdigit():

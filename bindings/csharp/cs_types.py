@@ -61,7 +61,9 @@ class Types:
         """Name of an enum's constant."""
         noun = re.sub(r"_(flag|target)$", "", entry["name"]).upper()
         name = constant["name"].removeprefix(f"{noun}_").removeprefix("SHD_")
-        return camel(name if name[0].isalpha() else f"n{name}")
+        if name[0].isdigit():  # SHD_TEXTURE_KIND_2D is TextureKind.Texture2D
+            return camel(noun.removeprefix("SHD_").split("_")[0]) + name
+        return camel(name)
 
     def _words(self):
         """C names that comments mention, with the C# names."""

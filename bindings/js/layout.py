@@ -89,12 +89,17 @@ class Api:
                 field["packed"].pop()
 
     def rows_of(self, field, names):
-        """The field that has the length of a list or column, and the number of elements for one of its units."""
+        """The field that has the length of a list or column, and the elements of a unit: a number or a field."""
         kind = self.packed(field["type"])
         length = field.get("length", [])
         if kind.startswith(("list:", "handles:", "data:", "numbers:")):
-            if length[:1] and length[0] in names and length[0].endswith("_count"):
-                return camel(length[0]) + (f"*{length[1]}" if length[1:] and length[1].isdigit() else "")
+            counts = [n for n in length if n in names and n.endswith("_count")]
+            if len(counts) == 2:  # level_images: [layer_count][level_count]
+                return f"{camel(counts[1])}*{camel(counts[0])}"
+            if counts and length[1:] and not length[1].isdigit():  # texels: [layer_count][height][width]
+                return ""
+            if counts:
+                return camel(counts[0]) + (f"*{length[1]}" if length[1:] else "")
             counter = re.sub(r"s$", "_count", field["name"])
             return camel(counter) if counter in names and counter != field["name"] else ""
         if not kind.startswith("column:"):
@@ -136,7 +141,7 @@ class Api:
         return {self.member(entry, c): c["value"] for c in entry["constants"] if not c["name"].endswith("_MAX_ENUM")}
 
     def packed_callback(self, index, entry):
-        return [index, entry["result"] if entry["result"] in ("void", "shd_result") else "number",
+        return [index, entry["result"],
                 [[camel(p["name"]), p["type"] if p["type"] in self.callbacks else self.packed(p["type"])]
                  for p in entry["parameters"]]]
 

@@ -14,6 +14,8 @@ import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, 
 # Structs that the library writes: every field is there.
 WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step)$")
 SKIPPED = re.compile(r"^shd_([fu]\d+_(in|out)|fragments|radiance|vertices|vertex_outputs|rays|present_tile|tile)$")
+# Required in C, but not always.
+OPTIONAL = {("shd_texture_desc", "texels")}  # textures in tiles have none
 FUNCTIONS = {"fragment_fn": "(fragments: Fragments, out: Radiance) => void",
              "vertex_fn": "(vertices: Vertices, out: VertexOutputs) => void",
              "slot_fn": "(fragments: Fragments, out: (Float32Array | null)[]) => void",
@@ -89,7 +91,9 @@ class Types:
             if field["name"] in ("struct_size", "user_data"):
                 continue
             yield from comment(field.get("doc", ""), "  ")
-            optional = "" if written or field.get("required") and field["type"] not in ("uint32_t", "size_t") else "?"
+            is_number = field["type"] in ("uint32_t", "size_t")
+            is_required = field.get("required") and not is_number and (struct["name"], field["name"]) not in OPTIONAL
+            optional = "" if written or is_required else "?"
             yield f"  {field['js']}{optional}: {self.field(field)};"
         yield "}"
 

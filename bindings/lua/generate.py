@@ -146,6 +146,13 @@ class Tables:
             parts.append("nullable = true")
         return f"{{{', '.join(parts)}}}"
 
+    def with_length(self, field, names):
+        """The length of `draws` is `draw_count` if its comment does not say it."""
+        counter = f"{field['name'].removesuffix('s')}_count"
+        if "*" in field["type"] and "length" not in field and counter in names:
+            return {**field, "length": [counter]}
+        return field
+
     def names(self, entry):
         """Short names of an enum: SHD_FILTER_EWA is ewa."""
         prefix = "SHD_" + re.sub(r"_(flag|target)$", "", entry["name"].removeprefix("shd_")).upper() + "_"
@@ -164,7 +171,9 @@ class Tables:
                  for c in e["constants"]}
         for entry in self.api.table["structs"]:
             yield f"  {entry['name']} = {{size = {entry['size']}, desc_kind = {kinds.get(entry.get('desc_kind'), 0)},"
-            yield from (f"    {self.entry(f)}," for f in entry["fields"] if f["name"] != "struct_size")
+            names = {f["name"] for f in entry["fields"]}
+            yield from (f"    {self.entry(self.with_length(f, names))}," for f in entry["fields"]
+                        if f["name"] != "struct_size")
             yield "  },"
 
     def function_lines(self):
@@ -185,7 +194,8 @@ class Tables:
                   for h in api.table["handles"] if "release" in h and h["name"] != "shd_object"]
         lines += ["}", "tables.callbacks = {"]
         lines += [f"  [{quoted(c['name'])}] = {{type = {quoted(api.callback_type(c['name']))}, "
-                  f"result = {quoted(c['result'])}}}," for c in api.table["callbacks"]]
+                  f"result = {quoted(c['result'])}, parameters = {len(c['parameters'])}}},"
+                  for c in api.table["callbacks"]]
         lines += ["}", "tables.functions = {", *self.function_lines(), "}", "return tables", ""]
         return HEAD.format("Enums, structs and functions of the API") + "\n".join(lines)
 

@@ -40,6 +40,8 @@ from .scene import Scene as Scene
 
 _Array = Union[np.ndarray, Sequence[Any]]
 
+__version__: str
+
 def version() -> tuple[int, int, int]: ...
 '''
 CLASSES = {"shd_color", "shd_context", "shd_environment", "shd_framebuffer", "shd_light", "shd_material", "shd_mesh",

@@ -29,7 +29,7 @@ configure() {
   local build=$1 link=$2
   shift 2
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=OFF \
-    -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF \
+    -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF \
     -DSHD_WHEEL_LIBRARIES="$work/libraries" -Dhwy_DIR="$here/wheel/static" -DTBB_DIR="$here/wheel/static" \
     -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON -DCMAKE_INSTALL_RPATH="\$ORIGIN" \
     -DCMAKE_SHARED_LINKER_FLAGS="$link" -DCMAKE_MODULE_LINKER_FLAGS="$link" "$@" > "$build.log" 2>&1 \

@@ -60,8 +60,8 @@ def prefix_of(enum):
 
 
 def value_name(constant, prefix):
-    name = constant.removeprefix(prefix)
-    return name if name[0].isalpha() else f"N{name}"
+    """A name begins with a letter: 2D is D2."""
+    return re.sub(r"^(\d)D$", r"D\1", constant.removeprefix(prefix))
 
 
 def enum_name(enum):

@@ -90,7 +90,7 @@ static shd_result create_texture(struct course *course, const char *path, int re
     shd_texture_info info = shd_texture_info_default();
 #ifdef EXAMPLE_HAS_IO
     shd_load_desc desc = shd_load_desc_default();
-    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* the stored numbers: see course.h */
+    desc.encoding = SHD_COLOR_ENCODING_LINEAR; /* the stored numbers: see course.h */
     desc.tables = tables_of(course->options.filter);
     result = *path ? shd_texture_load(course->context, path, &desc, &course->texture) : create_pattern(course, relief);
 #else
@@ -178,7 +178,7 @@ shd_result course_render(const struct course *course, const shd_material_desc *m
     shd_render_stats stats = shd_render_stats_default();
     shd_result result = create_lights(course, lights);
     int i;
-    fd.width = fd.height = course->options.size, fd.samples = samples;
+    fd.width = fd.height = course->options.size, fd.sample_count = samples;
     fd.aovs = SHD_AOV_NORMAL;
     camera.fov_y = 0.785398163f;
     memcpy(camera.eye, k_eye, sizeof camera.eye);
@@ -192,9 +192,9 @@ shd_result course_render(const struct course *course, const shd_material_desc *m
     rd.lights = (const shd_light *const *)lights, rd.light_count = (size_t)course->options.shading.lamp_count + 1;
     rd.stats = &stats;
     if (result == SHD_OK) result = shd_render(course->context, &rd);
-    if (result == SHD_OK && (stats.fragments == 0 || stats.nonfinite_fragments > 0)) {
-        fprintf(stderr, "course: %llu fragments, %llu of them not finite\n", (unsigned long long)stats.fragments,
-                (unsigned long long)stats.nonfinite_fragments);
+    if (result == SHD_OK && (stats.fragment_count == 0 || stats.nonfinite_fragment_count > 0)) {
+        fprintf(stderr, "course: %llu fragments, %llu of them not finite\n", (unsigned long long)stats.fragment_count,
+                (unsigned long long)stats.nonfinite_fragment_count);
         result = SHD_ERROR_INTERNAL;
     }
     shd_material_release(material);
@@ -255,7 +255,7 @@ static shd_result save(struct course *course, const struct course_program *progr
     shd_result result = course_render(course, &material, 4, &frame);
 #ifdef EXAMPLE_HAS_IO
     shd_save_desc desc = shd_save_desc_default();
-    desc.color_space = SHD_COLOR_ENCODING_DATA;
+    desc.encoding = SHD_COLOR_ENCODING_DATA;
     if (result == SHD_OK) result = shd_framebuffer_save(frame, path, &desc);
     if (result == SHD_OK) printf("%s: %s written\n", program->name, path);
 #else

@@ -13,9 +13,9 @@
  * texel: one that covers the centre comes first, then the nearest to the centre, then the first in the order of draws
  * and triangles. Coordinates are rounded to multiples of 1/256 texel.
  *
- * Coordinates do not wrap: parts of triangles outside 0..1 are not baked, and shd_bake_stats.outside_triangles counts
- * these triangles. Triangles without area in texture coordinates are counted too and bake nothing, as do all triangles
- * of a mesh without the uv set. Coordinates beyond 2^20 texels are cut there.
+ * Coordinates do not wrap: parts of triangles outside 0..1 are not baked, and shd_bake_stats.outside_triangle_count
+ * counts these triangles. Triangles without area in texture coordinates are counted too and bake nothing, as do all
+ * triangles of a mesh without the uv set. Coordinates beyond 2^20 texels are cut there.
  *
  * Thread safety: exclusive use of the framebuffer; all other objects may be shared between concurrent calls.
  *
@@ -38,25 +38,25 @@ SHD_BEGIN_DECLS
 /** Source of the value of a baked texel. */
 typedef enum shd_texel_state {
     SHD_TEXEL_STATE_EMPTY = 0,  /**< no triangle: the clear values of the frame */
-    SHD_TEXEL_STATE_CENTRE = 1, /**< a triangle that covers the centre of the texel */
-    SHD_TEXEL_STATE_TOUCHED =
-        2, /**< the nearest point of a triangle that covers a part of the texel, without its centre */
+    SHD_TEXEL_STATE_CENTER = 1, /**< a triangle that covers the centre of the texel */
+    /** The nearest point of a triangle that covers a part of the texel, without its centre. */
+    SHD_TEXEL_STATE_TOUCHED = 2,
     SHD_TEXEL_STATE_DILATED = 3, /**< a copy of the nearest texel that a triangle shaded */
     SHD_TEXEL_STATE_MAX_ENUM = 0x7fffffff
 } shd_texel_state;
 
 /** Statistics of a bake. */
 typedef struct shd_bake_stats {
-    uint32_t struct_size;         /**< set by shd_bake_stats_default() */
-    uint64_t triangles;           /**< in all draws */
-    uint64_t zero_area_triangles; /**< without area in texture coordinates, rounded to 1/256 texel; not baked */
-    uint64_t nonfinite_triangles; /**< with a position or texture coordinate that is not finite; not baked */
-    uint64_t outside_triangles;   /**< with a corner outside 0..1; the part inside is baked */
-    uint64_t centre_texels;       /**< texels of SHD_TEXEL_STATE_CENTRE */
-    uint64_t touched_texels;      /**< texels of SHD_TEXEL_STATE_TOUCHED */
-    uint64_t dilated_texels;      /**< texels of SHD_TEXEL_STATE_DILATED */
-    uint64_t overlapping_texels;  /**< texels whose centre several triangles cover */
-    uint64_t nonfinite_texels;    /**< shaded texels whose r, g, b or a is NaN or infinite (kept as written) */
+    uint32_t struct_size;              /**< set by shd_bake_stats_default() */
+    uint64_t triangle_count;           /**< in all draws */
+    uint64_t zero_area_triangle_count; /**< without area in texture coordinates, rounded to 1/256 texel; not baked */
+    uint64_t nonfinite_triangle_count; /**< with a position or texture coordinate that is not finite; not baked */
+    uint64_t outside_triangle_count;   /**< with a corner outside 0..1; the part inside is baked */
+    uint64_t center_texel_count;       /**< texels of SHD_TEXEL_STATE_CENTER */
+    uint64_t touched_texel_count;      /**< texels of SHD_TEXEL_STATE_TOUCHED */
+    uint64_t dilated_texel_count;      /**< texels of SHD_TEXEL_STATE_DILATED */
+    uint64_t overlapping_texel_count;  /**< texels whose centre several triangles cover */
+    uint64_t nonfinite_texel_count;    /**< shaded texels whose r, g, b or a is NaN or infinite (kept as written) */
     /* ---- end of 0.1; append below ---- */
 } shd_bake_stats;
 
@@ -78,7 +78,6 @@ typedef struct shd_bake_desc {
      * centres; of equally near texels the one in the upper row is copied, then the left one. Default 0 = none.
      */
     uint32_t dilation;
-    uint32_t flags;        /**< reserved; 0 */
     shd_u32_out states;    /**< shd_texel_state of width * height texels; default not wanted */
     shd_bake_stats *stats; /**< its struct_size is read; NULL = not wanted; all zero on failure */
     /* ---- end of 0.1; append below ---- */

@@ -60,7 +60,7 @@
  *
  * @code
  * shd_bounds_desc desc = shd_bounds_desc_default();
- * result = shd_bounds_preset(SHD_RULES_D3D11, &desc);
+ * result = shd_bounds_desc_from_rules(SHD_RULES_D3D11, &desc);
  * shd_texels lower = shd_texels_default(), upper = shd_texels_default();
  * lower.channel[0] = shd_f32_out_column(low, 0), upper.channel[0] = shd_f32_out_column(high, 0);
  * result = shd_texture_bounds(texture, sampler, &lookups, &desc, &lower, &upper);
@@ -80,6 +80,7 @@ SHD_BEGIN_DECLS
  * every sum and every maximum.
  */
 typedef enum shd_level_rule {
+    SHD_LEVEL_RULE_NONE = 0,
     SHD_LEVEL_RULE_LENGTHS = 1, /**< axes x and y: p = max(|x|, |y|). Vulkan's and OpenGL's definition */
     SHD_LEVEL_RULE_ELLIPSE = 2, /**< the axes of the ellipse that x and y span, as Direct3D 11 defines */
     /**
@@ -93,9 +94,9 @@ typedef enum shd_level_rule {
     SHD_LEVEL_RULE_PROFILE = 16,
     SHD_LEVEL_RULE_MAX_ENUM = 0x7fffffff
 } shd_level_rule;
-typedef uint32_t shd_level_rules; /**< shd_level_rule bits */
+typedef uint32_t shd_level_rule_flags; /**< shd_level_rule bits */
 
-/** Rules of a graphics API, for shd_bounds_preset(). */
+/** Rules of a graphics API, for shd_bounds_desc_from_rules(). */
 typedef enum shd_rules {
     /** The least precision that Vulkan 1.3 allows: 4 bits of coordinates and of levels; LENGTHS, ELLIPSE, VULKAN. */
     SHD_RULES_VULKAN = 0,
@@ -110,17 +111,17 @@ typedef enum shd_rules {
 
 /** The precision of implementations. Defaults are the rules of SHD_RULES_VULKAN. */
 typedef struct shd_bounds_desc {
-    uint32_t struct_size;        /**< set by shd_bounds_desc_default() */
-    shd_level_rules level_rules; /**< at least one; default LENGTHS | ELLIPSE | VULKAN */
-    uint32_t subtexel_bits;      /**< fraction bits of a texel coordinate, 2..24; default 4 */
-    uint32_t level_bits;         /**< fraction bits of a level of detail, 1..24; default 4 */
-    uint32_t weight_bits;        /**< bits of the weights of texels, 1..24; 0 = exact; default 9 */
-    uint32_t result_bits;        /**< bits of the results of unorm formats, 1..24; 0 = not rounded; default 8 */
-    float coordinate_error;      /**< error of a coordinate, relative to max(1, |u|), 0..1/16; default 2^-21 */
-    float derivative_error;      /**< relative error of the derivatives, 0..1/2; default 0 */
-    float level_error;           /**< error of a level of detail before bias, 0..16; default 2^-10 */
-    float relative_error;        /**< error of a result relative to the largest texel, 0..1; default 2^-16 */
-    float srgb_error;            /**< error of a decoded sRGB texel [codes], 0..1; default 1/2 */
+    uint32_t struct_size;             /**< set by shd_bounds_desc_default() */
+    shd_level_rule_flags level_rules; /**< at least one; default LENGTHS | ELLIPSE | VULKAN */
+    uint32_t subtexel_bits;           /**< fraction bits of a texel coordinate, 2..24; default 4 */
+    uint32_t level_bits;              /**< fraction bits of a level of detail, 1..24; default 4 */
+    uint32_t weight_bits;             /**< bits of the weights of texels, 1..24; 0 = exact; default 9 */
+    uint32_t result_bits;             /**< bits of the results of unorm formats, 1..24; 0 = not rounded; default 8 */
+    float coordinate_error;           /**< error of a coordinate, relative to max(1, |u|), 0..1/16; default 2^-21 */
+    float derivative_error;           /**< relative error of the derivatives, 0..1/2; default 0 */
+    float level_error;                /**< error of a level of detail before bias, 0..16; default 2^-10 */
+    float relative_error;             /**< error of a result relative to the largest texel, 0..1; default 2^-16 */
+    float srgb_error;                 /**< error of a decoded sRGB texel [codes], 0..1; default 1/2 */
     /* ---- end of 0.1; append below ---- */
 } shd_bounds_desc;
 
@@ -146,7 +147,7 @@ static inline shd_bounds_desc shd_bounds_desc_default(void)
  * @param out_desc  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_bounds_preset(shd_rules rules, shd_bounds_desc *out_desc);
+SHD_NODISCARD SHD_API shd_result shd_bounds_desc_from_rules(shd_rules rules, shd_bounds_desc *out_desc);
 
 /**
  * Compute the legal values of `lookups->count` lookups.

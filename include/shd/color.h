@@ -3,6 +3,9 @@
  * @file
  * @brief libshd_color: scene-linear colour to display pixels, and conversions between colour spaces.
  *
+ * First calls: shd_color_create(), shd_color_render() for a frame in display pixels, shd_color_apply_display() for a
+ * framebuffer, shd_color_convert() for an image, and shd_color_release().
+ *
  * The library uses OpenColorIO 2.1 or later. All results of libshd are scene-linear. A shd_color holds one OpenColorIO
  * config, which names colour spaces, displays and views (transforms of scene light for a display). The built-in config
  * has:
@@ -175,8 +178,8 @@ typedef struct shd_color_view {
  * @param color_view  a shd_color_view
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_color_apply_view(void *color_view, const shd_framebuffer *framebuffer,
-                                                      const shd_image *out);
+SHD_NODISCARD SHD_API shd_result shd_color_apply_view(const shd_framebuffer *framebuffer, const shd_image *out,
+                                                      void *color_view);
 
 /**
  * Transform an image for a display, as shd_color_apply_display() does with a framebuffer.
@@ -197,40 +200,40 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *
  *
  * For example, convert a texture from "ACEScg" to the working space before shd_texture_create(). Alpha is
  * unchanged and not multiplied in.
+ * @param in_out      RGBA16F or RGBA32F image
  * @param from_space  colour space or role of the pixels; never NULL
  * @param to_space    colour space or role of the result; NULL = the working space
- * @param in_out      RGBA16F or RGBA32F image
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_color_convert(const shd_color *color, const char *from_space, const char *to_space,
-                                                   const shd_image *in_out);
+SHD_NODISCARD SHD_API shd_result shd_color_convert(const shd_color *color, const shd_image *in_out,
+                                                   const char *from_space, const char *to_space);
 
 /** Number of displays; 0 for a bad handle. @since 0.1 */
-SHD_API uint32_t shd_color_display_count(const shd_color *color);
+SHD_API size_t shd_color_get_display_count(const shd_color *color);
 
 /** Name of a display; borrowed until release; NULL if there is none. Index 0 is not always the default. @since 0.1 */
-SHD_API const char *shd_color_display_name(const shd_color *color, uint32_t index);
+SHD_API const char *shd_color_get_display_name(const shd_color *color, size_t index);
 
 /** Name of the default display; borrowed until release; NULL for a bad handle. @since 0.1 */
-SHD_API const char *shd_color_default_display(const shd_color *color);
+SHD_API const char *shd_color_get_default_display(const shd_color *color);
 
 /** Number of views of a display, NULL = the default one; 0 for an unknown display. @since 0.1 */
-SHD_API uint32_t shd_color_view_count(const shd_color *color, const char *display);
+SHD_API size_t shd_color_get_view_count(const shd_color *color, const char *display);
 
 /** Name of a view of a display, NULL = the default one; borrowed until release; NULL if there is none. @since 0.1 */
-SHD_API const char *shd_color_view_name(const shd_color *color, const char *display, uint32_t index);
+SHD_API const char *shd_color_get_view_name(const shd_color *color, const char *display, size_t index);
 
 /** Default view of a display, NULL = the default one; borrowed until release; NULL if there is none. @since 0.1 */
-SHD_API const char *shd_color_default_view(const shd_color *color, const char *display);
+SHD_API const char *shd_color_get_default_view(const shd_color *color, const char *display);
 
 /** Number of colour spaces, including those of the displays. @since 0.1 */
-SHD_API uint32_t shd_color_space_count(const shd_color *color);
+SHD_API size_t shd_color_get_space_count(const shd_color *color);
 
 /** Name of a colour space; borrowed until release; NULL if there is none. @since 0.1 */
-SHD_API const char *shd_color_space_name(const shd_color *color, uint32_t index);
+SHD_API const char *shd_color_get_space_name(const shd_color *color, size_t index);
 
 /** Name of the working space; borrowed until release; NULL for a bad handle. @since 0.1 */
-SHD_API const char *shd_color_working_space(const shd_color *color);
+SHD_API const char *shd_color_get_working_space(const shd_color *color);
 
 SHD_END_DECLS
 

@@ -36,17 +36,17 @@ typedef struct shd_context shd_context;
  */
 typedef struct shd_allocator {
     /** Returns `size` > 0 bytes aligned to `alignment` (a power of two, at least 8), or NULL. */
-    void *(*allocate)(void *user_data, size_t size, size_t alignment);
+    void *(*allocate)(size_t size, size_t alignment, void *user_data);
     /**
      * Frees memory that `allocate` returned. `size` and `alignment` are those of its allocation; `memory` is never
      * NULL.
      */
-    void (*free)(void *user_data, void *memory, size_t size, size_t alignment);
+    void (*free)(void *memory, size_t size, size_t alignment, void *user_data);
     void *user_data; /**< passed to both; borrowed until release of the context */
 } shd_allocator;
 
 /** One task of a parallel_for: `index` in [0, count), `worker` in [0, worker_count). */
-typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
+typedef void (*shd_task_fn)(size_t index, size_t worker, void *task_data);
 
 /**
  * Host job system. Frozen.
@@ -57,15 +57,15 @@ typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
  */
 typedef struct shd_executor {
     /**
-     * Runs task(task_data, i, worker) once for every i in [0, count), in any order and on any threads, and returns when
+     * Runs task(i, worker, task_data) once for every i in [0, count), in any order and on any threads, and returns when
      * all are done. Tasks that run concurrently must have different values of `worker`. A result other than SHD_OK
      * makes the call of shd fail with SHD_ERROR_CALLBACK. Runs on the thread that called shd; must not throw or
      * longjmp; may call shd.
      */
-    shd_result (*parallel_for)(void *user_data, uint32_t count, shd_task_fn task, void *task_data);
+    shd_result (*parallel_for)(size_t count, shd_task_fn task, void *task_data, void *user_data);
     void *user_data; /**< borrowed until release of the context */
     /** `worker` is below this number, 1..1024; scratch memory is allocated for this number of workers. */
-    uint32_t worker_count;
+    size_t worker_count;
 } shd_executor;
 
 /** Severity of a line of the log. */
@@ -80,7 +80,7 @@ typedef enum shd_log_level {
 /** Host log. Frozen. Without a log shd writes nothing: it never uses stdout or stderr. */
 typedef struct shd_log {
     /** Takes one line without newline. Any thread, calls may be concurrent; must not throw, longjmp or call shd. */
-    void (*write)(void *user_data, shd_log_level level, const char *message);
+    void (*write)(shd_log_level level, const char *message, void *user_data);
     void *user_data; /**< borrowed until release of the context */
 } shd_log;
 
@@ -105,7 +105,7 @@ typedef enum shd_simd {
 
 /** Options of a context; combine with |. */
 typedef enum shd_context_flag {
-    SHD_CONTEXT_DEFAULT = 0,
+    SHD_CONTEXT_NONE = 0,
     /**
      * Working memory of a call is allocated and freed block by block. Without this flag the context keeps it for the
      * next call, so that a loop of equal frames allocates nothing after each worker has drawn a part of a frame, with
@@ -123,7 +123,7 @@ typedef struct shd_context_desc {
     /**
      * Threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread; default 0 = one per core.
      */
-    uint32_t worker_count;
+    size_t worker_count;
     shd_simd simd;           /**< default SHD_SIMD_BEST; SHD_ERROR_UNSUPPORTED if it cannot run here */
     shd_allocator allocator; /**< default malloc and free; huge pages are requested for blocks of 8 MiB and more */
     shd_executor executor;   /**< default built-in */
@@ -164,10 +164,10 @@ SHD_API void shd_context_release(shd_context *context);
 SHD_API void shd_context_trim(shd_context *context);
 
 /** Name of the SIMD target of the context's kernels, such as "AVX2"; "" for a bad handle. Static. @since 0.1 */
-SHD_API const char *shd_context_simd_target(const shd_context *context);
+SHD_API const char *shd_context_get_simd_target(const shd_context *context);
 
 /** Number of workers of the executor, at least 1; 0 for a bad handle. @since 0.1 */
-SHD_API uint32_t shd_context_worker_count(const shd_context *context);
+SHD_API size_t shd_context_get_worker_count(const shd_context *context);
 
 SHD_END_DECLS
 

@@ -58,7 +58,7 @@ typedef enum shd_environment_table {
     SHD_ENVIRONMENT_TABLE_ALL = 7,
     SHD_ENVIRONMENT_TABLE_MAX_ENUM = 0x7fffffff
 } shd_environment_table;
-typedef uint32_t shd_environment_tables; /**< shd_environment_table bits */
+typedef uint32_t shd_environment_table_flags; /**< shd_environment_table bits */
 
 /** Image and tables of an environment. Required: image. */
 typedef struct shd_environment_desc {
@@ -71,8 +71,8 @@ typedef struct shd_environment_desc {
      * shd_environment_info counts them.
      */
     const shd_image *image;
-    shd_irradiance irradiance;     /**< default SHD_IRRADIANCE_HARMONICS */
-    shd_environment_tables tables; /**< default SHD_ENVIRONMENT_TABLE_ALL */
+    shd_irradiance irradiance;          /**< default SHD_IRRADIANCE_HARMONICS */
+    shd_environment_table_flags tables; /**< default SHD_ENVIRONMENT_TABLE_ALL */
     /* ---- end of 0.1; append below ---- */
 } shd_environment_desc;
 
@@ -109,14 +109,14 @@ SHD_API void shd_environment_release(shd_environment *environment);
 
 /** Properties of an environment. */
 typedef struct shd_environment_info {
-    uint32_t struct_size;          /**< set by shd_environment_info_default() */
-    shd_projection projection;     /**< as in its desc */
-    shd_irradiance irradiance;     /**< as in its desc */
-    shd_environment_tables tables; /**< as in its desc, with SHD_ENVIRONMENT_TABLE_RADIANCE if there are lobes */
-    uint32_t map_size;             /**< texels a side of the largest map, 0 without SHD_ENVIRONMENT_TABLE_RADIANCE */
-    float mean[3];                 /**< mean radiance of all directions */
-    uint64_t replaced_count;       /**< channels of the image that were negative, NaN or above 1e12 */
-    size_t byte_size;              /**< bytes of all tables */
+    uint32_t struct_size;               /**< set by shd_environment_info_default() */
+    shd_projection projection;          /**< as in its desc */
+    shd_irradiance irradiance;          /**< as in its desc */
+    shd_environment_table_flags tables; /**< as in its desc, with SHD_ENVIRONMENT_TABLE_RADIANCE if there are lobes */
+    uint32_t map_size;     /**< texels a side of the largest map, 0 without SHD_ENVIRONMENT_TABLE_RADIANCE */
+    float mean[3];         /**< mean radiance of all directions */
+    size_t replaced_count; /**< channels of the image that were negative, NaN or above 1e12 */
+    size_t byte_size;      /**< bytes of all tables */
     /* ---- end of 0.1; append below ---- */
 } shd_environment_info;
 
@@ -165,18 +165,19 @@ static inline shd_environment_lookups shd_environment_lookups_default(void)
 }
 
 /** Columns for irradiance or radiance; NULL = not wanted. */
-typedef struct shd_environment_light {
-    uint32_t struct_size; /**< set by shd_environment_light_default() */
-    shd_f32_out rgb[3];   /**< red, green, blue; irradiance, or radiance in the unit of the image */
+typedef struct shd_environment_values {
+    uint32_t struct_size;   /**< set by shd_environment_values_default() */
+    shd_f32_out channel[3]; /**< red, green, blue; irradiance, or radiance in the unit of the image */
+    size_t nonfinite_count; /**< written: lookups with a number that is not finite */
     /* ---- end of 0.1; append below ---- */
-} shd_environment_light;
+} shd_environment_values;
 
 /** Defaults, compiled into the caller so that struct_size is the caller's. */
-static inline shd_environment_light shd_environment_light_default(void)
+static inline shd_environment_values shd_environment_values_default(void)
 {
-    shd_environment_light light = SHD_ZERO_INIT;
-    light.struct_size = (uint32_t)sizeof light;
-    return light;
+    shd_environment_values values = SHD_ZERO_INIT;
+    values.struct_size = (uint32_t)sizeof values;
+    return values;
 }
 
 /**
@@ -185,9 +186,9 @@ static inline shd_environment_light shd_environment_light_default(void)
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_environment_irradiance(const shd_environment *environment,
-                                                            const shd_environment_lookups *lookups,
-                                                            const shd_environment_light *out);
+SHD_NODISCARD SHD_API shd_result shd_environment_sample_irradiance(const shd_environment *environment,
+                                                                   const shd_environment_lookups *lookups,
+                                                                   shd_environment_values *out);
 
 /**
  * Look up the radiance, or its mean over lobes, on the executor of the environment's context.
@@ -195,9 +196,9 @@ SHD_NODISCARD SHD_API shd_result shd_environment_irradiance(const shd_environmen
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_environment_radiance(const shd_environment *environment,
-                                                          const shd_environment_lookups *lookups,
-                                                          const shd_environment_light *out);
+SHD_NODISCARD SHD_API shd_result shd_environment_sample_radiance(const shd_environment *environment,
+                                                                 const shd_environment_lookups *lookups,
+                                                                 shd_environment_values *out);
 
 SHD_END_DECLS
 

@@ -36,6 +36,7 @@ typedef struct shd_tap {
     uint32_t level_v; /**< number of times the height was halved: the mip level, or the ripmap's level down */
     uint32_t x;       /**< column, after wrapping */
     uint32_t y;       /**< row, after wrapping */
+    uint32_t z;       /**< slice of a 3D texture, after wrapping; else 0 */
     uint32_t border;  /**< 1 = the border colour instead of the texel, else 0 */
     float weight;     /**< share of the result; the weights of all taps sum to 1 up to rounding */
     /**
@@ -43,7 +44,6 @@ typedef struct shd_tap {
      * lookups: 0 or 1 in the channel of r.
      */
     float value[4];
-    uint32_t z; /**< slice of a 3D texture, after wrapping; else 0 */
 } shd_tap;
 
 /** A blend of two nodes of the tree. Grows with shd_explanation.blend_size. */
@@ -55,20 +55,20 @@ typedef struct shd_blend_step {
 
 /** An explanation, with the caller's memory for its tables. */
 typedef struct shd_explanation {
-    uint32_t struct_size;    /**< set by shd_explanation_default() */
-    shd_tap *taps;           /**< [tap_capacity]; gets the first taps; NULL with a capacity of 0 */
-    shd_blend_step *blends;  /**< [blend_capacity]; gets the first blends; NULL with a capacity of 0 */
-    uint32_t tap_size;       /**< bytes of the caller's shd_tap; set by shd_explanation_default() */
-    uint32_t tap_capacity;   /**< elements of `taps` */
-    uint32_t tap_count;      /**< written: taps of the lookup */
-    uint32_t blend_size;     /**< bytes of the caller's shd_blend_step; set by shd_explanation_default() */
-    uint32_t blend_capacity; /**< elements of `blends` */
-    uint32_t blend_count;    /**< written: blends of the lookup; fewer than taps */
-    shd_filter filter;       /**< written: the filter that was used, after magnification */
-    float result[4];         /**< written: r, g, b, a of shd_texture_sample() with SHD_PRECISION_FULL */
-    float lod;               /**< written: level of detail of trilinear in the profile, after bias and clamps */
-    float scale_high[4];     /**< written: factor from the blends' units to the result, by stored channel */
-    float scale_low[4];      /**< written: lower bits of that factor */
+    uint32_t struct_size;   /**< set by shd_explanation_default() */
+    shd_filter filter;      /**< written: the filter that was used, after magnification */
+    float lod;              /**< written: level of detail of trilinear in the profile, after bias and clamps */
+    float result[4];        /**< written: r, g, b, a of shd_texture_sample() with SHD_PRECISION_FULL */
+    shd_tap *taps;          /**< [tap_capacity]; gets the first taps; NULL with a capacity of 0 */
+    size_t tap_size;        /**< bytes of the caller's shd_tap; set by shd_explanation_default() */
+    size_t tap_capacity;    /**< elements of `taps` */
+    size_t tap_count;       /**< written: taps of the lookup */
+    shd_blend_step *blends; /**< [blend_capacity]; gets the first blends; NULL with a capacity of 0 */
+    size_t blend_size;      /**< bytes of the caller's shd_blend_step; set by shd_explanation_default() */
+    size_t blend_capacity;  /**< elements of `blends` */
+    size_t blend_count;     /**< written: blends of the lookup; fewer than taps */
+    float scale_high[4];    /**< written: factor from the blends' units to the result, by stored channel */
+    float scale_low[4];     /**< written: lower bits of that factor */
     /** Written: the stored channel of r, g, b, a of the result; 4 = a constant: `fill`, or 0, 0, 1 of comparisons. */
     uint32_t channel_source[4];
     /**

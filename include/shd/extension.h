@@ -4,13 +4,15 @@
  * @brief Extensions: handles, errors, memory and tasks for libraries built on shd, such as libshd_color, libshd_io,
  *        libshd_scene and libshd_embree.
  *
+ * First calls: shd_object_create(), shd_object_get_body(), shd_report_error() and shd_context_parallel_for().
+ *
  * Objects of such libraries have the same guarantees as objects of libshd.
  *
  * Thread safety: any thread.
  *
  * @code
  * result = shd_object_create(context, 'N' << 24 | 'O' << 16 | 'I' << 8 | 'S', body, destroy_body, &object);
- * body = shd_object_body(object, 'N' << 24 | 'O' << 16 | 'I' << 8 | 'S'); // NULL for any other handle
+ * body = shd_object_get_body(object, 'N' << 24 | 'O' << 16 | 'I' << 8 | 'S'); // NULL for any other handle
  * @endcode
  */
 #ifndef SHD_EXTENSION_H
@@ -43,7 +45,7 @@ SHD_API void shd_context_free(shd_context *context, void *memory, size_t size, s
 SHD_API void shd_context_log(shd_context *context, shd_log_level level, const char *message);
 
 /** Run tasks on the context's executor, with IEEE default floating-point control. @since 0.1 */
-SHD_NODISCARD SHD_API shd_result shd_context_parallel_for(shd_context *context, uint32_t count, shd_task_fn task,
+SHD_NODISCARD SHD_API shd_result shd_context_parallel_for(shd_context *context, size_t count, shd_task_fn task,
                                                           void *task_data);
 
 /** A handle of the extension's own type. */
@@ -61,13 +63,13 @@ SHD_NODISCARD SHD_API shd_result shd_object_create(shd_context *context, uint32_
                                                    void (*destroy)(void *body), shd_object **out_object);
 
 /** Body of a live handle of that type; NULL, with the error text set, for any other pointer value. @since 0.1 */
-SHD_API void *shd_object_body(const shd_object *object, uint32_t type);
+SHD_API void *shd_object_get_body(const shd_object *object, uint32_t type);
 
 /** Context of a handle; borrowed; NULL for a bad handle. @since 0.1 */
-SHD_API shd_context *shd_object_context(const shd_object *object);
+SHD_API shd_context *shd_object_get_context(const shd_object *object);
 
 /** Context of a framebuffer; borrowed; NULL for a bad handle. @since 0.1 */
-SHD_API shd_context *shd_framebuffer_context(const shd_framebuffer *framebuffer);
+SHD_API shd_context *shd_framebuffer_get_context(const shd_framebuffer *framebuffer);
 
 /** Add a reference; NULL is ignored. @since 0.1 */
 SHD_API void shd_object_retain(shd_object *object, uint32_t type);

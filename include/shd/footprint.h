@@ -22,17 +22,18 @@
 #define SHD_FOOTPRINT_H
 
 #include <shd/column.h>
-#include <shd/result.h>
+#include <shd/context.h>
 
 SHD_BEGIN_DECLS
 
 /** Columns for derivatives per pixel step; NULL = not wanted. */
 typedef struct shd_derivatives {
-    uint32_t struct_size; /**< set by shd_derivatives_default() */
-    shd_f32_out dudx;     /**< du/dx */
-    shd_f32_out dvdx;     /**< dv/dx */
-    shd_f32_out dudy;     /**< du/dy */
-    shd_f32_out dvdy;     /**< dv/dy */
+    uint32_t struct_size;   /**< set by shd_derivatives_default() */
+    shd_f32_out dudx;       /**< du/dx */
+    shd_f32_out dvdx;       /**< dv/dx */
+    shd_f32_out dudy;       /**< du/dy */
+    shd_f32_out dvdy;       /**< dv/dy */
+    size_t nonfinite_count; /**< written: hits with a number that is not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_derivatives;
 
@@ -72,12 +73,14 @@ static inline shd_ray_differentials shd_ray_differentials_default(void)
  *
  * The change of the hit point is d(o + t d) + dt d, with dt chosen so that it lies in the surface. It is then expressed
  * in dp/du and dp/dv (Igehy, "Tracing Ray Differentials", 1999, sections 3.1 and 3.2).
- * @param rays  columns, borrowed for the call
- * @param out   columns, borrowed for the call; must not overlap any input or each other (checked)
+ * @param context  its executor and SIMD target are used; concurrent reads
+ * @param rays     columns, borrowed for the call
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_derivatives_from_differentials(const shd_ray_differentials *rays,
-                                                                    const shd_derivatives *out);
+SHD_NODISCARD SHD_API shd_result shd_derivatives_from_differentials(shd_context *context,
+                                                                    const shd_ray_differentials *rays,
+                                                                    shd_derivatives *out);
 
 /** Hits of rays with their cones, as columns of `count` elements; x, y, z in one space. */
 typedef struct shd_ray_cones {
@@ -105,11 +108,13 @@ static inline shd_ray_cones shd_ray_cones_default(void)
  * and across it (y). Each is as long as the ellipse in its direction (Akenine-Moller et al., "Improved Shader and
  * Texture Level of Detail Using Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as
  * 2^-10 rad.
- * @param cones  columns, borrowed for the call
- * @param out    columns, borrowed for the call; must not overlap any input or each other (checked)
+ * @param context  its executor and SIMD target are used; concurrent reads
+ * @param cones    columns, borrowed for the call
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_derivatives_from_cones(const shd_ray_cones *cones, const shd_derivatives *out);
+SHD_NODISCARD SHD_API shd_result shd_derivatives_from_cones(shd_context *context, const shd_ray_cones *cones,
+                                                            shd_derivatives *out);
 
 SHD_END_DECLS
 

@@ -33,13 +33,13 @@ SHD_BEGIN_DECLS
  * frequency. For vertices and centroids x, y, depth and the derivatives are 0.
  */
 typedef struct shd_fragments {
-    uint32_t struct_size;     /**< size of the library's struct */
-    uint32_t draw;            /**< index into shd_render_desc.draws; the same for every row */
-    uint32_t instance;        /**< index into shd_draw.instances, 0 without instances; the same for every row */
-    uint32_t varying_count;   /**< shd_material_desc.varying_count */
-    uint32_t attribute_count; /**< number of `attribute` columns */
-    size_t count;             /**< rows */
-    const void *uniforms;     /**< shd_draw.uniforms */
+    uint32_t struct_size;   /**< size of the library's struct */
+    uint32_t draw;          /**< index into shd_render_desc.draws; the same for every row */
+    uint32_t instance;      /**< index into shd_draw.instances, 0 without instances; the same for every row */
+    size_t varying_count;   /**< shd_material_desc.varying_count */
+    size_t attribute_count; /**< number of `attribute` columns */
+    size_t count;           /**< rows */
+    const void *uniforms;   /**< shd_draw.uniforms */
     /**
      * Raster position, pixels from the left edge. It is the centre of the pixel, or the mean of the covered samples if
      * there are several samples and the triangle does not cover the centre. With SHD_DRAW_SAMPLE_SHADING it is the
@@ -73,10 +73,10 @@ typedef struct shd_fragments {
 
 /** Output of a program: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
 typedef struct shd_radiance {
-    uint32_t struct_size;  /**< size of the library's struct */
-    uint32_t target_count; /**< number of `target` elements: 3 */
-    float *r, *g, *b, *a;  /**< packed columns of `count` elements */
-    uint32_t *discard;     /**< starts as 0; any other value drops the row. NULL without SHD_MATERIAL_DISCARDS */
+    uint32_t struct_size; /**< size of the library's struct */
+    size_t target_count;  /**< number of `target` elements: 3 */
+    float *r, *g, *b, *a; /**< packed columns of `count` elements */
+    uint32_t *discard;    /**< starts as 0; any other value drops the row. NULL without SHD_MATERIAL_DISCARDS */
     /**
      * [target_count] r, g, b, a of SHD_AOV_TARGET1, 2 and 3; start as 0. NULL for targets that the framebuffer lacks.
      */
@@ -87,7 +87,7 @@ typedef struct shd_radiance {
 /**
  * A fragment program: reads in->count rows and writes the same number of rows.
  *
- * The framebuffer keeps all values, even NaN and infinity; shd_render_stats.nonfinite_fragments counts these.
+ * The framebuffer keeps all values, even NaN and infinity; shd_render_stats.nonfinite_fragment_count counts these.
  */
 typedef void (*shd_fragment_fn)(const shd_fragments *in, shd_radiance *out, void *user_data);
 

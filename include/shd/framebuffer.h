@@ -3,6 +3,9 @@
  * @file
  * @brief Framebuffers: linear colour, depth and auxiliary planes of a frame.
  *
+ * First calls: shd_framebuffer_create(), shd_framebuffer_read_color(), shd_framebuffer_view_plane() and
+ * shd_framebuffer_release().
+ *
  * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row. With several samples a pixel, planes hold
  * one value for each pixel: the plain average of the samples for colour and targets, the value of the first sample for
  * the other planes.
@@ -19,7 +22,7 @@
  * @code
  * shd_framebuffer_desc desc = shd_framebuffer_desc_default();
  * shd_plane_view depth = shd_plane_view_default();
- * desc.width = 640, desc.height = 480, desc.samples = 4;
+ * desc.width = 640, desc.height = 480, desc.sample_count = 4;
  * result = shd_framebuffer_create(context, &desc, &framebuffer);
  * // after shd_render():
  * result = shd_framebuffer_view_plane(framebuffer, SHD_PLANE_DEPTH, &depth);
@@ -112,14 +115,14 @@ typedef struct shd_framebuffer_desc {
     uint32_t struct_size; /**< set by shd_framebuffer_desc_default() */
     uint32_t width;       /**< pixels, 1..16384 */
     uint32_t height;      /**< pixels, 1..16384 */
-    uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16, at shd_sample_position(); default 1 */
-    shd_aov_flags aovs;   /**< optional planes; default none */
     /**
      * Storage of colour: SHD_FORMAT_RGBA32F, four planes; or interleaved SHD_FORMAT_RGBA16F, _RGBA8_SRGB or _RGBA8.
      * Default SHD_FORMAT_RGBA32F. Targets are planes in any case. shd_render with SHD_RENDER_LOAD reads colour as it
      * was rounded.
      */
     shd_format color_format;
+    shd_aov_flags aovs;  /**< optional planes; default none */
+    size_t sample_count; /**< per pixel: 1, 2, 4, 8 or 16, at shd_sample_position(); default 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_desc;
 
@@ -128,7 +131,7 @@ static inline shd_framebuffer_desc shd_framebuffer_desc_default(void)
 {
     shd_framebuffer_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
-    desc.samples = 1;
+    desc.sample_count = 1;
     desc.color_format = SHD_FORMAT_RGBA32F;
     return desc;
 }
@@ -154,9 +157,9 @@ typedef struct shd_framebuffer_info {
     uint32_t struct_size;    /**< set by shd_framebuffer_info_default() */
     uint32_t width;          /**< pixels */
     uint32_t height;         /**< pixels */
-    uint32_t samples;        /**< per pixel */
-    shd_aov_flags aovs;      /**< optional planes */
     shd_format color_format; /**< storage of colour */
+    shd_aov_flags aovs;      /**< optional planes */
+    size_t sample_count;     /**< per pixel */
     size_t byte_size;        /**< bytes of all planes and pixels */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_info;
@@ -180,13 +183,13 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_get_info(const shd_framebuffer 
 /**
  * Get the position of a sample in its pixel. Positions and order are the standard sample locations of the Vulkan 1.3
  * specification ("Multisampling"), which are those of Direct3D 11's standard pattern. They are multiples of 1/16 pixel.
- * @param samples  samples of a pixel: 1, 2, 4, 8 or 16
- * @param index    number of the sample, 0..samples - 1
- * @param out_x    pixels from the left edge of the pixel; 0 on failure
- * @param out_y    pixels from the top edge of the pixel; 0 on failure
+ * @param sample_count  samples of a pixel: 1, 2, 4, 8 or 16
+ * @param index         number of the sample, 0..sample_count - 1
+ * @param out_x         pixels from the left edge of the pixel; 0 on failure
+ * @param out_y         pixels from the top edge of the pixel; 0 on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_sample_position(uint32_t samples, uint32_t index, float *out_x, float *out_y);
+SHD_NODISCARD SHD_API shd_result shd_sample_position(size_t sample_count, size_t index, float *out_x, float *out_y);
 
 /** A plane in place: no copy. */
 typedef struct shd_plane_view {
@@ -259,7 +262,7 @@ typedef struct shd_display {
      * straight alpha, 0..1. Runs on the thread of the call that takes the shd_display; must not throw or longjmp. A
      * result other than SHD_OK, with its text from shd_report_error(), becomes the result of the call. NULL = none.
      */
-    shd_result (*apply)(void *user_data, const shd_framebuffer *framebuffer, const shd_image *out);
+    shd_result (*apply)(const shd_framebuffer *framebuffer, const shd_image *out, void *user_data);
     void *user_data; /**< borrowed for the call */
 } shd_display;
 

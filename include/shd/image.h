@@ -103,6 +103,14 @@ static inline shd_image shd_image_default(void)
     return image;
 }
 
+/** A rectangle of pixels or texels. Frozen. */
+typedef struct shd_region {
+    uint32_t x;      /**< first column from the left */
+    uint32_t y;      /**< first row from the top */
+    uint32_t width;  /**< columns */
+    uint32_t height; /**< rows */
+} shd_region;
+
 SHD_END_DECLS
 
 #endif /* SHD_IMAGE_H */

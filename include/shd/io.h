@@ -3,6 +3,9 @@
  * @file
  * @brief libshd_io: image files to bitmaps and textures, framebuffers and images to files, by OpenImageIO.
  *
+ * First calls: shd_texture_load(), shd_framebuffer_save(); shd_bitmap_load(), shd_bitmap_get_image() and
+ * shd_image_save() for pixels without a texture.
+ *
  * Files are untrusted:
  *  - The content decides the format, never the name. The format must be on an allow list.
  *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated. A progressive JPEG is
@@ -90,7 +93,8 @@ typedef uint32_t shd_file_format_flags; /**< shd_file_format bits */
 
 /** Encoding of the numbers of a file. */
 typedef enum shd_color_encoding {
-    SHD_COLOR_ENCODING_AUTO = 0,   /**< load: as declared by the file, see shd_bitmap_color_space(); save: by format */
+    SHD_COLOR_ENCODING_AUTO =
+        0, /**< load: as declared by the file, see shd_bitmap_get_color_space(); save: by format */
     SHD_COLOR_ENCODING_SRGB = 1,   /**< r, g, b encoded with the sRGB curve (IEC 61966-2-1) */
     SHD_COLOR_ENCODING_LINEAR = 2, /**< light, Rec. 709 primaries */
     SHD_COLOR_ENCODING_DATA = 3,   /**< no colour: normals, roughness, masks */
@@ -99,7 +103,7 @@ typedef enum shd_color_encoding {
 
 /** Options of a load; combine with |. */
 typedef enum shd_load_flag {
-    SHD_LOAD_DEFAULT = 0,
+    SHD_LOAD_NONE = 0,
     /**
      * Decode in this process, for files that are as trusted as this program. Needs no worker; saves its start, about 2
      * ms a file and one copy of the pixels. A hostile file can end or take over this process, and time_limit is checked
@@ -121,7 +125,7 @@ typedef enum shd_load_flag {
     /**
      * Bitmaps: colour becomes linear light by its colour space, as an image that is a light needs it. RGBA8_SRGB, whose
      * format has the curve, linear 8-bit, half and float pixels stay as they are; all others become RGBA32F, and
-     * shd_bitmap_color_space() is "Linear Rec.709". Primaries are not converted. An unknown colour space is
+     * shd_bitmap_get_color_space() is "Linear Rec.709". Primaries are not converted. An unknown colour space is
      * SHD_ERROR_UNSUPPORTED. Textures are always linear.
      */
     SHD_LOAD_LINEAR = 16,
@@ -146,24 +150,24 @@ typedef uint32_t shd_load_flags; /**< shd_load_flag bits */
 
 /** Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT. */
 typedef struct shd_load_desc {
-    uint32_t struct_size;           /**< set by shd_load_desc_default() */
-    shd_file_format_flags formats;  /**< formats to accept; default 0 = SHD_FILE_FORMAT_DEFAULT */
-    shd_load_flags flags;           /**< default none */
-    shd_color_encoding color_space; /**< default AUTO; other values override the file's declaration */
-    shd_table_flags tables;         /**< tables of textures; default SHD_TABLE_MIPMAP */
-    uint32_t subimage;              /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
-    uint64_t max_file_bytes;        /**< size of the file; 0 = 2^30 */
+    uint32_t struct_size;          /**< set by shd_load_desc_default() */
+    shd_file_format_flags formats; /**< formats to accept; at least one; default SHD_FILE_FORMAT_DEFAULT */
+    shd_load_flags flags;          /**< default none */
+    shd_color_encoding encoding;   /**< default AUTO; other values override the file's declaration */
+    shd_table_flags tables;        /**< tables of textures; default SHD_TABLE_MIPMAP */
+    uint32_t subimage;             /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
+    uint64_t max_file_bytes;       /**< size of the file; at least 1; default 2^30 */
     /**
-     * width * height, of the data and of the display window, and the pixels of all levels with SHD_LOAD_FILE_LEVELS; 0
-     * = 2^28.
+     * width * height, of the data and of the display window, and the pixels of all levels with
+     * SHD_LOAD_FILE_LEVELS; at least 1; default 2^28.
      */
     uint64_t max_pixels;
-    uint64_t max_bytes; /**< decoded, as RGBA, all levels; 0 = 2^32 */
-    double max_ratio;   /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
+    uint64_t max_bytes; /**< decoded, as RGBA, all levels; at least 1; default 2^32 */
+    double max_ratio;   /**< decoded bytes per file byte, for more than 2^24 decoded; above 0; default 4000 */
     /**
-     * [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is checked between bands of rows. A worker
-     * that is stopped (SIGSTOP, a debugger) costs a load all of its time; when it has been silent for two seconds, the
-     * next load starts another one.
+     * [s], above 0; default 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is checked between bands of
+     * rows. A worker that is stopped (SIGSTOP, a debugger) costs a load all of its time; when it has been silent for
+     * two seconds, the next load starts another one.
      */
     double time_limit;
     /**
@@ -200,7 +204,13 @@ static inline shd_load_desc shd_load_desc_default(void)
 {
     shd_load_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
+    desc.formats = SHD_FILE_FORMAT_DEFAULT;
     desc.tables = SHD_TABLE_MIPMAP;
+    desc.max_file_bytes = (uint64_t)1 << 30;
+    desc.max_pixels = (uint64_t)1 << 28;
+    desc.max_bytes = (uint64_t)1 << 32;
+    desc.max_ratio = 4000.0;
+    desc.time_limit = 60.0;
     return desc;
 }
 
@@ -246,7 +256,7 @@ SHD_API void shd_bitmap_release(shd_bitmap *bitmap);
  *                   bitmap; read only
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_bitmap_image(const shd_bitmap *bitmap, shd_image *out_image);
+SHD_NODISCARD SHD_API shd_result shd_bitmap_get_image(const shd_bitmap *bitmap, shd_image *out_image);
 
 /**
  * Colour space of the pixels: "sRGB", "Linear Rec.709", "ACEScg", "ACES2065-1", "Rec709", "Gamma2.2" (any
@@ -257,7 +267,7 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_image(const shd_bitmap *bitmap, shd_
  * @return borrowed until release of the bitmap; "" for a bad handle
  * @since 0.1
  */
-SHD_API const char *shd_bitmap_color_space(const shd_bitmap *bitmap);
+SHD_API const char *shd_bitmap_get_color_space(const shd_bitmap *bitmap);
 
 /** Properties of a loaded file; combine with |. */
 typedef enum shd_bitmap_flag {
@@ -272,8 +282,8 @@ typedef uint32_t shd_bitmap_flags; /**< shd_bitmap_flag bits */
 typedef struct shd_bitmap_info {
     uint32_t struct_size;        /**< set by shd_bitmap_info_default() */
     shd_file_format file_format; /**< SHD_FILE_FORMAT_ANY for a format without a bit of its own */
-    uint32_t channels;           /**< in the file */
     shd_bitmap_flags flags;      /**< properties */
+    size_t channel_count;        /**< in the file */
     /* ---- end of 0.1; append below ---- */
 } shd_bitmap_info;
 
@@ -298,7 +308,8 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
  *  - Images (2D). sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float
  *    files RGBA32F with the same numbers. All others (16-bit integers, other transfer curves) are linearised to
  *    RGBA32F. Primaries are not converted; callers who need this use shd_bitmap_load(). Premultiplied files
- *    (SHD_BITMAP_PREMULTIPLIED) give SHD_TEXTURE_PREMULTIPLIED textures. A colour space that shd_bitmap_color_space()
+ *    (SHD_BITMAP_PREMULTIPLIED) give SHD_TEXTURE_PREMULTIPLIED textures. A colour space that
+ * shd_bitmap_get_color_space()
  *    does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it. The mip levels are those of
  *    shd_texture_create(): exact averages of the base in linear light. Levels in the file are ignored unless
  *    SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
@@ -345,7 +356,7 @@ typedef struct shd_save_desc {
      * Framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and DATA do not. Images: the tag of PNG
      * and EXR; AUTO = by pixel format.
      */
-    shd_color_encoding color_space;
+    shd_color_encoding encoding;
     shd_dither dither; /**< a framebuffer's colour in 8 and 16 bits; default none */
     /**
      * Replaces the sRGB curve of a framebuffer in 8 and 16 bits; see shd_color_apply_view() in shd/color.h. Default

@@ -62,20 +62,20 @@ typedef struct shd_lookups {
     size_t count;         /**< number of lookups; 0 is allowed */
     shd_f32_in u;         /**< normalised coordinate across; required */
     shd_f32_in v;         /**< normalised coordinate down; required */
-    shd_f32_in dudx;      /**< du/dx per pixel step; absent = 0 */
-    shd_f32_in dvdx;      /**< dv/dx; absent = 0 */
-    shd_f32_in dudy;      /**< du/dy; absent = 0 */
-    shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
-    shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
-    shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
-    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w */
     /**
      * Third coordinate: across the slices of a 3D texture, or of a direction; required by these textures, without
      * effect for others.
      */
     shd_f32_in w;
+    shd_f32_in dudx;      /**< du/dx per pixel step; absent = 0 */
+    shd_f32_in dvdx;      /**< dv/dx; absent = 0 */
     shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
+    shd_f32_in dudy;      /**< du/dy; absent = 0 */
+    shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
     shd_f32_in dwdy;      /**< dw/dy; absent = 0 */
+    shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
+    shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
+    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from u, v and, if read, w */
     shd_f32_in reference; /**< compared with texels by samplers with `compares`; absent = 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
@@ -103,7 +103,6 @@ typedef struct shd_texels {
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];
-    size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
     /**
      * d/dw of the channels of a 3D texture or of one of directions, as du; NULL = not wanted. 2D textures return
      * SHD_ERROR_UNSUPPORTED.
@@ -114,6 +113,7 @@ typedef struct shd_texels {
      * and coarser levels were filtered instead. NULL = not wanted.
      */
     shd_u32_out coarser;
+    size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_texels;
 
@@ -138,9 +138,10 @@ SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, 
 
 /** Columns for levels of detail; NULL = not wanted. */
 typedef struct shd_levels {
-    uint32_t struct_size; /**< set by shd_levels_default() */
-    shd_f32_out lod;      /**< continuous level of trilinear in the sampler's profile, after bias and clamps */
-    shd_u32_out level;    /**< nearest mip level: ceil(lod + 1/2) - 1, or the profile's */
+    uint32_t struct_size;   /**< set by shd_levels_default() */
+    shd_f32_out lod;        /**< continuous level of trilinear in the sampler's profile, after bias and clamps */
+    shd_u32_out level;      /**< nearest mip level: ceil(lod + 1/2) - 1, or the profile's */
+    size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_levels;
 
@@ -161,7 +162,7 @@ static inline shd_levels shd_levels_default(void)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_query_levels(const shd_texture *texture, const shd_sampler *sampler,
-                                                          const shd_lookups *lookups, const shd_levels *out);
+                                                          const shd_lookups *lookups, shd_levels *out);
 
 SHD_END_DECLS
 

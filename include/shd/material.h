@@ -117,9 +117,10 @@ typedef enum shd_normal_encoding {
      */
     SHD_NORMAL_ENCODING_TOKSVIG = 2,
     /**
-     * (x / z, y / z) and their squares, in floats, and their product in SHD_SLOT_NORMAL_MIXED, as shd_normal_moments()
-     * makes them. Lobes are averaged over normals with slopes of mean b and covariance S within the pixel (Olano and
-     * Baker, "LEAN Mapping", 2010), so grooves stretch highlights across them. With S = 0 the results are those of XYZ:
+     * (x / z, y / z) and their squares, in floats, and their product in SHD_SLOT_NORMAL_MIXED, as
+     * shd_mip_build_moments() makes them. Lobes are averaged over normals with slopes of mean b and covariance S within
+     * the pixel (Olano and Baker, "LEAN Mapping", 2010), so grooves stretch highlights across them. With S = 0 the
+     * results are those of XYZ:
      * - diffuse: the mean of max(0, n.l) over a Gaussian of slopes around the mean normal, divided by
      *   sqrt(1 + trace S);
      * - max(0, n.h)^p: Laplace's method, that is the lobe of the normal between b and h where its product with the
@@ -213,10 +214,13 @@ typedef struct shd_material_program {
 
 /** Model and coefficients, scene-linear RGB. */
 typedef struct shd_material_desc {
-    uint32_t struct_size;      /**< set by shd_material_desc_default() */
-    shd_model model;           /**< default SHD_MODEL_LAMBERT */
-    shd_debug_view debug_view; /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
-    shd_material_flags flags;  /**< default none */
+    uint32_t struct_size;     /**< set by shd_material_desc_default() */
+    shd_model model;          /**< default SHD_MODEL_LAMBERT */
+    shd_material_flags flags; /**< default none */
+    shd_blend blend;          /**< default SHD_BLEND_OPAQUE */
+    float alpha_cutoff;       /**< fragments with a smaller alpha are dropped, 0..1; default 0 = none */
+    float opacity;            /**< opacity of models, 0..1; default 1 */
+    float diffuse[3];         /**< k_d or base colour, 0..1e6; default 0.8 */
     /**
      * k_a, 0..1e6. Default -1 in all channels: k_a is ambient_share times the diffuse colour, k_d times its slot.
      * SHD_SLOT_AMBIENT replaces the slot of the diffuse colour in this product.
@@ -227,22 +231,28 @@ typedef struct shd_material_desc {
      * k_a is ambient_share there.
      */
     float ambient_share;
-    float diffuse[3];  /**< k_d or base colour, 0..1e6; default 0.8 */
     float specular[3]; /**< k_s, 0..1e6; default 0.5 */
     float exponent;    /**< p, 0..1e6; default 64 */
     float metallic;    /**< 0..1; default 0 */
     float roughness;   /**< 0..1; default 0.5 */
     /** Index of refraction of GLASS, and of METALLIC_ROUGHNESS for the part that is not metal, 1..10; default 1.5. */
     float ior;
-    float emission[3];        /**< 0..1e12; default 0, so a slot needs a larger value here */
-    float opacity;            /**< opacity of models, 0..1; default 1 */
-    float occlusion_strength; /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
+    /**
+     * Strength c of a clear coat over METALLIC_ROUGHNESS, 0..1; default 0 = none. As KHR_materials_clearcoat of glTF,
+     * with its own roughness and normal n_c and F = 0.04 + 0.96 (1 - |n_c.v|)^5: the model times 1 - c F, plus the sum
+     * of E max(0, n_c.l) c F D V. Without SHD_SLOT_CLEARCOAT_NORMAL, n_c is the normal without normal maps and bumps.
+     * Ambient light and emission are not darkened. No effect on other models.
+     */
+    float clearcoat;
+    float clearcoat_roughness; /**< 0..1; default 0 */
+    float emission[3];         /**< 0..1e12; default 0, so a slot needs a larger value here */
+    float occlusion_strength;  /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
     /**
      * [slot_count], all with the same struct_size, at most one for each target; borrowed for the call; coefficients
      * without a slot are constant.
      */
     const shd_slot *slots;
-    uint32_t slot_count;                 /**< default 0 */
+    size_t slot_count;                   /**< default 0 */
     shd_normal_encoding normal_encoding; /**< default SHD_NORMAL_ENCODING_XYZ */
     float normal_scale;                  /**< factor of x and y of mapped normals, -1e3..1e3; default 1 */
     shd_bump bump;                       /**< default SHD_BUMP_NONE */
@@ -259,21 +269,12 @@ typedef struct shd_material_desc {
     float warm_mix;               /**< share of k_d added to `warm`, 0..1; default 0.6 */
     float cool_mix;               /**< share of k_d added to `cool`, 0..1; default 0.2 */
     uint32_t toon_steps;          /**< steps of TOON, 1..256; default 3 */
-    shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
-    float alpha_cutoff;           /**< fragments with a smaller alpha are dropped, 0..1; default 0 = none */
+    shd_debug_view debug_view;    /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
     shd_material_program program; /**< default none */
     /** [varying_count]; borrowed for the call; NULL = all SHD_INTERPOLATION_PERSPECTIVE. */
     const shd_interpolation *interpolation;
     /** Varyings that program.vertex writes, 0..SHD_MAX_VARYINGS; 0 without program.vertex. */
     size_t varying_count;
-    /**
-     * Strength c of a clear coat over METALLIC_ROUGHNESS, 0..1; default 0 = none. As KHR_materials_clearcoat of glTF,
-     * with its own roughness and normal n_c and F = 0.04 + 0.96 (1 - |n_c.v|)^5: the model times 1 - c F, plus the sum
-     * of E max(0, n_c.l) c F D V. Without SHD_SLOT_CLEARCOAT_NORMAL, n_c is the normal without normal maps and bumps.
-     * Ambient light and emission are not darkened. No effect on other models.
-     */
-    float clearcoat;
-    float clearcoat_roughness; /**< 0..1; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 

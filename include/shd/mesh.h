@@ -3,6 +3,8 @@
  * @file
  * @brief Triangle meshes made from the caller's columns.
  *
+ * First calls: shd_mesh_create_shape() or shd_mesh_create(), shd_mesh_get_info() and shd_mesh_release().
+ *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; a mesh never changes, so concurrent use is free.
  *
@@ -71,7 +73,7 @@ typedef uint32_t shd_mesh_flags; /**< shd_mesh_flag bits */
 /** Vertices and triangles of a mesh; copied. Required: vertex_count, position. */
 typedef struct shd_mesh_desc {
     uint32_t struct_size;            /**< set by shd_mesh_desc_default() */
-    uint32_t vertex_count;           /**< 0..2^28; 0 makes an empty mesh */
+    size_t vertex_count;             /**< 0..2^28; 0 makes an empty mesh */
     shd_f32_in position[3];          /**< x, y, z, object space; required unless vertex_count is 0 */
     shd_f32_in normal[3];            /**< x, y, z, object space, any length; all three or none; computed if absent */
     shd_normal_weight normal_weight; /**< used when `normal` is absent; default SHD_NORMAL_WEIGHT_AREA */
@@ -82,8 +84,8 @@ typedef struct shd_mesh_desc {
     shd_f32_in uv1[2]; /**< u, v of a second set; both or none; 0 if absent */
     /** [attribute_count] columns for materials and programs, such as colours; any may be absent. */
     const shd_f32_in *attributes;
-    uint32_t attribute_count; /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
-    shd_topology topology;    /**< default SHD_TOPOLOGY_TRIANGLES */
+    size_t attribute_count; /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
+    shd_topology topology;  /**< default SHD_TOPOLOGY_TRIANGLES */
     /**
      * Vertex numbers of the triangles in the order of `topology`; counter-clockwise = front. NULL = indices16; if that
      * is NULL too, 0, 1, 2, ... In strips and fans the largest number (0xffffffff, or 0xffff in indices16) starts a new
@@ -154,16 +156,16 @@ SHD_API void shd_mesh_release(shd_mesh *mesh);
 
 /** Counts and bounds of a mesh. */
 typedef struct shd_mesh_info {
-    uint32_t struct_size;      /**< set by shd_mesh_info_default() */
-    uint32_t vertex_count;     /**< including the vertices that SHD_MESH_TANGENTS added */
-    uint32_t triangle_count;   /**< number of separate triangles, also for strips and fans */
-    float bounds_min[3];       /**< bound of the finite positions; 0 if there are none */
-    float bounds_max[3];       /**< bound of the finite positions; 0 if there are none */
-    uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
-    uint32_t normalless_count; /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
+    uint32_t struct_size;    /**< set by shd_mesh_info_default() */
+    size_t vertex_count;     /**< including the vertices that SHD_MESH_TANGENTS added */
+    size_t triangle_count;   /**< number of separate triangles, also for strips and fans */
+    float bounds_min[3];     /**< bound of the finite positions; 0 if there are none */
+    float bounds_max[3];     /**< bound of the finite positions; 0 if there are none */
+    size_t nonfinite_count;  /**< vertices with a position that is not finite */
+    size_t normalless_count; /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
     /** SHD_MESH_TANGENTS: vertices without a tangent from uv; they get a perpendicular one. */
-    uint32_t tangentless_count;
-    uint32_t split_count; /**< SHD_MESH_TANGENTS: vertices that were added */
+    size_t tangentless_count;
+    size_t split_count; /**< SHD_MESH_TANGENTS: vertices that were added */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_info;
 

@@ -109,7 +109,7 @@ static inline shd_mip_desc shd_mip_desc_default(void)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_image *base, const shd_mip_desc *desc,
-                                               uint32_t level_count, const shd_image *levels);
+                                               size_t level_count, const shd_image *levels);
 
 /**
  * Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals.
@@ -127,8 +127,8 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
  * @param mixed    bx by, for SHD_SLOT_NORMAL_MIXED: as `out`, but SHD_FORMAT_R16F or SHD_FORMAT_R32F. NULL = not wanted
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_normal_moments(shd_context *context, const shd_image *normals,
-                                                    const shd_image *out, const shd_image *mixed);
+SHD_NODISCARD SHD_API shd_result shd_mip_build_moments(shd_context *context, const shd_image *normals,
+                                                       const shd_image *out, const shd_image *mixed);
 
 SHD_END_DECLS
 

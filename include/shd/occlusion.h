@@ -9,16 +9,16 @@
  * with the radius of Zhukov, Iones and Kronin, "An Ambient Light Illumination Model", 1998). It is the value that
  * SHD_SLOT_OCCLUSION takes: from a column of the mesh (shd_slot_vertex) or a texture (shd_slot_texture).
  *
- * A tracer of the host answers which rays are blocked; libshd_embree has one (shd/embree.h). Each point has `rays`
+ * A tracer of the host answers which rays are blocked; libshd_embree has one (shd/embree.h). Each point has `ray_count`
  * directions in a cosine-weighted hemisphere (Malley's method) from the Hammersley set, shifted at each point by a hash
  * of the bits of its position, its normal and the seed (Cranley and Patterson, 1976). The expected value is exact; the
- * standard error is at most 1 / (2 sqrt(rays)) and usually far below.
+ * standard error is at most 1 / (2 sqrt(ray_count)) and usually far below.
  *
- * Without a tracer, 2 * rays directions of a spherical Fibonacci set (Keinert et al. 2015), turned by the seed, get a
- * depth map each, drawn by the rasteriser as in shd/shadow.h. All points share these directions, so values vary
+ * Without a tracer, 2 ray_count directions of a spherical Fibonacci set (Keinert et al. 2015), turned by the seed, get
+ * a depth map each, drawn by the rasteriser as in shd/shadow.h. All points share these directions, so values vary
  * smoothly, but a sharp edge casts faint steps. A map has texels of about 1 / map_size of the bounds of the draws;
- * cracks and contacts smaller than a few texels are lost. A map stores the occluder that is farthest from the point:
- * if it lies beyond the radius, it hides nearer ones, and the direction counts as open. docs/occlusion.md has errors.
+ * cracks and contacts smaller than a few texels are lost. A map stores the occluder that is farthest from the point: if
+ * it lies beyond the radius, it hides nearer ones, and the direction counts as open. docs/occlusion.md has errors.
  *
  * The value of a point is 1 if its position or normal is not finite, if the normal is 0, or if there is no occluder.
  * The bits of a point depend neither on the other points nor on workers and SIMD targets, provided that the bits of the
@@ -29,7 +29,7 @@
  * @code
  * shd_occlusion_desc desc = shd_occlusion_desc_default();
  * desc.draws = &draw, desc.draw_count = 1;
- * desc.rays = 256;
+ * desc.ray_count = 256;
  * out = shd_f32_out_column(column, 0); // one value for each vertex
  * result = shd_occlusion_compute_vertices(context, &desc, &draw, &out);
  * mesh_desc.attributes = &occlusion; // of a second mesh, with the column as attribute 0
@@ -73,7 +73,7 @@ typedef struct shd_tracer {
 /** Occluders and rays; borrowed for the call. Required: nothing. */
 typedef struct shd_occlusion_desc {
     uint32_t struct_size; /**< set by shd_occlusion_desc_default() */
-    uint32_t rays;        /**< per point, 1..65536; default 64 */
+    size_t ray_count;     /**< per point, 1..65536; default 64 */
     uint32_t seed;        /**< any value; default 0 */
     float radius;         /**< world length over which occluders count, > 0; default FLT_MAX = unlimited */
     /**
@@ -84,8 +84,8 @@ typedef struct shd_occlusion_desc {
     uint32_t map_size; /**< depth maps: edge length [texels], 16..8192; default 1024 */
     shd_tracer tracer; /**< default none */
     /**
-     * Occluders of the depth maps, as in shd_shadow_render_desc; NULL if draw_count is 0. Not read if there is a
-     * tracer, which has occluders of its own.
+     * [draw_count] occluders of the depth maps, as in shd_shadow_render_desc; NULL if draw_count is 0. Not read if
+     * there is a tracer, which has occluders of its own.
      */
     const shd_draw *draws;
     size_t draw_count; /**< up to 2^20 */
@@ -97,7 +97,7 @@ static inline shd_occlusion_desc shd_occlusion_desc_default(void)
 {
     shd_occlusion_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
-    desc.rays = 64;
+    desc.ray_count = 64;
     desc.radius = FLT_MAX;
     desc.map_size = 1024;
     return desc;
@@ -120,15 +120,32 @@ static inline shd_occlusion_points shd_occlusion_points_default(void)
     return points;
 }
 
+/** Columns for the occlusion of points. */
+typedef struct shd_occlusion_values {
+    uint32_t struct_size;   /**< set by shd_occlusion_values_default() */
+    shd_f32_out visibility; /**< 1 = open, 0 = enclosed; required unless count is 0 */
+    size_t nonfinite_count; /**< written: points with a number that is not finite */
+    /* ---- end of 0.1; append below ---- */
+} shd_occlusion_values;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_occlusion_values shd_occlusion_values_default(void)
+{
+    shd_occlusion_values values = SHD_ZERO_INIT;
+    values.struct_size = (uint32_t)sizeof values;
+    return values;
+}
+
 /**
  * Compute the occlusion of points.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @param desc     borrowed for the call
- * @param out      column of points->count elements; must not overlap the points (checked)
+ * @param points   columns, borrowed for the call
+ * @param out      columns, borrowed for the call; must not overlap any input (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_occlusion_compute(shd_context *context, const shd_occlusion_desc *desc,
-                                                       const shd_occlusion_points *points, const shd_f32_out *out);
+                                                       const shd_occlusion_points *points, shd_occlusion_values *out);
 
 /**
  * Compute the occlusion of the vertices of a draw, with their vertex normals. Its mesh and object_to_world are read.

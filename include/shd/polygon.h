@@ -79,15 +79,15 @@ typedef enum shd_barycentric {
  * Its vertices run in either direction. Convex kinds need a turn at every vertex.
  */
 typedef struct shd_polygon_desc {
-    uint32_t struct_size;  /**< set by shd_polygon_desc_default() */
-    shd_barycentric kind;  /**< default SHD_BARYCENTRIC_WACHSPRESS */
-    shd_f32_in vertex[2];  /**< [vertex_count] x and y, finite; required */
-    uint32_t vertex_count; /**< 3..SHD_MAX_POLYGON_VERTICES */
+    uint32_t struct_size; /**< set by shd_polygon_desc_default() */
+    shd_barycentric kind; /**< default SHD_BARYCENTRIC_WACHSPRESS */
     /**
      * HARMONIC: parts of each side of a triangle, 1..256; default 32. The solution has about
      * vertex_count segments^2 / 2 nodes. Nodes times vertices are limited to 2^24.
      */
     uint32_t segments;
+    shd_f32_in vertex[2]; /**< [vertex_count] x and y, finite; required */
+    size_t vertex_count;  /**< 3..SHD_MAX_POLYGON_VERTICES */
     /* ---- end of 0.1; append below ---- */
 } shd_polygon_desc;
 
@@ -119,7 +119,7 @@ static inline shd_polygon_points shd_polygon_points_default(void)
 /** Columns for the coordinates. */
 typedef struct shd_polygon_weights {
     uint32_t struct_size;      /**< set by shd_polygon_weights_default() */
-    uint32_t weight_count;     /**< number of columns; vertex_count of the polygon */
+    size_t weight_count;       /**< number of columns; vertex_count of the polygon */
     const shd_f32_out *weight; /**< [weight_count] b_i, one column for each vertex; NULL columns are not wanted */
     size_t outside_count;      /**< written: points outside the polygon */
     size_t nonfinite_count;    /**< written: points that are not finite */
@@ -136,7 +136,7 @@ static inline shd_polygon_weights shd_polygon_weights_default(void)
 
 /**
  * Compute the barycentric coordinates of points.
- * @param context  executor and memory; NULL = the calling thread and malloc. The solver of HARMONIC also uses malloc
+ * @param context  its executor and allocator are used; concurrent reads. The solver of HARMONIC also uses malloc
  * @param desc     columns, borrowed for the call
  * @param points   columns, borrowed for the call
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
@@ -144,7 +144,7 @@ static inline shd_polygon_weights shd_polygon_weights_default(void)
  *         thin for the triangles of HARMONIC is SHD_ERROR_INVALID_ARGUMENT
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_polygon_evaluate(const shd_context *context, const shd_polygon_desc *desc,
+SHD_NODISCARD SHD_API shd_result shd_polygon_evaluate(shd_context *context, const shd_polygon_desc *desc,
                                                       const shd_polygon_points *points, shd_polygon_weights *out);
 
 SHD_END_DECLS

@@ -11,13 +11,13 @@
  *                must not throw or longjmp. Floating-point control is the IEEE default while it runs.
  *
  * @code
- * static shd_result copy_red(void *user_data, const shd_present_tile *tile)
+ * static shd_result copy_red(const shd_present_tile *tile, void *user_data)
  * {
  *     float *image = user_data; // [height][WIDTH]
  *     uint32_t y;
- *     for (y = 0; y < tile->height; ++y) {
- *         memcpy(image + (size_t)(tile->y + y) * WIDTH + tile->x,
- *                (const char *)tile->channel[0] + y * tile->row_stride, sizeof *image * tile->width);
+ *     for (y = 0; y < tile->area.height; ++y) {
+ *         memcpy(image + (size_t)(tile->area.y + y) * WIDTH + tile->area.x,
+ *                (const char *)tile->channel[0] + y * tile->row_stride, sizeof *image * tile->area.width);
  *     }
  *     return SHD_OK;
  * }
@@ -28,7 +28,7 @@
 #ifndef SHD_PRESENT_H
 #define SHD_PRESENT_H
 
-#include <shd/base.h>
+#include <shd/image.h>
 #include <shd/result.h>
 
 SHD_BEGIN_DECLS
@@ -43,11 +43,8 @@ SHD_BEGIN_DECLS
  */
 typedef struct shd_present_tile {
     uint32_t struct_size;    /**< size of the library's struct */
-    uint32_t worker;         /**< below shd_context_worker_count(); calls with one worker are never concurrent */
-    uint32_t x;              /**< first column, pixels of the framebuffer from the left */
-    uint32_t y;              /**< first row, pixels of the framebuffer from the top */
-    uint32_t width;          /**< columns, 1..64 */
-    uint32_t height;         /**< rows, 1..64 */
+    size_t worker;           /**< below shd_context_get_worker_count(); calls with one worker are never concurrent */
+    shd_region area;         /**< pixels of the framebuffer, up to 64 x 64 */
     const float *channel[4]; /**< r, g, b and a: [height][row_stride / 4]; borrowed for the call */
     size_t row_stride;       /**< bytes between rows */
     /* ---- end of 0.1; append below ---- */
@@ -61,7 +58,7 @@ typedef struct shd_present {
      * supersampling after the last block. A result other than SHD_OK, with its text from shd_report_error(), becomes
      * the result of the render; tiles that follow are skipped. NULL = none.
      */
-    shd_result (*tile)(void *user_data, const shd_present_tile *tile);
+    shd_result (*tile)(const shd_present_tile *tile, void *user_data);
     void *user_data; /**< borrowed for the call that takes the shd_present */
 } shd_present;
 

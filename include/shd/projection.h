@@ -46,7 +46,7 @@
  * shd_directions directions = shd_directions_default(); // fill projection, count and columns
  * shd_projected_points points = shd_projected_points_default();
  * points.u = shd_f32_out_column(u, 0), points.v = shd_f32_out_column(v, 0);
- * result = shd_project_directions(context, &directions, &points);
+ * result = shd_projection_project(context, &directions, &points);
  * @endcode
  */
 #ifndef SHD_PROJECTION_H
@@ -123,7 +123,7 @@ static inline shd_projected_points shd_projected_points_default(void)
  * @param out         columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_project_directions(shd_context *context, const shd_directions *directions,
+SHD_NODISCARD SHD_API shd_result shd_projection_project(shd_context *context, const shd_directions *directions,
                                                         shd_projected_points *out);
 
 /** Points of images, as columns of `count` elements. */
@@ -176,7 +176,7 @@ static inline shd_point_directions shd_point_directions_default(void)
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_unproject_directions(shd_context *context, const shd_image_points *points,
+SHD_NODISCARD SHD_API shd_result shd_projection_unproject(shd_context *context, const shd_image_points *points,
                                                           shd_point_directions *out);
 
 /** Arrangement of the faces of a cube map in images. n is the size of a face. */

@@ -37,122 +37,21 @@
 #ifndef SHD_RENDER_H
 #define SHD_RENDER_H
 
-#include <shd/edges.h>
+#include <shd/draw.h>
+#include <shd/environment.h>
 #include <shd/framebuffer.h>
 #include <shd/light.h>
-#include <shd/material.h>
-#include <shd/mesh.h>
 #include <shd/present.h>
+#include <shd/shadow.h>
 #include <shd/view.h>
 #include <shd/volume.h>
 
 SHD_BEGIN_DECLS
 
-struct shd_environment; /* shd/environment.h */
-struct shd_shadow;      /* shd/shadow.h */
-
-/** Points at which the reflectance model is evaluated. Textures are looked up per fragment at every frequency. */
-typedef enum shd_frequency {
-    SHD_FREQUENCY_PHONG = 0,   /**< per fragment, with interpolated and renormalised normals (Phong 1975) */
-    SHD_FREQUENCY_GOURAUD = 1, /**< per vertex, colours interpolated (Gouraud 1971) */
-    SHD_FREQUENCY_FLAT = 2,    /**< once per triangle, with the face normal at the centroid */
-    SHD_FREQUENCY_MAX_ENUM = 0x7fffffff
-} shd_frequency;
-
-/** Triangles that are skipped; front = counter-clockwise on the screen, seen with y up. */
-typedef enum shd_cull {
-    SHD_CULL_NONE = 0,
-    SHD_CULL_BACK = 1,
-    SHD_CULL_FRONT = 2,
-    SHD_CULL_MAX_ENUM = 0x7fffffff
-} shd_cull;
-
-/** Options of a draw; combine with |. */
-typedef enum shd_draw_flag {
-    SHD_DRAW_NONE = 0,
-    SHD_DRAW_KEEP_DEPTH = 1,     /**< test depth without writing it */
-    SHD_DRAW_SAMPLE_SHADING = 2, /**< shade every sample at its own position, instead of every pixel once */
-    SHD_DRAW_FLAG_MAX_ENUM = 0x7fffffff
-} shd_draw_flag;
-typedef uint32_t shd_draw_flags; /**< shd_draw_flag bits */
-
-/** Parts of a triangle that are drawn. */
-typedef enum shd_fill {
-    SHD_FILL_SOLID = 0,
-    SHD_FILL_WIREFRAME = 1, /**< its three edges */
-    SHD_FILL_POINTS = 2,    /**< its three vertices */
-    SHD_FILL_LINES = 3,     /**< its edges of the kinds in shd_draw.edges; for meshes with SHD_MESH_ADJACENCY */
-    SHD_FILL_MAX_ENUM = 0x7fffffff
-} shd_fill;
-
-/**
- * One mesh in the frame. Required: mesh.
- *
- * Lines are rectangles around the edge, as long as the edge, with square ends (OpenGL 4.6 core specification,
- * 14.5, antialiased lines). Points are squares around the vertices. Both lie on the grid of 8 subpixel bits and cover
- * samples as triangles do, so a line or point narrower than 1 may fall between samples. Depth varies along a line and
- * is constant across it; a point has the depth of its vertex. depth_bias_slope uses these depths instead of the
- * triangle's. Attributes are interpolated at the pixel, with barycentric coordinates clamped to the triangle, and
- * texture coordinates clamped to those of its vertices; a triangle without area gives the mean of its corners.
- *
- * Culling drops all lines and points of a triangle. A triangle without area is dropped if `cull` is not NONE. Clipping
- * at the near and far plane adds no edges. A vertex beyond these planes has no point, and an edge without length has no
- * line. A shared edge or vertex is drawn once by each of its triangles, with the same samples and depths.
- * SHD_COMPARE_LESS therefore shows it once, but with SHD_DRAW_KEEP_DEPTH a blend is applied several times.
- *
- * SHD_FILL_LINES draws each edge of the mesh once, for triangles facing either way: `cull` has no effect. The edge
- * belongs to its first triangle: this triangle's vertices shade it, and it is ordered and counted with this triangle.
- * Silhouettes are found for the centre of projection of world_to_view and view_to_clip (view.eye, if a camera made the
- * view), or for the direction of a parallel projection. They depend on object_to_world and the positions of the mesh;
- * vertex programs have no effect on them.
- *
- * A drawing without hidden lines takes two draws. The first draws the mesh as usual (without a material, if only lines
- * shall be visible), with depth_bias 1e-5 and depth_bias_slope fill_width / 2 + 1. This bias moves the surface behind
- * the lines that lie on its front. The second draws the lines with SHD_COMPARE_LESS_EQUAL. Lines over everything use
- * SHD_COMPARE_ALWAYS.
- */
-typedef struct shd_draw {
-    uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
-    const shd_mesh *mesh;         /**< required; borrowed for the call */
-    const shd_material *material; /**< borrowed for the call; NULL = draw depth only, without programs */
-    const void *uniforms;         /**< passed to the programs of the material; borrowed for the call; default NULL */
-    float object_to_world[16];    /**< affine, finite; default identity */
-    /**
-     * Object-to-world matrices, [instance_count][16], each affine and finite, instead of object_to_world. The mesh is
-     * drawn with each of them as if by separate draws, in order. Borrowed for the call.
-     */
-    const float *instances;
-    size_t instance_count;   /**< all draws together up to 2^20; default 0 = once, with object_to_world */
-    shd_frequency frequency; /**< default SHD_FREQUENCY_PHONG */
-    shd_draw_flags flags;    /**< default none */
-    shd_cull cull;           /**< default SHD_CULL_NONE */
-    shd_compare compare;     /**< default SHD_COMPARE_LESS */
-    float depth_bias;        /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
-    /** Factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite; default 0. */
-    float depth_bias_slope;
-    shd_fill fill;        /**< default SHD_FILL_SOLID */
-    float fill_width;     /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */
-    shd_edge_flags edges; /**< edges of SHD_FILL_LINES; default SHD_EDGE_ALL */
-    float crease_cosine;  /**< threshold of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
-    /* ---- end of 0.1; append below ---- */
-} shd_draw;
-
-/** Defaults, compiled into the caller so that struct_size is the caller's. */
-static inline shd_draw shd_draw_default(void)
-{
-    shd_draw draw = SHD_ZERO_INIT;
-    draw.struct_size = (uint32_t)sizeof draw;
-    draw.object_to_world[0] = draw.object_to_world[5] = 1.0f;
-    draw.object_to_world[10] = draw.object_to_world[15] = 1.0f;
-    draw.edges = SHD_EDGE_ALL;
-    draw.crease_cosine = 0.5f;
-    return draw;
-}
-
 /** Options of a frame; combine with |. */
 typedef enum shd_render_flag {
     SHD_RENDER_NONE = 0,
-    SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_samples: coverage is computed at least twice */
+    SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_sample_count: coverage is computed at least twice */
     /** Keep the planes instead of clearing them: each sample starts with the values of its pixel. */
     SHD_RENDER_LOAD = 2,
     SHD_RENDER_FLAG_MAX_ENUM = 0x7fffffff
@@ -174,7 +73,7 @@ typedef enum shd_visibility {
     /**
      * The painter's algorithm: triangles by their farthest vertex, far ones first, equal ones in the order of draws and
      * triangles. The picture is wrong where two triangles overlap and the one painted first is nearer in the overlap;
-     * shd_render_stats.order_conflicts counts these pairs. O(n log n).
+     * shd_render_stats.order_conflict_count counts these pairs. O(n log n).
      */
     SHD_VISIBILITY_PAINTER = 1,
     /**
@@ -207,36 +106,36 @@ typedef enum shd_background {
 
 /** Statistics of a frame: the counts from nonfinite to rasterised add up to `triangles`. */
 typedef struct shd_render_stats {
-    uint32_t struct_size; /**< set by shd_render_stats_default() */
-    uint64_t triangles;   /**< in all draws */
-    uint64_t nonfinite;   /**< dropped: a vertex is NaN or infinite after transformation */
-    uint64_t outside;     /**< dropped: outside the view volume */
+    uint32_t struct_size;              /**< set by shd_render_stats_default() */
+    uint64_t triangle_count;           /**< in all draws */
+    uint64_t nonfinite_triangle_count; /**< dropped: a vertex is NaN or infinite after transformation */
+    uint64_t outside_triangle_count;   /**< dropped: outside the view volume */
     /**
      * Dropped: facing the culled way, without area on the pixel grid, or (SHD_FILL_LINES) without a visible edge that
      * belongs to the triangle.
      */
-    uint64_t culled;
-    uint64_t empty;      /**< dropped: between pixel centres */
-    uint64_t rasterised; /**< drawn, hidden or not */
-    uint64_t clipped;    /**< cut by a clip plane, among outside, culled, empty and rasterised */
+    uint64_t culled_triangle_count;
+    uint64_t empty_triangle_count;      /**< dropped: between pixel centres */
+    uint64_t rasterized_triangle_count; /**< drawn, hidden or not */
+    uint64_t clipped_triangle_count;    /**< cut by a clip plane, among outside, culled, empty and rasterised */
     /**
      * Shaded; opaque draws count a pixel once for every triangle that is visible in it, in each pass
      * (shd_render_desc.pass_triangles).
      */
-    uint64_t fragments;
-    uint64_t nonfinite_fragments; /**< fragments whose r, g, b or a was NaN or infinite (kept as written) */
+    uint64_t fragment_count;
+    uint64_t nonfinite_fragment_count; /**< fragments whose r, g, b or a was NaN or infinite (kept as written) */
     /**
      * Covered, but failed the depth test before shading; 0 without SHD_RENDER_COUNT_HIDDEN. Draws that blend or drop
      * fragments may be tested against stale depth, so their count is approximate.
      */
-    uint64_t hidden_samples;
+    uint64_t hidden_sample_count;
     /**
      * PAINTER and NEWELL: pairs of triangles or pieces that overlap on the screen where the one painted first is nearer
      * somewhere in the overlap, by more than the tolerance of NEWELL. A lower bound where triangles are dense: pairs
      * are searched in the cells of a grid, and in a cell of n triangles up to 64 n + 1024 pairs are compared.
      */
-    uint64_t order_conflicts;
-    uint64_t splits; /**< cuts of NEWELL */
+    uint64_t order_conflict_count;
+    uint64_t split_count; /**< cuts of NEWELL */
     /** Peak of working memory, with what the context keeps from earlier calls; depends on the number of workers. */
     uint64_t scratch_bytes;
     double vertex_seconds;   /**< wall-clock time of transforming vertices */
@@ -258,20 +157,13 @@ static inline shd_render_stats shd_render_stats_default(void)
 typedef struct shd_progress {
     /**
      * Called after each piece of the frame, with the finished fraction of the frame, (0, 1]. Runs on any worker; calls
-     * are never concurrent. Must not throw, longjmp or call shd. A result other than 0 cancels: the render returns
-     * SHD_ERROR_CANCELLED and the framebuffer holds a part of the frame.
+     * are never concurrent. Must not throw, longjmp or call shd. A result other than SHD_OK, such as
+     * SHD_ERROR_CANCELLED, ends the frame and becomes the result of the render; the framebuffer holds a part of the
+     * frame.
      */
-    int32_t (*report)(void *user_data, float fraction);
+    shd_result (*report)(float fraction, void *user_data);
     void *user_data; /**< borrowed for the call */
 } shd_progress;
-
-/** Rectangle of pixels of a picture. Frozen. */
-typedef struct shd_region {
-    uint32_t x;      /**< first column from the left */
-    uint32_t y;      /**< first row from the top */
-    uint32_t width;  /**< columns */
-    uint32_t height; /**< rows */
-} shd_region;
 
 /**
  * A whole frame, or a window of it. All pointers are borrowed for the call. Required: framebuffer.
@@ -282,16 +174,12 @@ typedef struct shd_region {
 typedef struct shd_render_desc {
     uint32_t struct_size;         /**< set by shd_render_desc_default() */
     shd_framebuffer *framebuffer; /**< required */
-    float clear_color[4];         /**< linear, premultiplied RGBA; default 0 */
-    float clear_depth;            /**< 0..1; default 1 */
-    shd_render_flags flags;       /**< default none */
     /**
      * Replaces `view`. An aspect of 0, the default, means the aspect of the viewport, or of the picture if there is no
      * viewport. NULL = `view`.
      */
     const shd_camera *camera;
-    shd_view view;             /**< default: identity matrices, eye at 0 */
-    shd_visibility visibility; /**< default SHD_VISIBILITY_DEPTH */
+    shd_view view; /**< default: identity matrices, eye at 0 */
     /** [draw_count], all with the same struct_size, in order; NULL if draw_count is 0. */
     const shd_draw *draws;
     size_t draw_count;              /**< up to 2^20 */
@@ -300,10 +188,39 @@ typedef struct shd_render_desc {
      * [light_count], each NULL or a shadow of shd/shadow.h that was rendered for a light of the same kind. The light
      * that reaches a fragment is multiplied by the visibility at its position, with its shading normal. NULL = none.
      */
-    const struct shd_shadow *const *shadows;
-    size_t light_count;      /**< up to 2^20 */
-    uint32_t picture_width;  /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
-    uint32_t picture_height; /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    const shd_shadow *const *shadows;
+    size_t light_count; /**< up to 2^20 */
+    /**
+     * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
+     * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. It must
+     * have been created with the tables of the models of the draws (shd_environment_desc.tables).
+     */
+    const shd_environment *environment;
+    float environment_intensity; /**< factor of its radiance, 0..1e12; default 1 */
+    /**
+     * Rotation or reflection of its directions, column-major, with orthonormal columns within 1e-3; default identity.
+     */
+    float environment_to_world[9];
+    shd_background background; /**< default SHD_BACKGROUND_CLEAR */
+    /**
+     * Roughness of the GGX lobe that blurs the environment behind the picture, 0..1; values above 0 need
+     * SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp.
+     */
+    float background_roughness;
+    float clear_color[4]; /**< linear, premultiplied RGBA; default 0 */
+    float clear_depth;    /**< 0..1; default 1 */
+    /**
+     * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
+     * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all
+     * samples of equal depth. Depth decreases with the distance if clear_depth is below 1/2, and increases otherwise.
+     * Depth and planes other than colour keep their values. NULL if volume_count is 0.
+     */
+    const shd_volume_draw *volumes;
+    size_t volume_count;       /**< up to 1024; default 0 */
+    shd_visibility visibility; /**< default SHD_VISIBILITY_DEPTH */
+    shd_render_flags flags;    /**< default none */
+    uint32_t picture_width;    /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    uint32_t picture_height;   /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
     /** Column of the picture at which the framebuffer begins; the framebuffer lies inside the picture; default 0. */
     uint32_t crop_x;
     uint32_t crop_y; /**< row of the picture at which the framebuffer begins; default 0 */
@@ -314,7 +231,7 @@ typedef struct shd_render_desc {
     const shd_region *viewport;
     const shd_region *scissor; /**< pixels of the picture that may change; NULL = all */
     /**
-     * n, 2..16; 0 and 1 = off. The frame is drawn as a picture n times as large, up to 65536 pixels a side, with the
+     * n, 1..16; default 1 = off. The frame is drawn as a picture n times as large, up to 65536 pixels a side, with the
      * framebuffer's number of samples in each pixel; crop, viewport and scissor are scaled by n. Colour and targets of
      * a pixel are the plain average of its n x n pixels; depth and the other planes have the values of the top left
      * one. Derivatives (and so footprints of textures) and raster positions in programs refer to the large picture;
@@ -324,7 +241,7 @@ typedef struct shd_render_desc {
      */
     uint32_t supersampling;
     /**
-     * Largest number of triangles that are processed together, 1024..2^31-1; 0 = 2^21. A larger frame is drawn in
+     * Largest number of triangles that are processed together, 1024..2^31-1; default 2^21. A larger frame is drawn in
      * passes. A pass has several whole draws, each of which counts as at least 16 triangles, or a part of one draw. The
      * framebuffer has the same bits for any number. Draws of SHD_BLEND_WEIGHTED and SHD_BLEND_SORTED form the last pass
      * together. Only with SHD_VISIBILITY_DEPTH: the other methods order all triangles together.
@@ -343,31 +260,6 @@ typedef struct shd_render_desc {
     shd_render_stats *stats;
     shd_progress progress; /**< default none */
     shd_present present;   /**< receives the finished tiles; default none */
-    /**
-     * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
-     * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. It must
-     * have been created with the tables of the models of the draws (shd_environment_desc.tables).
-     */
-    const struct shd_environment *environment;
-    float environment_intensity; /**< factor of its radiance, 0..1e12; default 1 */
-    /**
-     * Rotation or reflection of its directions, column-major, with orthonormal columns within 1e-3; default identity.
-     */
-    float environment_to_world[9];
-    shd_background background; /**< default SHD_BACKGROUND_CLEAR */
-    /**
-     * Roughness of the GGX lobe that blurs the environment behind the picture, 0..1; values above 0 need
-     * SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp.
-     */
-    float background_roughness;
-    /**
-     * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
-     * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all
-     * samples of equal depth. Depth decreases with the distance if clear_depth is below 1/2, and increases otherwise.
-     * Depth and planes other than colour keep their values. NULL if volume_count is 0.
-     */
-    const shd_volume_draw *volumes;
-    size_t volume_count; /**< up to 1024; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 
@@ -379,6 +271,8 @@ static inline shd_render_desc shd_render_desc_default(void)
     desc.struct_size = (uint32_t)sizeof desc;
     desc.clear_depth = 1.0f;
     for (i = 0; i < 16; i += 5) desc.view.world_to_view[i] = desc.view.view_to_clip[i] = 1.0f;
+    desc.supersampling = 1;
+    desc.pass_triangles = (uint32_t)1 << 21;
     desc.environment_intensity = 1.0f;
     for (i = 0; i < 9; i += 4) desc.environment_to_world[i] = 1.0f;
     return desc;

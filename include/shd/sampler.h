@@ -266,6 +266,7 @@ typedef struct shd_sampler_desc {
     shd_magnification magnification; /**< default SHD_MAGNIFICATION_DEFAULT */
     shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
     shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
+    shd_wrap wrap_w; /**< across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
     /**
      * Colour of texels outside with SHD_WRAP_BORDER: stored r, g, b, a, linear, before the swizzle of the texture;
      * channels that come from its `fill` are `fill` outside, too; finite; default 0.
@@ -273,38 +274,9 @@ typedef struct shd_sampler_desc {
     float border[4];
     /** Default SHD_PROFILE_LEAST_ERROR. It also determines which lookups are magnified (shd_magnification). */
     shd_profile profile;
-    float lod_bias;       /**< added to the level of detail, -15..15; default 0 */
-    float lod_min;        /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
-    float lod_max;        /**< highest level of detail, 0..32; default 32 */
-    float width_x;        /**< factor of the derivatives in x, 0..64; default 1 */
-    float width_y;        /**< factor of the derivatives in y, 0..64; default 1 */
-    float blur_u;         /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
-    float blur_v;         /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
-    float max_anisotropy; /**< largest ratio of the footprint's axes, 1..64; default 16 */
-    shd_probe_weights
-        probe_weights; /**< weights of ANISOTROPIC in LEAST_ERROR and EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
-    shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
-    shd_box box;       /**< area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
-    float tolerance;   /**< tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
-    /**
-     * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
-     * default SHD_FILTER_TRILINEAR.
-     */
-    shd_filter stochastic_filter;
-    uint32_t seed;           /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
-    shd_precision precision; /**< default SHD_PRECISION_FULL */
-    /**
-     * Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
-     * limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
-     * max_anisotropy does: longer footprints use coarser levels.
-     */
-    uint32_t max_texels;
-    /**
-     * Length by which a footprint may exceed the probes of ANISOTROPIC in LEAST_ERROR and EXACT before another one is
-     * added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
-     * probes.
-     */
-    float probe_slack;
+    float lod_bias; /**< added to the level of detail, -15..15; default 0 */
+    float lod_min;  /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
+    float lod_max;  /**< highest level of detail, 0..32; default 32 */
     /**
      * Part of the way between two mip levels in which TRILINEAR, NEAREST_MIP_LINEAR and ANISOTROPIC in LEAST_ERROR and
      * EXACT blend them, 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is
@@ -312,9 +284,35 @@ typedef struct shd_sampler_desc {
      * is read.
      */
     float level_blend;
+    float width_x;        /**< factor of the derivatives in x, 0..64; default 1 */
+    float width_y;        /**< factor of the derivatives in y, 0..64; default 1 */
+    float blur_u;         /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
+    float blur_v;         /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
+    float max_anisotropy; /**< largest ratio of the footprint's axes, 1..64; default 16 */
+    /**
+     * Largest number of texels that a lookup of ANISOTROPIC or EWA reads; in 3D textures 2 or 4 times as many. 0 = no
+     * limit besides max_anisotropy, or 32 or more; default 0. It limits the ratio of the footprint's axes as
+     * max_anisotropy does: longer footprints use coarser levels.
+     */
+    uint32_t max_texels;
+    shd_probe_weights
+        probe_weights; /**< weights of ANISOTROPIC in LEAST_ERROR and EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
+    /**
+     * Length by which a footprint may exceed the probes of ANISOTROPIC in LEAST_ERROR and EXACT before another one is
+     * added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
+     * probes.
+     */
+    float probe_slack;
+    shd_cubic cubic; /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
+    shd_box box;     /**< area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
+    float tolerance; /**< tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
+    /**
+     * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
+     * default SHD_FILTER_TRILINEAR.
+     */
+    shd_filter stochastic_filter;
     shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
-    shd_wrap wrap_w;           /**< across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
-    shd_missing_tiles missing_tiles; /**< default SHD_MISSING_TILES_WAIT */
+    uint32_t seed;             /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
     /**
      * 1 = comparison lookups, as texture units have them for shadow maps (percentage-closer filtering; Reeves, Salesin
      * and Cook 1987; Vulkan 1.3 specification, "Depth Compare Operation"); 0 = lookups return texels; default 0. Each
@@ -330,7 +328,9 @@ typedef struct shd_sampler_desc {
      * SHD_ERROR_UNSUPPORTED. SHD_PRECISION_FAST has no effect.
      */
     uint32_t compares;
-    shd_compare compare; /**< comparison of these lookups; default SHD_COMPARE_LESS */
+    shd_compare compare;             /**< comparison of these lookups; default SHD_COMPARE_LESS */
+    shd_precision precision;         /**< default SHD_PRECISION_FULL */
+    shd_missing_tiles missing_tiles; /**< default SHD_MISSING_TILES_WAIT */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

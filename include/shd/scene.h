@@ -7,6 +7,9 @@
  * library reads glTF 2.0, OBJ, PLY and STL, and other formats by assimp (Collada, FBX, glTF 1.0 ...). World space is
  * the space of the file; glTF uses the same conventions as shd.
  *
+ * First calls: shd_scene_load(), shd_scene_get_warning(), shd_scene_fill_render(), shd_scene_pose() for animations, and
+ * shd_scene_release().
+ *
  * Files are untrusted. Sizes, counts and time have budgets. The load drops triangles with indices out of range or
  * positions that are not finite, instances whose matrices are not finite, and slots whose textures cannot be read, and
  * adds a warning to the scene for each. The model names other files: its materials, buffers and textures. They are read
@@ -22,6 +25,12 @@
  * Memory:        assimp and the tables of a scene use malloc; handles use the context's allocator.
  * Lifetime:      reference counted; load returns an owned reference.
  * Thread safety: any thread; a scene never changes, so concurrent use is free.
+ *
+ * @code
+ * shd_render_desc frame = shd_render_desc_default();
+ * result = shd_scene_load(context, "robot.glb", NULL, &scene);
+ * result = shd_scene_fill_render(scene, &frame); // then the framebuffer, the camera, and lights if the file has none
+ * @endcode
  */
 #ifndef SHD_SCENE_H
 #define SHD_SCENE_H
@@ -57,27 +66,29 @@ typedef struct shd_scene_desc {
      */
     const shd_sampler_desc *sampler;
     /**
-     * Formats, flags, tables and budgets of each texture file; its color_space is ignored; worker_path is that of the
+     * Formats, flags, tables and budgets of each texture file; its `encoding` is ignored; worker_path is that of the
      * model, too. Borrowed for the call; NULL = defaults.
      */
     const shd_load_desc *texture;
-    uint64_t max_file_bytes;    /**< sum of the model and the files that are read with it; 0 = 2^30 */
-    uint64_t max_vertices;      /**< sum over all meshes; 0 = 2^26 */
-    uint64_t max_triangles;     /**< sum over all meshes; 0 = 2^26 */
-    uint64_t max_nodes;         /**< 0 = 2^18; always at most 512 deep */
-    uint64_t max_instances;     /**< up to 2^20, the maximum of a frame; 0 = 2^18 */
-    uint64_t max_texture_bytes; /**< all textures with their mip levels; 0 = 2^32 */
-    /** [s] 0 = 60. Ends the process that reads; with SHD_SCENE_IN_PROCESS checked between the steps of a reader. */
+    uint64_t max_file_bytes;    /**< sum of the model and the files that are read with it; at least 1; default 2^30 */
+    uint64_t max_vertices;      /**< sum over all meshes; at least 1; default 2^26 */
+    uint64_t max_triangles;     /**< sum over all meshes; at least 1; default 2^26 */
+    uint64_t max_nodes;         /**< at least 1; always at most 512 deep; default 2^18 */
+    uint64_t max_instances;     /**< 1..2^20, the maximum of a frame; default 2^18 */
+    uint64_t max_texture_bytes; /**< all textures with their mip levels; at least 1; default 2^32 */
+    /**
+     * [s], above 0; default 60. Ends the process that reads; SHD_SCENE_IN_PROCESS: checked between steps of a reader.
+     */
     double time_limit;
-    uint64_t max_reader_bytes; /**< memory of the process that reads, and of what it sends; 0 = 2^32 [bytes] */
+    uint64_t max_reader_bytes; /**< memory of the process that reads, and of what it sends; at least 1; default 2^32 */
     /**
      * Answers the names of the model's files, in place of its folder: for archives and memory. The bytes are borrowed
      * until the load returns. SHD_ERROR_NOT_FOUND = no such file; any other result than SHD_OK ends the load. Runs on
      * the thread of the load; must not throw or longjmp. NULL = the folder of the model, or no file for a model in
      * memory.
      */
-    shd_result (*find)(void *user_data, const char *name, const void **out_bytes, size_t *out_size);
-    void *find_user_data; /**< first argument of `find` */
+    shd_result (*find)(const char *name, const void **out_bytes, size_t *out_size, void *user_data);
+    void *user_data; /**< passed to `find`; borrowed for the load */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_desc;
 
@@ -86,6 +97,11 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 {
     shd_scene_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
+    desc.max_file_bytes = (uint64_t)1 << 30;
+    desc.max_vertices = desc.max_triangles = (uint64_t)1 << 26;
+    desc.max_nodes = desc.max_instances = (uint64_t)1 << 18;
+    desc.max_texture_bytes = desc.max_reader_bytes = (uint64_t)1 << 32;
+    desc.time_limit = 60.0;
     return desc;
 }
 
@@ -144,25 +160,25 @@ SHD_API void shd_scene_release(shd_scene *scene);
 
 /** Contents of a file. */
 typedef struct shd_scene_info {
-    uint32_t struct_size;    /**< set by shd_scene_info_default() */
-    uint32_t mesh_count;     /**< with triangles */
-    uint32_t material_count; /**< at least 1 */
-    uint32_t texture_count;  /**< that could be read */
-    uint32_t light_count;    /**< 0 where the file has none */
-    uint32_t camera_count;   /**< 0 where the file has none */
-    uint32_t instance_count; /**< as many as draws */
-    uint32_t warning_count;  /**< parts of the file that were left out or changed */
-    uint64_t vertex_count;   /**< sum over all meshes, each counted once */
-    uint64_t triangle_count; /**< sum over all meshes, each counted once */
-    float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
-    float bounds_max[3];     /**< highest x, y, z of all instances, world space */
+    uint32_t struct_size;       /**< set by shd_scene_info_default() */
+    size_t mesh_count;          /**< with triangles */
+    size_t material_count;      /**< at least 1 */
+    size_t texture_count;       /**< that could be read */
+    size_t light_count;         /**< 0 where the file has none */
+    size_t camera_count;        /**< 0 where the file has none */
+    size_t instance_count;      /**< as many as draws */
+    size_t animation_count;     /**< 0 where the file has none */
+    size_t warning_count;       /**< parts of the file that were left out or changed */
+    size_t vertex_count;        /**< sum over all meshes, each counted once */
+    size_t triangle_count;      /**< sum over all meshes, each counted once */
+    size_t deformed_mesh_count; /**< meshes with a skin or morph targets, which each pose makes anew */
+    float bounds_min[3];        /**< lowest x, y, z of all instances, world space */
+    float bounds_max[3];        /**< highest x, y, z of all instances, world space */
     /**
      * A place in the world of the file is origin + the place in world space; 0 unless the model is far away from 0.
      * Equal in all poses.
      */
     double origin[3];
-    uint32_t animation_count;     /**< 0 where the file has none */
-    uint32_t deformed_mesh_count; /**< meshes with a skin or morph targets, which each pose makes anew */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_info;
 
@@ -186,7 +202,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_info(const shd_scene *scene, shd_
  * @return borrowed until release of the scene; NULL if there is none
  * @since 0.1
  */
-SHD_API const char *shd_scene_warning(const shd_scene *scene, uint32_t index);
+SHD_API const char *shd_scene_get_warning(const shd_scene *scene, size_t index);
 
 /** Kinds of parts that have names. */
 typedef enum shd_scene_part {
@@ -204,19 +220,19 @@ typedef enum shd_scene_part {
  * @return borrowed until release of the scene; NULL if there is no such part
  * @since 0.1
  */
-SHD_API const char *shd_scene_name(const shd_scene *scene, shd_scene_part part, uint32_t index);
+SHD_API const char *shd_scene_get_name(const shd_scene *scene, shd_scene_part part, size_t index);
 
 /** A mesh; borrowed until release of the scene (retain it to keep it longer); NULL if there is none. @since 0.1 */
-SHD_API shd_mesh *shd_scene_mesh(const shd_scene *scene, uint32_t index);
+SHD_API shd_mesh *shd_scene_get_mesh(const shd_scene *scene, size_t index);
 
 /** A material; borrowed until release of the scene; NULL if there is none. @since 0.1 */
-SHD_API shd_material *shd_scene_material(const shd_scene *scene, uint32_t index);
+SHD_API shd_material *shd_scene_get_material(const shd_scene *scene, size_t index);
 
 /** A texture; borrowed until release of the scene; NULL if there is none. @since 0.1 */
-SHD_API shd_texture *shd_scene_texture(const shd_scene *scene, uint32_t index);
+SHD_API shd_texture *shd_scene_get_texture(const shd_scene *scene, size_t index);
 
 /** A light; borrowed until release of the scene; NULL if there is none. @since 0.1 */
-SHD_API shd_light *shd_scene_light(const shd_scene *scene, uint32_t index);
+SHD_API shd_light *shd_scene_get_light(const shd_scene *scene, size_t index);
 
 /**
  * The desc of a material, as a starting point for variants of it.
@@ -224,7 +240,7 @@ SHD_API shd_light *shd_scene_light(const shd_scene *scene, uint32_t index);
  *                  borrowed until release of the scene
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_get_material_desc(const shd_scene *scene, uint32_t index,
+SHD_NODISCARD SHD_API shd_result shd_scene_get_material_desc(const shd_scene *scene, size_t index,
                                                              shd_material_desc *out_desc);
 
 /**
@@ -232,7 +248,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_material_desc(const shd_scene *sc
  * @param out_desc  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_get_light_desc(const shd_scene *scene, uint32_t index,
+SHD_NODISCARD SHD_API shd_result shd_scene_get_light_desc(const shd_scene *scene, size_t index,
                                                           shd_light_desc *out_desc);
 
 /**
@@ -241,15 +257,15 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_light_desc(const shd_scene *scene
  * @param out_camera  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_get_camera(const shd_scene *scene, uint32_t index, shd_camera *out_camera);
+SHD_NODISCARD SHD_API shd_result shd_scene_get_camera(const shd_scene *scene, size_t index, shd_camera *out_camera);
 
 /** A mesh placed in the world with a material. */
 typedef struct shd_scene_instance {
     uint32_t struct_size;      /**< set by shd_scene_instance_default() */
-    uint32_t mesh;             /**< index for shd_scene_mesh() */
-    uint32_t material;         /**< index for shd_scene_material() */
-    float object_to_world[16]; /**< affine, finite */
     shd_cull cull;             /**< faces that its draw skips: SHD_CULL_NONE for surfaces that are double-sided */
+    size_t mesh;               /**< index for shd_scene_get_mesh() */
+    size_t material;           /**< index for shd_scene_get_material() */
+    float object_to_world[16]; /**< affine, finite */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_instance;
 
@@ -266,7 +282,7 @@ static inline shd_scene_instance shd_scene_instance_default(void)
  * @param out_instance  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_get_instance(const shd_scene *scene, uint32_t index,
+SHD_NODISCARD SHD_API shd_result shd_scene_get_instance(const shd_scene *scene, size_t index,
                                                         shd_scene_instance *out_instance);
 
 /**
@@ -287,8 +303,8 @@ SHD_NODISCARD SHD_API shd_result shd_scene_fill_render(const shd_scene *scene, s
  * @return SHD_ERROR_NOT_FOUND if there is no such animation
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *scene, uint32_t index,
-                                                               double *out_first, double *out_last);
+SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *scene, size_t index, double *out_first,
+                                                               double *out_last);
 
 /**
  * Make a scene of the file at some second of an animation, with all that nodes move: instances, skins, morph targets,
@@ -301,7 +317,7 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_animation_times(const shd_scene *
  * @return SHD_ERROR_NOT_FOUND if there is no such animation
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_scene_pose(const shd_scene *scene, uint32_t animation, double seconds,
+SHD_NODISCARD SHD_API shd_result shd_scene_pose(const shd_scene *scene, size_t animation, double seconds,
                                                 shd_scene **out_scene);
 
 SHD_END_DECLS

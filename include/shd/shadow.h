@@ -33,7 +33,8 @@
 #ifndef SHD_SHADOW_H
 #define SHD_SHADOW_H
 
-#include <shd/render.h>
+#include <shd/draw.h>
+#include <shd/light.h>
 
 SHD_BEGIN_DECLS
 
@@ -145,10 +146,10 @@ typedef struct shd_shadow_render_desc {
     uint32_t struct_size;   /**< set by shd_shadow_render_desc_default() */
     const shd_light *light; /**< required; directional, spot or point */
     /**
-     * Draws that cast shadows, as in shd_render_desc; NULL if draw_count is 0. Depth comparison, depth biases and
-     * culling of a draw are ignored; a draw with SHD_DRAW_KEEP_DEPTH casts no shadow. Vertex programs run with the
-     * light's view. Alpha tests and programs that drop fragments apply too, except for draws with WEIGHTED or SORTED
-     * blending. Opacity by itself has no effect.
+     * [draw_count] draws that cast shadows, as in shd_render_desc; NULL if draw_count is 0. Depth comparison, depth
+     * biases and culling of a draw are ignored; a draw with SHD_DRAW_KEEP_DEPTH casts no shadow. Vertex programs run
+     * with the light's view. Alpha tests and programs that drop fragments apply too, except for draws with WEIGHTED or
+     * SORTED blending. Opacity by itself has no effect.
      */
     const shd_draw *draws;
     size_t draw_count; /**< up to 2^20 */
@@ -209,15 +210,32 @@ static inline shd_shadow_lookups shd_shadow_lookups_default(void)
     return lookups;
 }
 
+/** Columns for the visibility of the light. */
+typedef struct shd_shadow_values {
+    uint32_t struct_size;   /**< set by shd_shadow_values_default() */
+    shd_f32_out visibility; /**< 0 (in shadow) to 1 (lit); required unless count is 0 */
+    size_t nonfinite_count; /**< written: points with a number that is not finite */
+    /* ---- end of 0.1; append below ---- */
+} shd_shadow_values;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_shadow_values shd_shadow_values_default(void)
+{
+    shd_shadow_values values = SHD_ZERO_INIT;
+    values.struct_size = (uint32_t)sizeof values;
+    return values;
+}
+
 /**
  * Compute the fraction of the light that reaches each point, 0 (in shadow) to 1 (lit), as frames do.
  *
  * Runs on the executor of the shadow's context.
- * @param out  column of `count` elements; must not overlap the points (checked)
+ * @param lookups  columns, borrowed for the call
+ * @param out      columns, borrowed for the call; must not overlap any input (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_shadow_sample(const shd_shadow *shadow, const shd_shadow_lookups *lookups,
-                                                   const shd_f32_out *out);
+                                                   shd_shadow_values *out);
 
 SHD_END_DECLS
 

@@ -23,6 +23,12 @@
  * and torus have no open edges. The bits are the same on every machine.
  *
  * Thread safety: any thread. Nothing is allocated.
+ *
+ * @code
+ * shd_shape_desc desc = shd_shape_desc_default();
+ * desc.kind = SHD_SHAPE_TORUS;
+ * result = shd_shape_count(&desc, &vertex_count, &index_count); // the sizes of the columns for shd_shape_fill()
+ * @endcode
  */
 #ifndef SHD_SHAPES_H
 #define SHD_SHAPES_H
@@ -53,13 +59,10 @@ typedef enum shd_shape {
 /** Largest number of parts per side of a patch of the teapot. */
 #define SHD_MAX_TEAPOT_SEGMENTS 256
 
-/** Directions in which shapes are divided. */
-#define SHD_SHAPE_DIRECTIONS 3
-
 /** A shape and its subdivision. */
 typedef struct shd_shape_desc {
     uint32_t struct_size; /**< set by shd_shape_desc_default() */
-    shd_shape shape;      /**< default sphere */
+    shd_shape kind;       /**< default sphere */
     float radius;         /**< spheres and tori: 1e-30..1e30; default 1 */
     float tube_radius;    /**< tori: 1e-30..1e30, below `radius`; default 0.25 */
     float size[3];        /**< boxes and planes: length along x, y, z, 1e-30..1e30; default 2 */
@@ -69,7 +72,7 @@ typedef struct shd_shape_desc {
      * 3..4096 [48], and around the tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused numbers
      * are ignored, as size[1] and segments[1] of a plane.
      */
-    uint32_t segments[SHD_SHAPE_DIRECTIONS];
+    uint32_t segments[3];
     /* ---- end of 0.1; append below ---- */
 } shd_shape_desc;
 
@@ -86,8 +89,8 @@ static inline shd_shape_desc shd_shape_desc_default(void)
 
 /** Output columns of a shape. They do not overlap; each may be absent. */
 typedef struct shd_shape_columns {
-    uint32_t struct_size;  /**< set by shd_shape_columns_default() */
-    uint32_t vertex_count; /**< elements in each column of vertices, at least the number from shd_shape_count() */
+    uint32_t struct_size; /**< set by shd_shape_columns_default() */
+    size_t vertex_count;  /**< elements in each column of vertices, at least the number from shd_shape_count() */
     /** Elements in `indices`, at least the number from shd_shape_count() unless `indices` is absent. */
     size_t index_count;
     shd_f32_out position[3]; /**< x, y, z, object space */
@@ -112,7 +115,7 @@ static inline shd_shape_columns shd_shape_columns_default(void)
  * @param out_index_count   three for each triangle; 0 on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_shape_count(const shd_shape_desc *desc, uint32_t *out_vertex_count,
+SHD_NODISCARD SHD_API shd_result shd_shape_count(const shd_shape_desc *desc, size_t *out_vertex_count,
                                                  size_t *out_index_count);
 
 /**

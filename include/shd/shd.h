@@ -4,6 +4,19 @@
  * @brief All headers of libshd. libshd_color, libshd_io, libshd_scene and libshd_embree have headers of their own:
  *        shd/color.h, shd/io.h, shd/texture_file.h, shd/volume_file.h, shd/scene.h and shd/embree.h.
  *
+ * @page order Read in this order
+ * Each group needs the groups before it only.
+ * - Rules: this page; shd/result.h for errors, shd/desc.h for structs that may grow, shd/column.h for batches.
+ * - Filtering: shd/context.h, shd/image.h, shd/texture.h, shd/sampler.h, shd/lookup.h; then shd/mip.h, shd/footprint.h
+ *   and shd/projection.h for other levels, footprints and directions, shd/explain.h and shd/bounds.h to judge lookups,
+ *   shd/tile_cache.h and shd/tiles.h for textures larger than memory.
+ * - A first frame: shd/transform.h, shd/view.h, shd/mesh.h, shd/material.h, shd/light.h, shd/draw.h, shd/framebuffer.h
+ *   and shd/render.h. examples/triangle.c is the shortest program.
+ * - Surfaces: shd/slot.h puts textures on a material; shd/solid.h, shd/shapes.h, shd/tessellate.h, shd/edges.h.
+ * - Light: shd/shadow.h, shd/environment.h, shd/occlusion.h, shd/bake.h, shd/volume.h.
+ * - Own code in a frame: shd/vertices.h, shd/fragments.h, shd/present.h; in a library of handles: shd/extension.h.
+ * - Files and colour: shd/io.h, shd/texture_file.h, shd/tile_file.h, shd/volume_file.h, shd/scene.h, shd/color.h.
+ *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,
  * depth 0..1. Front faces are counter-clockwise seen with y up. Images and textures: row 0 on top, centres at
@@ -56,6 +69,7 @@
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>
+#include <shd/draw.h>
 #include <shd/edges.h>
 #include <shd/environment.h>
 #include <shd/explain.h>
@@ -68,6 +82,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/names.h>
 #include <shd/occlusion.h>
 #include <shd/polygon.h>
 #include <shd/present.h>

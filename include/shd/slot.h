@@ -102,31 +102,32 @@ typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *
  * or vertex, on level 0.
  *
  * Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
- * shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes
- * 0) and roughness to 0..1 (NaN becomes 1). The surface keeps its normal where a mapped normal is 0 or not finite, or a
- * slope of heights is not finite.
+ * shd_render_stats.nonfinite_fragment_count counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN
+ * becomes 0) and roughness to 0..1 (NaN becomes 1). The surface keeps its normal where a mapped normal is 0 or not
+ * finite, or a slope of heights is not finite.
  */
 typedef struct shd_slot {
-    uint32_t struct_size;   /**< set by shd_slot_default(); the same in every element of an array */
-    shd_slot_target target; /**< the coefficient; each slot of a material has a different one */
+    uint32_t struct_size; /**< set by shd_slot_default(); the same in every element of an array */
+    shd_slot_target
+        target; /**< the coefficient, a different one in each slot of a material; default SHD_SLOT_DIFFUSE */
     shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
-    uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
     /**
      * SHD_SLOT_SOURCE_TEXTURE: a 2D texture, or a 3D texture that is looked up at places; else NULL; retained by the
      * material.
      */
     shd_texture *texture;
-    shd_sampler *sampler;  /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
-    shd_slot_fn procedure; /**< function of SHD_SLOT_SOURCE_PROCEDURE */
-    void *user_data;       /**< passed to `procedure`; borrowed until release of the material */
-    uint32_t channel;      /**< channel of the texture or the solid texture for scalars, 0..3; default 0 */
-    uint32_t uv_set;       /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
+    shd_sampler *sampler; /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
+    uint32_t channel;     /**< channel of the texture or the solid texture for scalars, 0..3; default 0 */
+    uint32_t uv_set;      /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
     /**
      * (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
      * KHR_texture_transform is T R S, with the rotation r and v downwards
      * t = {sx cos r, sy sin r, ox, -sx sin r, sy cos r, oy}.
      */
     float uv_transform[6];
+    uint32_t attribute;    /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
+    shd_slot_fn procedure; /**< function of SHD_SLOT_SOURCE_PROCEDURE */
+    void *user_data;       /**< passed to `procedure`; borrowed until release of the material */
     /**
      * Solid texture of SHD_SLOT_SOURCE_SOLID, else NULL; copied by the material. Colours take r, g, b and, for the
      * diffuse slot and normals, a; scalars take `channel`. At Phong frequency, and for slots that scale light, the
@@ -146,12 +147,11 @@ typedef struct shd_slot {
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 
-/** A constant slot of a coefficient. Compiled into the caller so that struct_size is the caller's. */
-static inline shd_slot shd_slot_default(shd_slot_target target)
+/** A constant slot of SHD_SLOT_DIFFUSE. Compiled into the caller so that struct_size is the caller's. */
+static inline shd_slot shd_slot_default(void)
 {
     shd_slot slot = SHD_ZERO_INIT;
     slot.struct_size = (uint32_t)sizeof slot;
-    slot.target = target;
     slot.uv_transform[0] = slot.uv_transform[4] = 1.0f;
     slot.place_width = 1.0f;
     slot.place_transform[0] = slot.place_transform[5] = slot.place_transform[10] = slot.place_transform[15] = 1.0f;
@@ -161,7 +161,8 @@ static inline shd_slot shd_slot_default(shd_slot_target target)
 /** A slot that reads a texture; `sampler` NULL = the default sampler. */
 static inline shd_slot shd_slot_texture(shd_slot_target target, shd_texture *texture, shd_sampler *sampler)
 {
-    shd_slot slot = shd_slot_default(target);
+    shd_slot slot = shd_slot_default();
+    slot.target = target;
     slot.source = SHD_SLOT_SOURCE_TEXTURE;
     slot.texture = texture;
     slot.sampler = sampler;
@@ -171,7 +172,8 @@ static inline shd_slot shd_slot_texture(shd_slot_target target, shd_texture *tex
 /** A slot that reads the columns of the mesh from `attribute` on. */
 static inline shd_slot shd_slot_vertex(shd_slot_target target, uint32_t attribute)
 {
-    shd_slot slot = shd_slot_default(target);
+    shd_slot slot = shd_slot_default();
+    slot.target = target;
     slot.source = SHD_SLOT_SOURCE_VERTEX;
     slot.attribute = attribute;
     return slot;
@@ -180,7 +182,8 @@ static inline shd_slot shd_slot_vertex(shd_slot_target target, uint32_t attribut
 /** A slot that calls a function. */
 static inline shd_slot shd_slot_procedure(shd_slot_target target, shd_slot_fn procedure, void *user_data)
 {
-    shd_slot slot = shd_slot_default(target);
+    shd_slot slot = shd_slot_default();
+    slot.target = target;
     slot.source = SHD_SLOT_SOURCE_PROCEDURE;
     slot.procedure = procedure;
     slot.user_data = user_data;
@@ -190,7 +193,8 @@ static inline shd_slot shd_slot_procedure(shd_slot_target target, shd_slot_fn pr
 /** A slot that evaluates a solid texture in object space; `solid` is copied when the material is made. */
 static inline shd_slot shd_slot_solid(shd_slot_target target, const shd_solid_desc *solid)
 {
-    shd_slot slot = shd_slot_default(target);
+    shd_slot slot = shd_slot_default();
+    slot.target = target;
     slot.source = SHD_SLOT_SOURCE_SOLID;
     slot.solid = solid;
     return slot;

@@ -133,7 +133,7 @@ typedef struct shd_solid_desc {
     float distortion;              /**< MARBLE and WOOD: factor of the noise [cells], 0..1000; default 1 */
     /** Values of the first and the last colour, -1e6..1e6; equal = the limits of the kind's range; default 0, 0. */
     float range[2];
-    uint32_t color_count; /**< 2..SHD_MAX_SOLID_COLORS; default 2 */
+    size_t color_count; /**< 2..SHD_MAX_SOLID_COLORS; default 2 */
     /**
      * r, g, b, a at equal distances over `range`, linear, -1e6..1e6; values in between are interpolated, values beyond
      * `range` have the nearest colour. Default black and white, both opaque.
@@ -184,7 +184,7 @@ typedef struct shd_solid_values {
      * derivative the result is that of one side, or 0.
      */
     shd_f32_out gradient[3];
-    shd_f32_out color[4];   /**< r, g, b, a of shd_solid_desc.colors at the value, linear */
+    shd_f32_out channel[4]; /**< r, g, b, a of shd_solid_desc.colors at the value, linear */
     size_t nonfinite_count; /**< written: points whose position or width is not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_solid_values;
@@ -199,13 +199,13 @@ static inline shd_solid_values shd_solid_values_default(void)
 
 /**
  * Evaluate a solid texture at `points->count` points.
- * @param context  executor and SIMD target; NULL = the calling thread and the best target of the machine
+ * @param context  its executor and SIMD target are used; concurrent reads
  * @param desc     borrowed for the call
  * @param points   columns, borrowed for the call
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_solid_evaluate(const shd_context *context, const shd_solid_desc *desc,
+SHD_NODISCARD SHD_API shd_result shd_solid_evaluate(shd_context *context, const shd_solid_desc *desc,
                                                     const shd_solid_points *points, shd_solid_values *out);
 
 SHD_END_DECLS

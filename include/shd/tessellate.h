@@ -53,25 +53,28 @@ typedef enum shd_displaced_normals {
 } shd_displaced_normals;
 
 /** Largest number of parts of an edge. */
-#define SHD_MAX_SEGMENTS 1024
+#define SHD_MAX_TESSELLATION_SEGMENTS 1024
 
 /** Options of tessellation and displacement. */
 typedef struct shd_tessellation_desc {
     uint32_t struct_size;       /**< set by shd_tessellation_desc_default() */
     shd_tessellation_mode mode; /**< default SHD_TESSELLATION_MODE_UNIFORM */
-    uint32_t segments;          /**< UNIFORM: parts of an edge, 1..SHD_MAX_SEGMENTS; default 1 */
-    uint32_t max_segments;      /**< ADAPTIVE: largest number of parts of an edge, 1..SHD_MAX_SEGMENTS; default 64 */
-    float edge_length;          /**< ADAPTIVE: longest part [pixels], without `view` [world units]; > 0; default 8 */
-    uint32_t width;             /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
-    uint32_t height;            /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
-    uint32_t max_triangles;     /**< the call is refused if the result would have more, 1..2^28; default 2^24 */
+    uint32_t segments;          /**< UNIFORM: parts of an edge, 1..SHD_MAX_TESSELLATION_SEGMENTS; default 1 */
+    uint32_t
+        max_segments; /**< ADAPTIVE: largest number of parts of an edge, 1..SHD_MAX_TESSELLATION_SEGMENTS; default 64 */
+    float edge_length; /**< ADAPTIVE: longest part, > 0: [pixels], or [world units] if picture_width is 0; default 8 */
+    uint32_t picture_width;  /**< ADAPTIVE: of the picture [pixels], up to 65536; default 0 = lengths in world units */
+    uint32_t picture_height; /**< ADAPTIVE: of the picture [pixels], 1..65536 if picture_width is not 0 */
+    uint32_t max_triangles;  /**< the call is refused if the result would have more, 1..2^28; default 2^24 */
     /**
      * ADAPTIVE: view for lengths in pixels. An edge counts as turned about its middle until it is perpendicular to the
      * line of sight; its length is then projected to the picture. An edge that passes the eye has max_segments parts,
-     * an edge behind the eye has 1. Borrowed for the call; NULL = lengths in world units.
+     * an edge behind the eye has 1. Default: identity matrices, eye at 0.
      */
-    const shd_view *view;
-    const float *object_to_world;    /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
+    shd_view view;
+    /** Replaces `view`, as in shd_render_desc; an aspect of 0 is that of the picture. NULL = `view`. */
+    const shd_camera *camera;
+    float object_to_world[16];       /**< ADAPTIVE: column-major, affine, finite; default identity */
     const shd_texture *displacement; /**< channel r is the height; borrowed for the call; NULL = no displacement */
     const shd_sampler *sampler;    /**< sampler of `displacement`; borrowed for the call; NULL = the default sampler */
     float lod;                     /**< level of detail of the lookups, log2 of base texels, -32..32; default 0 */
@@ -85,13 +88,15 @@ typedef struct shd_tessellation_desc {
 static inline shd_tessellation_desc shd_tessellation_desc_default(void)
 {
     shd_tessellation_desc desc = SHD_ZERO_INIT;
+    int i;
     desc.struct_size = (uint32_t)sizeof desc;
     desc.segments = 1;
     desc.max_segments = 64;
     desc.edge_length = 8.0f;
-    desc.width = 1024;
-    desc.height = 1024;
     desc.max_triangles = (uint32_t)1 << 24;
+    for (i = 0; i < 16; i += 5) {
+        desc.object_to_world[i] = desc.view.world_to_view[i] = desc.view.view_to_clip[i] = 1.0f;
+    }
     return desc;
 }
 

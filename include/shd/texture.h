@@ -61,6 +61,15 @@ typedef enum shd_channel {
     SHD_CHANNEL_MAX_ENUM = 0x7fffffff
 } shd_channel;
 
+/** Meaning of the coordinates of a lookup. */
+typedef enum shd_texture_kind {
+    SHD_TEXTURE_KIND_2D = 0, /**< (u, v) on an image, or on one layer of an array of images */
+    SHD_TEXTURE_KIND_3D = 1, /**< (u, v, w) in a stack of `depth` slices; w = 0 is the outer face of slice 0 */
+    /** (u, v, w) is a direction of any length, which `projection` maps to the image, or to the six faces of CUBE. */
+    SHD_TEXTURE_KIND_DIRECTIONS = 2,
+    SHD_TEXTURE_KIND_MAX_ENUM = 0x7fffffff
+} shd_texture_kind;
+
 /** Options of a texture; combine with |. */
 typedef enum shd_texture_flag {
     SHD_TEXTURE_NONE = 0,
@@ -75,8 +84,8 @@ typedef enum shd_texture_flag {
     SHD_TEXTURE_BORROW = 1,
     /**
      * With SHD_TEXTURE_BORROW: borrow the mip levels as well. Levels 0, 1, 2 ... then follow one another without gaps
-     * from `texels` on, as in a file that is mapped to memory; `levels` has their addresses. Not for 3D textures, and
-     * not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
+     * from `texels` on, as in a file that is mapped to memory; `level_images` has their addresses. Not for 3D textures,
+     * and not for blocks. shd_texture_update() gives SHD_ERROR_UNSUPPORTED.
      */
     SHD_TEXTURE_BORROW_LEVELS = 2,
     /**
@@ -93,61 +102,62 @@ typedef uint32_t shd_texture_flags; /**< shd_texture_flag bits */
 
 /** Texels and tables of a texture. Required: format, width, height, texels. */
 typedef struct shd_texture_desc {
-    uint32_t struct_size; /**< set by shd_texture_desc_default() */
+    uint32_t struct_size;  /**< set by shd_texture_desc_default() */
+    shd_texture_kind kind; /**< default SHD_TEXTURE_KIND_2D */
     /**
      * Any; no default. RGB8 to RGB32F are stored as RGBA. Blocks stay compressed, and lookups decode them
      * (docs/compressed.md): the caller gives its mip levels; other tables are kept decoded.
      */
     shd_format format;
-    uint32_t width;  /**< texels, 1..65536; width * height * layers at most 2^28; see `tiles` for larger ones */
+    uint32_t width;  /**< texels, 1..65536; width * height * layer_count at most 2^28; see `tiles` for larger ones */
     uint32_t height; /**< texels, 1..65536 */
     /**
-     * [layers][height][width], row 0 on top, aligned to a channel; copied without SHD_TEXTURE_BORROW. Blocks:
-     * [layers][ceil(height / 4)][ceil(width / 4)], at any address.
+     * 3D: slices, 1..65536, required; other kinds: 0. width * height * depth is at most 2^28, and SHD_TABLE_MIPMAP is
+     * the only table. Texels are [depth][height][width], and `layer_stride` is the distance of slices. A level halves
+     * all three sizes.
+     */
+    uint32_t depth;
+    size_t layer_count; /**< images of the array, 1..2048; 3D: 1; CUBE: 1 or 6 mean the six faces; default 1 */
+    /**
+     * DIRECTIONS: any but SHD_PROJECTION_NONE, required; other kinds: NONE. The six layers of CUBE are the faces +X,
+     * -X, +Y, -Y, +Z, -Z. `width` and `height` are equal unless it is LAT_LONG; SHD_TABLE_MIPMAP is the only table. Mip
+     * levels are averages of texels of one image, unweighted.
+     */
+    shd_projection projection;
+    /**
+     * [layer_count][height][width], row 0 on top, aligned to a channel; copied without SHD_TEXTURE_BORROW. Blocks:
+     * [layer_count][ceil(height / 4)][ceil(width / 4)], at any address.
      */
     const void *texels;
     size_t row_stride;       /**< bytes between rows of texels or blocks, at least the bytes of a row; 0 = packed */
     size_t layer_stride;     /**< bytes between layers, at least the rows of a layer times the row stride; 0 = packed */
-    uint32_t layers;         /**< images of the array, 1..2048; default 1 */
     shd_texture_flags flags; /**< default none */
-    shd_channel swizzle[4];  /**< sources of r, g, b, a of lookups; default SHD_CHANNEL_DEFAULT */
+    shd_table_flags tables;  /**< default none */
+    /**
+     * Number of `level_images` per layer; the mipmap ends with the last one, even if it is larger than 1 x 1; default 0
+     * = the library builds the levels.
+     */
+    size_t level_count;
+    /**
+     * The caller's mip levels for SHD_TABLE_MIPMAP: [layer_count][level_count], all of one struct_size, of this format;
+     * copied. Element l is level l + 1: max(1, width >> (l + 1)) by max(1, height >> (l + 1)). A ripmap of the same
+     * texture uses them for the levels that it shares with the mipmap. A 3D texture has the max(1, depth >> 1) slices
+     * of level 1 first, then the slices of level 2, and so on.
+     */
+    const shd_image *level_images;
+    shd_channel swizzle[4]; /**< sources of r, g, b, a of lookups; default SHD_CHANNEL_DEFAULT */
     /**
      * Values of channels that the format does not have, in lookups inside and outside the image; finite; default 0, 0,
      * 0, 1.
      */
     float fill[4];
-    shd_table_flags tables; /**< default none */
     /**
-     * Number of `levels` per layer; the mipmap ends with the last one, even if it is larger than 1 x 1; default 0 = the
-     * library builds the levels.
-     */
-    uint32_t level_count;
-    /**
-     * The caller's mip levels for SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of this format;
-     * copied. Element l is level l + 1: max(1, width >> (l + 1)) by max(1, height >> (l + 1)). A ripmap of the same
-     * texture uses them for the levels that it shares with the mipmap. A 3D texture has the max(1, depth >> 1) slices
-     * of level 1 first, then the slices of level 2, and so on.
-     */
-    const shd_image *levels;
-    /**
-     * Slices of a 3D texture, 1..65536; default 0 = a 2D texture. width * height * depth is at most 2^28, `layers` is
-     * 1, and SHD_TABLE_MIPMAP is the only table. Texels are [depth][height][width], and `layer_stride` is the distance
-     * of slices. Lookups read (u, v, w); w = 0 is the outer face of slice 0. A level halves all three sizes.
-     */
-    uint32_t depth;
-    /**
-     * Default SHD_PROJECTION_NONE. With any other one, lookups read (u, v, w) as a direction of any length. `width` and
-     * `height` are equal unless it is LAT_LONG; `layers` of CUBE are the 6 faces +X, -X, +Y, -Y, +Z, -Z; `depth` is 0;
-     * `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
-     */
-    shd_projection projection;
-    /**
-     * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are 0, nothing is borrowed,
-     * and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels and layers
-     * at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the texture is
-     * made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
-     * number, 0 = down to 1 x 1; `levels` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters have
-     * fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
+     * Default none. With a cache, the texture keeps no texels: `texels` is NULL, strides are not read, nothing is
+     * borrowed, and the format has not three channels. `width` and `height` are 1..2^20, and the tiles of all levels
+     * and layers at most 2^30. SHD_TABLE_RIPMAP and SHD_TABLE_SUMMED_AREA are built in memory, of all levels, when the
+     * texture is made; dropped tiles do not change them. The callback writes the mip levels too. `level_count` is their
+     * number, 0 = down to 1 x 1; `level_images` is NULL. Coordinates are binary32 floats: beyond 65536 texels, filters
+     * have fewer than 8 bits for the fraction of a texel. SHD_PRECISION_FAST has no effect. SHD_FILTER_EXACT,
      * shd_texture_explain() and shd_texture_bounds() wait for the tiles that they read, also with
      * SHD_MISSING_TILES_COARSER.
      */
@@ -160,7 +170,7 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 {
     shd_texture_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
-    desc.layers = 1;
+    desc.layer_count = 1;
     desc.fill[3] = 1.0f;
     return desc;
 }
@@ -186,19 +196,20 @@ SHD_API void shd_texture_release(shd_texture *texture);
 
 /** Size, format and memory of a texture. */
 typedef struct shd_texture_info {
-    uint32_t struct_size; /**< set by shd_texture_info_default() */
-    shd_format format;    /**< format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
-    uint32_t width;       /**< texels of level 0 */
-    uint32_t height;      /**< texels of level 0 */
-    uint32_t layers;      /**< images of the array */
+    uint32_t struct_size;  /**< set by shd_texture_info_default() */
+    shd_texture_kind kind; /**< as in its desc */
+    shd_format format;     /**< format of every level; RGBA for RGB8 to RGB32F, with _SRGB */
+    uint32_t width;        /**< texels of level 0 */
+    uint32_t height;       /**< texels of level 0 */
+    uint32_t depth;        /**< 3D: slices of level 0; else 0 */
+    size_t layer_count;    /**< images: of the array, 6 for CUBE */
     /** 1; with SHD_TABLE_MIPMAP the number of levels down to 1 x 1, or the number of given levels + 1. */
-    uint32_t level_count;
-    shd_table_flags tables;  /**< tables of the texture */
-    shd_texture_flags flags; /**< as in its desc */
+    size_t level_count;
+    shd_projection projection; /**< DIRECTIONS: as in its desc; else SHD_PROJECTION_NONE */
+    shd_table_flags tables;    /**< tables of the texture */
+    shd_texture_flags flags;   /**< as in its desc */
     /** Bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed base level. */
     size_t byte_size;
-    uint32_t depth;            /**< slices of level 0; 0 = not a 3D texture */
-    shd_projection projection; /**< as in its desc */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;
 
@@ -220,7 +231,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture
 /**
  * Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
  * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
- * @param layer  0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
+ * @param layer  0..layer_count - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
  * @param out    image of that size, and of the format in shd_texture_info; blocks are copied as they are
  * @since 0.1
@@ -247,7 +258,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * Nothing is written if an argument is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
  * the rectangle and the table entries that cover it are undefined until the same update succeeds.
  * @param texture  used by no other call concurrently
- * @param layer    0..layers - 1; of a 3D texture the slice, 0..depth - 1
+ * @param layer    0..layer_count - 1; of a 3D texture the slice, 0..depth - 1
  * @param x,y      first column and row of the rectangle
  * @param texels   size and texels of the rectangle, in the format of shd_texture_desc or of shd_texture_info; borrowed
  *                 for the call

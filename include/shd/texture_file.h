@@ -100,9 +100,9 @@ typedef struct shd_texture_file_info {
     uint32_t width;                        /**< texels of level 0 */
     uint32_t height;                       /**< texels of level 0; 1 for a 1D texture */
     uint32_t depth;                        /**< slices of level 0; 0 = not a 3D texture */
-    uint32_t layers;                       /**< images of the array, or cube maps of an array of cube maps */
-    uint32_t faces;                        /**< 6 for cube maps, otherwise 1 */
-    uint32_t level_count;                  /**< levels in the file */
+    size_t layer_count;                    /**< images of the array, or cube maps of an array of cube maps */
+    size_t face_count;                     /**< 6 for cube maps, otherwise 1 */
+    size_t level_count;                    /**< levels in the file */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_file_info;
 
@@ -123,7 +123,7 @@ typedef struct shd_ktx2_desc {
      * 3 = write r, g and b of a texture of four channels. Textures that are made of three channels have four, and the
      * fourth is 0. Default 0 = all channels.
      */
-    uint32_t channels;
+    size_t channel_count;
     /* ---- end of 0.1; append below ---- */
 } shd_ktx2_desc;
 

@@ -50,7 +50,7 @@
  * Thread safety: every function from any thread.
  *
  * @code
- * static shd_result load(void *user_data, const shd_tile *tiles, size_t count); // writes tiles[i].texels
+ * static shd_result load(const shd_tile *tiles, size_t count, void *user_data); // writes tiles[i].texels
  *
  * shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
  * cache_desc.budget_bytes = 512u << 20;
@@ -66,6 +66,7 @@
 #define SHD_TILE_CACHE_H
 
 #include <shd/context.h>
+#include <shd/image.h>
 
 SHD_BEGIN_DECLS
 
@@ -97,12 +98,10 @@ static inline shd_tile_cache_desc shd_tile_cache_desc_default(void)
 
 /** A tile that a callback fills. Frozen. */
 typedef struct shd_tile {
-    uint32_t layer;    /**< layer, face, or slice of the level of a 3D texture */
-    uint32_t level;    /**< 0 = the base level */
-    uint32_t x;        /**< first column of the level, a multiple of the width of whole tiles */
-    uint32_t y;        /**< first row of the level, a multiple of the height of whole tiles */
-    uint32_t width;    /**< texels to write in a row: the width of a tile, less at the right edge of the level */
-    uint32_t height;   /**< rows to write; fewer at the lower edge */
+    uint32_t layer; /**< layer, face, or slice of the level of a 3D texture */
+    uint32_t level; /**< 0 = the base level */
+    /** Texels of the level to write: a whole tile, less at the right and the lower edge of the level. */
+    shd_region area;
     void *texels;      /**< rows of texels or of blocks, `row_stride` apart; aligned to 64 bytes; content undefined */
     size_t row_stride; /**< bytes between rows of texels or of blocks */
 } shd_tile;
@@ -115,7 +114,7 @@ typedef struct shd_tile {
  * @return  SHD_OK, or the reason of a failure. Then no tile of the call is kept, the lookup returns SHD_ERROR_CALLBACK,
  *          or SHD_ERROR_CANCELLED for SHD_ERROR_CANCELLED, and the next lookup calls again
  */
-typedef shd_result (*shd_load_tiles_fn)(void *user_data, const shd_tile *tiles, size_t count);
+typedef shd_result (*shd_load_tiles_fn)(const shd_tile *tiles, size_t count, void *user_data);
 
 /** Source of the tiles of a texture. Frozen. */
 typedef struct shd_tile_source {
@@ -147,19 +146,19 @@ SHD_API void shd_tile_cache_release(shd_tile_cache *cache);
 
 /** Counters of a tile cache since its creation. */
 typedef struct shd_tile_cache_stats {
-    uint32_t struct_size;     /**< set by shd_tile_cache_stats_default() */
-    uint32_t tile_bytes;      /**< bytes of a tile */
-    uint64_t budget_bytes;    /**< as in its desc */
-    uint64_t allocated_bytes; /**< memory of the cache, at most the budget; it does not change */
-    uint32_t tile_count;      /**< tiles that fit */
-    uint32_t resident_tiles;  /**< tiles in memory now */
-    uint32_t pinned_tiles;    /**< tiles that are pinned now */
-    uint32_t requested_tiles; /**< tiles that shd_tile_cache_load_requested() would load now */
-    uint64_t loads;           /**< calls of load callbacks */
-    uint64_t loaded_tiles;    /**< tiles that callbacks wrote */
-    uint64_t failed_tiles;    /**< tiles of calls that failed */
-    uint64_t evicted_tiles;   /**< tiles that gave their place to others */
-    uint64_t waits;           /**< waits of lookups for tiles that other threads loaded */
+    uint32_t struct_size;        /**< set by shd_tile_cache_stats_default() */
+    uint32_t tile_bytes;         /**< bytes of a tile */
+    uint64_t budget_bytes;       /**< as in its desc */
+    uint64_t allocated_bytes;    /**< memory of the cache, at most the budget; it does not change */
+    size_t tile_count;           /**< tiles that fit */
+    size_t resident_tile_count;  /**< tiles in memory now */
+    size_t pinned_tile_count;    /**< tiles that are pinned now */
+    size_t requested_tile_count; /**< tiles that shd_tile_cache_load_requested() would load now */
+    uint64_t load_count;         /**< calls of load callbacks */
+    uint64_t loaded_tile_count;  /**< tiles that callbacks wrote */
+    uint64_t failed_tile_count;  /**< tiles of calls that failed */
+    uint64_t evicted_tile_count; /**< tiles that gave their place to others */
+    uint64_t wait_count;         /**< waits of lookups for tiles that other threads loaded */
     /* ---- end of 0.1; append below ---- */
 } shd_tile_cache_stats;
 
@@ -181,12 +180,12 @@ SHD_NODISCARD SHD_API shd_result shd_tile_cache_get_stats(const shd_tile_cache *
 /**
  * Load tiles that lookups with SHD_MISSING_TILES_COARSER did not find, the latest request first. A cache keeps the
  * latest requests: up to 4096, or fewer if it has fewer tiles. An engine calls this on the threads that stream.
- * @param max_tiles   most tiles to load; 0 = all that are requested
- * @param out_loaded  number of tiles that were loaded; may be NULL; 0 on failure
+ * @param max_tiles         most tiles to load; 0 = all that are requested
+ * @param out_loaded_count  number of tiles that were loaded; may be NULL; 0 on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_tile_cache_load_requested(shd_tile_cache *cache, uint32_t max_tiles,
-                                                               uint32_t *out_loaded);
+SHD_NODISCARD SHD_API shd_result shd_tile_cache_load_requested(shd_tile_cache *cache, size_t max_tiles,
+                                                               size_t *out_loaded_count);
 
 SHD_END_DECLS
 

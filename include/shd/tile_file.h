@@ -50,10 +50,10 @@ typedef struct shd_tile_file_desc {
      * Meaning of 8-bit numbers; default AUTO = as declared by the file, sRGB if it declares nothing. Other numbers must
      * be linear, or be declared so here.
      */
-    shd_color_encoding color_space;
+    shd_color_encoding encoding;
     shd_tile_cache *cache; /**< retained by the texture */
     /**
-     * Open readers to keep, 1..4096; default 0 = 16. Each has a descriptor and some memory of OpenImageIO; more exist
+     * Open readers to keep, 1..4096; default 16. Each has a descriptor and some memory of OpenImageIO; more exist
      * while more threads read. A KTX2 or DDS file has one descriptor for all threads.
      */
     size_t max_readers;
@@ -66,6 +66,7 @@ static inline shd_tile_file_desc shd_tile_file_desc_default(void)
 {
     shd_tile_file_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
+    desc.max_readers = 16;
     desc.fill[3] = 1.0f;
     return desc;
 }
@@ -73,9 +74,9 @@ static inline shd_tile_file_desc shd_tile_file_desc_default(void)
 /** Files of a texture. */
 typedef struct shd_tile_file_info {
     uint32_t struct_size; /**< set by shd_tile_file_info_default() */
-    uint32_t columns;     /**< files of a set side by side; 1 for a file */
-    uint32_t rows;        /**< files of a set one above the other; 1 for a file */
-    uint32_t files;       /**< files that exist */
+    size_t column_count;  /**< files of a set side by side; 1 for a file */
+    size_t row_count;     /**< files of a set one above the other; 1 for a file */
+    size_t file_count;    /**< files that exist */
     /**
      * Texels of a tile of a file. Caches whose tiles are as large or larger read each tile of a file once. KTX2 and
      * DDS: 4 for blocks, 1 for pixels.

@@ -10,7 +10,7 @@
  *
  * @code
  * shd_tile_region region = shd_tile_region_default();
- * region.level = 3, region.width = region.height = 4096; // texels of level 3
+ * region.level = 3, region.area.width = region.area.height = 4096; // texels of level 3
  * result = shd_texture_load_tiles(texture, &region);
  * @endcode
  */
@@ -21,15 +21,12 @@
 
 SHD_BEGIN_DECLS
 
-/** A rectangle of a level. Required: width, height. */
+/** A rectangle of a level. Required: area. */
 typedef struct shd_tile_region {
     uint32_t struct_size; /**< set by shd_tile_region_default() */
     uint32_t layer;       /**< layer, face, or slice of the level of a 3D texture; default 0 */
     uint32_t level;       /**< 0..level_count - 1; default 0 */
-    uint32_t x;           /**< first column, in texels of the level; default 0 */
-    uint32_t y;           /**< first row; default 0 */
-    uint32_t width;       /**< 1 or more; x + width is at most the width of the level */
-    uint32_t height;      /**< 1 or more; y + height is at most the height of the level */
+    shd_region area;      /**< texels of the level; not empty, and inside the level */
     /* ---- end of 0.1; append below ---- */
 } shd_tile_region;
 

@@ -11,7 +11,14 @@
  * the function allows otherwise. An output may be the memory of an input. A call that fails does not change the output.
  * Nothing is allocated.
  *
+ * First calls: shd_matrix_from_trs() for draws; shd_matrix_look_at() and shd_matrix_perspective() for views.
+ *
  * Thread safety: any thread.
+ *
+ * @code
+ * const float translation[3] = {0, 1, 0}, quaternion[4] = {0, 0, 0, 1}, scale[3] = {2, 2, 2};
+ * result = shd_matrix_from_trs(translation, quaternion, scale, draw.object_to_world);
+ * @endcode
  */
 #ifndef SHD_TRANSFORM_H
 #define SHD_TRANSFORM_H

@@ -53,7 +53,7 @@ typedef struct shd_vertices {
     uint32_t draw;                  /**< index into shd_render_desc.draws */
     uint32_t instance;              /**< index into shd_draw.instances, 0 without instances */
     uint32_t first;                 /**< row i is vertex first + i of the mesh */
-    uint32_t attribute_count;       /**< number of `attribute` columns */
+    size_t attribute_count;         /**< number of `attribute` columns */
     size_t count;                   /**< rows; must not be changed */
     const float *px, *py, *pz;      /**< position, object space */
     const float *nx, *ny, *nz;      /**< normal, object space, unit */
@@ -74,16 +74,16 @@ typedef struct shd_vertices {
  *
  * Each column starts with the values that the draw has without a program. A vertex whose values stay unchanged gives
  * the same bits as without a program. Triangles with a vertex that has NaN or infinity in any column are dropped;
- * shd_render_stats.nonfinite counts them.
+ * shd_render_stats.nonfinite_triangle_count counts them.
  */
 typedef struct shd_vertex_outputs {
-    uint32_t struct_size;   /**< size of the library's struct */
-    uint32_t varying_count; /**< shd_material_desc.varying_count */
-    float *x, *y, *z, *w;   /**< clip space: visible with -w..w for x and y, 0..w for z */
-    float *px, *py, *pz;    /**< position, world space, for lighting and wo */
-    float *nx, *ny, *nz;    /**< normal, world space; changed normals are normalised afterwards */
-    float *u, *v;           /**< texture coordinates */
-    float *const *varying;  /**< [varying_count] columns that start as 0 */
+    uint32_t struct_size;  /**< size of the library's struct */
+    size_t varying_count;  /**< shd_material_desc.varying_count */
+    float *x, *y, *z, *w;  /**< clip space: visible with -w..w for x and y, 0..w for z */
+    float *px, *py, *pz;   /**< position, world space, for lighting and wo */
+    float *nx, *ny, *nz;   /**< normal, world space; changed normals are normalised afterwards */
+    float *u, *v;          /**< texture coordinates */
+    float *const *varying; /**< [varying_count] columns that start as 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_vertex_outputs;
 

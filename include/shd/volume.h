@@ -5,7 +5,7 @@
  *
  * A volume fills a box. A ray through the centre of a pixel enters the box and leaves it, or ends at the depth of a
  * sample. This part of length L is divided into n = ceil(L / step) equal steps of dt = L / n, at most
- * SHD_VOLUME_MAX_STEPS. At a point of step k, the density of the texture gives a colour c and an extinction sigma by
+ * SHD_MAX_VOLUME_STEPS. At a point of step k, the density of the texture gives a colour c and an extinction sigma by
  * the transfer function. Steps are accumulated from front to back, until A exceeds 0.999 (Levoy, "Efficient Ray Tracing
  * of Volume Data", 1990):
  *
@@ -41,7 +41,7 @@
 SHD_BEGIN_DECLS
 
 /** Largest number of steps of a ray through one volume. */
-#define SHD_VOLUME_MAX_STEPS 4096
+#define SHD_MAX_VOLUME_STEPS 4096
 
 /** A density field with its transfer function. */
 typedef struct shd_volume shd_volume;
@@ -49,8 +49,9 @@ typedef struct shd_volume shd_volume;
 /** Density, transfer function, steps and shading of a volume. Required: point_count, texture, density, extinction. */
 typedef struct shd_volume_desc {
     uint32_t struct_size; /**< set by shd_volume_desc_default() */
-    uint32_t point_count; /**< points of the transfer function, 1..256 */
+    float step;           /**< length of a step [world units], above 0, at most 1e12; default 1/256 */
     shd_texture *texture; /**< 3D texture; retained */
+    size_t point_count;   /**< points of the transfer function, 1..256 */
     /**
      * [point_count] densities of the points, -1e38..1e38, never decreasing. Values are interpolated between points; two
      * points of one density are a jump.
@@ -67,17 +68,14 @@ typedef struct shd_volume_desc {
      * SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
      */
     shd_material *material;
-    float box_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */
-    float box_max[3]; /**< corner of the texture's (1, 1, 1); above box_min on each axis; default 1 */
-    float step;       /**< length of a step [world units], above 0, at most 1e12; default 1/256 */
-    float
-        /**
-         * The point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed from the
-         * pixel of the picture and `seed`; 0..1; default 0.
-         */
-        jitter;
-    uint32_t seed;  /**< seed of the jitter; default 0 */
-    uint32_t flags; /**< reserved; 0 */
+    float bounds_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */
+    float bounds_max[3]; /**< corner of the texture's (1, 1, 1); above bounds_min on each axis; default 1 */
+    /**
+     * The point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed from the pixel
+     * of the picture and `seed`; 0..1; default 0.
+     */
+    float jitter;
+    uint32_t seed; /**< seed of the jitter; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_volume_desc;
 
@@ -86,7 +84,7 @@ static inline shd_volume_desc shd_volume_desc_default(void)
 {
     shd_volume_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
-    desc.box_max[0] = desc.box_max[1] = desc.box_max[2] = 1.0f;
+    desc.bounds_max[0] = desc.bounds_max[1] = desc.bounds_max[2] = 1.0f;
     desc.step = 0.00390625f;
     return desc;
 }

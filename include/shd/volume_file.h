@@ -19,7 +19,7 @@
  * Stacks (shd_stack_desc): images of one size and format. Each of several files gives a slice, its part
  * shd_load_desc.subimage. A single file gives all its parts from `subimage` on: the pages of a TIFF (at most 1024), the
  * parts of a multi-part EXR, the frames of a GIF. A file with one channel becomes R8, R16, R16F or R32F; all others
- * become RGBA8, RGBA16, RGBA16F or RGBA32F, as the pixels of shd_bitmap_load(). shd_load_desc.color_space AUTO and
+ * become RGBA8, RGBA16, RGBA16F or RGBA32F, as the pixels of shd_bitmap_load(). shd_load_desc.encoding AUTO and
  * LINEAR keep the numbers, because most stacks hold densities; the file's declaration has no effect. With SRGB, 8-bit
  * files become R8_SRGB or RGBA8_SRGB, and all others are SHD_ERROR_UNSUPPORTED. A slice whose size or format differs
  * from slice 0 is SHD_ERROR_CORRUPT, and the message has its number. max_file_bytes, max_ratio and time_limit are
@@ -83,9 +83,8 @@ typedef struct shd_raw_desc {
     uint32_t height;           /**< voxels along y, 1..65536 */
     uint32_t depth;            /**< voxels along z, 1..65536 */
     shd_raw_sample sample;     /**< default SHD_RAW_SAMPLE_U8 */
-    uint32_t channels;         /**< numbers of a voxel, one behind the other, 1..4; default 1 */
+    size_t channel_count;      /**< numbers of a voxel, one behind the other, 1..4; default 1 */
     shd_byte_order byte_order; /**< default SHD_BYTE_ORDER_LITTLE */
-    uint32_t flags;            /**< reserved; 0 */
     uint64_t header_bytes;     /**< bytes before the first voxel, or SHD_RAW_HEADER_REST; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_raw_desc;
@@ -95,14 +94,14 @@ static inline shd_raw_desc shd_raw_desc_default(void)
 {
     shd_raw_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
-    desc.channels = 1;
+    desc.channel_count = 1;
     return desc;
 }
 
 /** Files of a stack. Required: either paths and path_count, or pattern. */
 typedef struct shd_stack_desc {
     uint32_t struct_size;     /**< set by shd_stack_desc_default() */
-    uint32_t path_count;      /**< number of `paths`, 0..65536 */
+    size_t path_count;        /**< number of `paths`, 0..65536 */
     const char *const *paths; /**< [path_count] files, slice 0 first; of a single file all pages are slices */
     /**
      * A path with one place for a number, instead of `paths`: %d, %5d (padded by spaces to five characters) or %05d
@@ -124,7 +123,7 @@ static inline shd_stack_desc shd_stack_desc_default(void)
 
 /** Options of an OpenVDB load; combine with |. */
 typedef enum shd_vdb_flag {
-    SHD_VDB_DEFAULT = 0,
+    SHD_VDB_NONE = 0,
     SHD_VDB_BOX = 1, /**< sample the box of the desc instead of the bounds of the active voxels */
     SHD_VDB_FLAG_MAX_ENUM = 0x7fffffff
 } shd_vdb_flag;
@@ -132,11 +131,11 @@ typedef uint32_t shd_vdb_flags; /**< shd_vdb_flag bits */
 
 /** Grid and box of an OpenVDB load. */
 typedef struct shd_vdb_desc {
-    uint32_t struct_size; /**< set by shd_vdb_desc_default() */
-    shd_vdb_flags flags;  /**< default none */
-    const char *grid;     /**< name, at most 255 bytes; default NULL = the first grid of float or double */
-    int32_t box_min[3];   /**< first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX */
-    int32_t box_max[3];   /**< last voxel of the box, at least box_min on each axis; read with SHD_VDB_BOX */
+    uint32_t struct_size;  /**< set by shd_vdb_desc_default() */
+    shd_vdb_flags flags;   /**< default none */
+    const char *grid;      /**< name, at most 255 bytes; default NULL = the first grid of float or double */
+    int32_t bounds_min[3]; /**< first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX */
+    int32_t bounds_max[3]; /**< last voxel of the box, at least bounds_min on each axis; read with SHD_VDB_BOX */
     /* ---- end of 0.1; append below ---- */
 } shd_vdb_desc;
 
@@ -158,11 +157,11 @@ typedef enum shd_vdb_class {
 
 /** Properties of a loaded grid. */
 typedef struct shd_vdb_info {
-    uint32_t struct_size;     /**< set by shd_vdb_info_default() */
-    shd_vdb_class grid_class; /**< as declared by the file */
-    int32_t index_min[3];     /**< voxel of texel (0, 0, 0), in index space */
-    float background;         /**< value of all voxels that the file does not store */
-    uint64_t active_voxels;   /**< in the whole grid */
+    uint32_t struct_size;        /**< set by shd_vdb_info_default() */
+    shd_vdb_class grid_class;    /**< as declared by the file */
+    int32_t index_min[3];        /**< voxel of texel (0, 0, 0), in index space */
+    float background;            /**< value of all voxels that the file does not store */
+    uint64_t active_voxel_count; /**< in the whole grid */
     /**
      * From texture coordinates (u, v, w) to the world of the file, column-major: for shd_volume_draw, if the box of the
      * volume is the default box.

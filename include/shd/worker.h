@@ -11,6 +11,15 @@
  * Linux alone has a worker: elsewhere shd_worker_run() is SHD_ERROR_UNSUPPORTED.
  *
  * Thread safety: any thread.
+ *
+ * @code
+ * char module[4096];
+ * shd_worker_task task = {0};
+ * result = shd_worker_find_module("libshd_scene_reader.so", module, sizeof module);
+ * task.module = module, task.request = &request, task.request_size = sizeof request;
+ * task.receive = read_reply, task.user_data = &reply; // read_reply() calls shd_worker_read()
+ * result = shd_worker_run(&task);
+ * @endcode
  */
 #ifndef SHD_WORKER_H
 #define SHD_WORKER_H
@@ -45,10 +54,10 @@ typedef struct shd_worker_task {
      * with `out_file`, SHD_ERROR_NOT_FOUND means that there is no such file, and any other result ends the run
      * with this result and the text of shd_last_error(). NULL = no files.
      */
-    shd_result (*find)(void *user_data, const char *name, shd_worker_file *out_file);
+    shd_result (*find)(const char *name, shd_worker_file *out_file, void *user_data);
     /** Reads the reply by shd_worker_read(). A result other than SHD_OK ends the run. */
-    shd_result (*receive)(void *user_data, shd_worker_stream *reply);
-    void *user_data; /**< first argument of the callbacks */
+    shd_result (*receive)(shd_worker_stream *reply, void *user_data);
+    void *user_data; /**< last argument of the callbacks */
 } shd_worker_task;
 
 /**

@@ -23,17 +23,17 @@ shd_bake_stats finish_bake(const frame::Bake& bake, const shd_render_stats& stat
   for (size_t i = 0; i < bake.texels.size(); ++i) {
     const uint32_t state = bake.texels[i] & 3u;
     ++counts[state];
-    out.overlapping_texels += (bake.texels[i] & film::kTexelShared) != 0;
+    out.overlapping_texel_count += (bake.texels[i] & film::kTexelShared) != 0;
     if (states.data) data::store(states, i, state);
   }
-  out.triangles = stats.triangles;
-  out.zero_area_triangles = bake.zero_area_triangles;
-  out.nonfinite_triangles = bake.nonfinite_triangles;
-  out.outside_triangles = bake.outside_triangles;
-  out.centre_texels = counts[SHD_TEXEL_STATE_CENTRE];
-  out.touched_texels = counts[SHD_TEXEL_STATE_TOUCHED];
-  out.dilated_texels = counts[SHD_TEXEL_STATE_DILATED];
-  out.nonfinite_texels = stats.nonfinite_fragments;
+  out.triangle_count = stats.triangle_count;
+  out.zero_area_triangle_count = bake.zero_area_triangles;
+  out.nonfinite_triangle_count = bake.nonfinite_triangles;
+  out.outside_triangle_count = bake.outside_triangles;
+  out.center_texel_count = counts[SHD_TEXEL_STATE_CENTER];
+  out.touched_texel_count = counts[SHD_TEXEL_STATE_TOUCHED];
+  out.dilated_texel_count = counts[SHD_TEXEL_STATE_DILATED];
+  out.nonfinite_texel_count = stats.nonfinite_fragment_count;
   return out;
 }
 
@@ -62,7 +62,6 @@ shd_result check_frame(const shd_render_desc& frame) {
 shd_result check_bake(const shd_bake_desc& desc, const film::Framebuffer& framebuffer) {
   SHD_TRY(check_count("bake.uv_set", desc.uv_set, 0, 1));
   SHD_TRY(check_count("bake.dilation", desc.dilation, 0, kMaxDilation));
-  SHD_TRY(check_zero("bake.flags", desc.flags));
   if (framebuffer.samples != 1) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "render.framebuffer: %u samples a pixel, but a bake takes 1",
                       framebuffer.samples);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -168,11 +169,29 @@ void run_staged(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run& 
 
 }  // namespace batch_detail
 
-/// Calls run(piece) for pieces that cover a batch, concurrently on the executor of the context; null = on the calling
-/// thread. Packed columns are used where they are, others through copies. The results must not depend on where pieces
-/// end.
+/// Rows of a piece of which one of the first `columns` inputs, all of floats, is not finite.
+template <size_t kIn, size_t kOut>
+size_t count_nonfinite(const Piece<kIn, kOut>& piece, size_t columns = kIn) {
+  constexpr size_t kRows = 256;
+  constexpr uint32_t kExponent = 0x7f800000;
+  size_t rows = 0;
+  for (size_t first = 0; first < piece.count; first += kRows) {
+    const size_t count = piece.count - first < kRows ? piece.count - first : kRows;
+    uint32_t bad[kRows] = {};
+    for (size_t c = 0; c < columns; ++c) {
+      if (!piece.in[c]) continue;
+      const uint32_t* bits = piece.integers(c) + first;
+      for (size_t i = 0; i < count; ++i) bad[i] |= (bits[i] & kExponent) == kExponent;
+    }
+    for (size_t i = 0; i < count; ++i) rows += bad[i];
+  }
+  return rows;
+}
+
+/// Calls run(piece) for pieces that cover a batch, concurrently on the executor of the context. Packed columns are used
+/// where they are, others through copies. The results must not depend on where pieces end.
 template <size_t kIn, size_t kOut, class Run>
-void run_batch(const core::Context* context, const Batch<kIn, kOut>& batch, Run&& run) {
+void run_batch(const core::Context& context, const Batch<kIn, kOut>& batch, Run&& run) {
   using namespace batch_detail;
   const bool packed = is_packed(batch.in) && is_packed(batch.out);
   const auto run_part = [&](size_t first, size_t count) {
@@ -182,13 +201,23 @@ void run_batch(const core::Context* context, const Batch<kIn, kOut>& batch, Run&
       run_staged(batch, first + done, count - done < fit ? count - done : fit, run);
     }
   };
-  if (!context) return run_part(0, batch.count);
   const size_t size = batch.count / kMaxTasks < kTaskElements ? kTaskElements : batch.count / kMaxTasks + 1;
   const auto tasks = static_cast<uint32_t>(batch.count / size + (batch.count % size != 0));
-  core::parallel_for(*context, tasks, [&](uint32_t task, uint32_t) {
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
     const size_t first = task * size;
     run_part(first, batch.count - first < size ? batch.count - first : size);
   });
+}
+
+/// As run_batch(). Returns the number of rows of which one of the first `columns` inputs is not finite.
+template <size_t kIn, size_t kOut, class Run>
+size_t run_counting(const core::Context& context, const Batch<kIn, kOut>& batch, size_t columns, Run&& run) {
+  std::atomic<size_t> nonfinite{0};
+  run_batch(context, batch, [&](const Piece<kIn, kOut>& piece) {
+    if (const size_t found = count_nonfinite(piece, columns)) nonfinite.fetch_add(found, std::memory_order_relaxed);
+    run(piece);
+  });
+  return nonfinite.load(std::memory_order_relaxed);
 }
 
 /// Calls run(piece) for one element of a batch, on the calling thread.

@@ -94,7 +94,7 @@ void write_count(size_t count, shd_texels* out) {
 
 extern "C" {
 
-shd_result shd_bounds_preset(shd_rules rules, shd_bounds_desc* out_desc) {
+shd_result shd_bounds_desc_from_rules(shd_rules rules, shd_bounds_desc* out_desc) {
   return guard([&]() -> shd_result {
     SHD_TRY(begin_output("out_desc", out_desc));
     SHD_TRY(check_enum("bounds_preset.rules", rules, SHD_RULES_VULKAN, SHD_RULES_OPENGL));
@@ -120,7 +120,7 @@ shd_result shd_texture_bounds(const shd_texture* texture, const shd_sampler* sam
     SHD_TRY(check_columns_of(batch));
     const texture::BoundsModel model = texture::make_bounds_model(bounds);
     std::atomic<size_t> nonfinite{0};
-    run_batch(object_of(texture)->context, batch, [&](const Piece<kLookupColumns, kBounds>& piece) {
+    run_batch(*object_of(texture)->context, batch, [&](const Piece<kLookupColumns, kBounds>& piece) {
       const size_t found = find_piece(*texture_body, *sampler_body, model, piece);
       if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
     });

@@ -59,11 +59,11 @@ void shd_context_trim(shd_context* context) {
   }
 }
 
-const char* shd_context_simd_target(const shd_context* context) {
+const char* shd_context_get_simd_target(const shd_context* context) {
   return check_context(context) == SHD_OK ? context_of(context).simd.name : "";
 }
 
-uint32_t shd_context_worker_count(const shd_context* context) {
+size_t shd_context_get_worker_count(const shd_context* context) {
   return check_context(context) == SHD_OK ? context_of(context).executor.worker_count : 0;
 }
 

@@ -118,8 +118,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
   using shd::abi::write_defaults;
   SHD_TRY(shd::abi::check_not_null("desc_init.ptr", ptr));
   switch (shd::abi::enum_bits(kind)) {
-#define SHD_CASE(kind, type, required, last, size_in_0_1, arguments) \
-  case SHD_DESC_KIND_##kind: return write_defaults(type##_default arguments, ptr, size);
+#define SHD_CASE(kind, type, required, last, size_in_0_1) \
+  case SHD_DESC_KIND_##kind: return write_defaults(type##_default(), ptr, size);
     SHD_SIZED_STRUCTS(SHD_CASE)
 #undef SHD_CASE
     default:

@@ -34,7 +34,6 @@ shd_result read_draw(const shd_draw* in, frame::Draw* out, Instances* instances)
   SHD_TRY(check_count("draw.instance_count", draw.instance_count, 0, kMaxItems));
   if (draw.instance_count) SHD_TRY(check_not_null("draw.instances", draw.instances));
   SHD_TRY(check_enum("draw.fill", draw.fill, 0, SHD_FILL_LINES));
-  if (draw.fill_width == 0.0f) draw.fill_width = 1.0f;
   SHD_TRY(check_range("draw.fill_width", static_cast<double>(draw.fill_width), 1.0 / 16, 64.0));
   SHD_TRY(check_flags("draw.edges", draw.edges, SHD_EDGE_ALL));
   SHD_TRY(check_range("draw.crease_cosine", static_cast<double>(draw.crease_cosine), -1.0, 1.0));

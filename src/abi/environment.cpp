@@ -49,17 +49,17 @@ shd_result require_table(bool exists, const char* table) {
 }
 
 /// Reads the columns of a call.
-shd_result read_lookups(const shd_environment_lookups* lookups, const shd_environment_light* out,
-                        EnvironmentBatch* batch) {
+shd_result read_lookups(const shd_environment_lookups* lookups, const shd_environment_values* out,
+                        EnvironmentBatch* batch, shd_environment_values* values) {
   shd_environment_lookups in = shd_environment_lookups_default();
   SHD_TRY(read_desc("lookups", lookups, false, &in));
-  shd_environment_light light = shd_environment_light_default();
-  SHD_TRY(read_desc("light", out, false, &light));
+  *values = shd_environment_values_default();
+  SHD_TRY(read_desc("values", out, false, values));
   batch->count = in.count;
   for (int c = 0; c < 3; ++c) {
     const auto k = static_cast<size_t>(c);
     batch->in[k] = in_column("lookups.direction", in.direction[c], Need::kRequired, c);
-    batch->out[k] = out_column("light.rgb", light.rgb[c], Need::kOptional, c);
+    batch->out[k] = out_column("values.channel", values->channel[c], Need::kOptional, c);
   }
   batch->in[kRoughness] = in_column("lookups.roughness", in.roughness, Need::kOptional);
   batch->in[kExponent] = in_column("lookups.exponent", in.exponent, Need::kOptional);
@@ -69,10 +69,11 @@ shd_result read_lookups(const shd_environment_lookups* lookups, const shd_enviro
 /// The kernel of a kind of lookup, and the column of its width.
 using LookUp = void (*)(const core::SimdTarget&, const Environment&, const environment::LookUps&, float* const[3]);
 
-void run(const shd_environment* handle, const Environment& body, const EnvironmentBatch& batch, LookUp look_up,
-         size_t width) {
+/// Returns the number of lookups that are not finite.
+size_t run(const shd_environment* handle, const Environment& body, const EnvironmentBatch& batch, LookUp look_up,
+           size_t width) {
   const core::Context& context = *object_of(handle)->context;
-  run_batch(&context, batch, [&](const EnvironmentPiece& piece) {
+  return run_counting(context, batch, batch.in.size(), [&](const EnvironmentPiece& piece) {
     float* const out[3] = {piece.out_floats(0), piece.out_floats(1), piece.out_floats(2)};
     look_up(context.simd, body, {piece.count, {piece.floats(0), piece.floats(1), piece.floats(2)}, piece.floats(width)},
             out);
@@ -136,42 +137,46 @@ shd_result shd_environment_get_info(const shd_environment* environment, shd_envi
   });
 }
 
-shd_result shd_environment_irradiance(const shd_environment* environment, const shd_environment_lookups* lookups,
-                                      const shd_environment_light* out) {
+shd_result shd_environment_sample_irradiance(const shd_environment* environment, const shd_environment_lookups* lookups,
+                                             shd_environment_values* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
     SHD_TRY(read_handle("environment", environment, kEnvironmentType, &body));
     EnvironmentBatch batch;
-    SHD_TRY(read_lookups(lookups, out, &batch));
+    shd_environment_values values;
+    SHD_TRY(read_lookups(lookups, out, &batch, &values));
     for (const size_t column : {size_t{kRoughness}, size_t{kExponent}}) {
       if (!batch.in[column].data) continue;
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: set, but irradiance has no lobe", batch.in[column].name);
     }
-    run(environment, *body, batch, environment::look_up_irradiance, kRoughness);
+    values.nonfinite_count = run(environment, *body, batch, environment::look_up_irradiance, kRoughness);
+    write_desc(values, out);
     return SHD_OK;
   });
 }
 
-shd_result shd_environment_radiance(const shd_environment* environment, const shd_environment_lookups* lookups,
-                                    const shd_environment_light* out) {
+shd_result shd_environment_sample_radiance(const shd_environment* environment, const shd_environment_lookups* lookups,
+                                           shd_environment_values* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
     SHD_TRY(read_handle("environment", environment, kEnvironmentType, &body));
     EnvironmentBatch batch;
-    SHD_TRY(read_lookups(lookups, out, &batch));
+    shd_environment_values values;
+    SHD_TRY(read_lookups(lookups, out, &batch, &values));
     if (batch.in[kRoughness].data && batch.in[kExponent].data) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "lookups.exponent: set, but so is lookups.roughness");
     }
     if (batch.in[kRoughness].data) {
       SHD_TRY(require_table(body->ggx.count != 0, "SHD_ENVIRONMENT_TABLE_GGX"));
-      run(environment, *body, batch, environment::look_up_ggx, kRoughness);
+      values.nonfinite_count = run(environment, *body, batch, environment::look_up_ggx, kRoughness);
     } else if (batch.in[kExponent].data) {
       SHD_TRY(require_table(body->phong.count != 0, "SHD_ENVIRONMENT_TABLE_PHONG"));
-      run(environment, *body, batch, environment::look_up_phong, kExponent);
+      values.nonfinite_count = run(environment, *body, batch, environment::look_up_phong, kExponent);
     } else {
       SHD_TRY(require_table(body->radiance.count != 0, "SHD_ENVIRONMENT_TABLE_RADIANCE"));
-      run(environment, *body, batch, environment::look_up_radiance, kRoughness);
+      values.nonfinite_count = run(environment, *body, batch, environment::look_up_radiance, kRoughness);
     }
+    write_desc(values, out);
     return SHD_OK;
   });
 }

@@ -14,8 +14,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr uint64_t kFirstTap = offsetof(shd_tap, z);  // bytes of a tap without later fields
-constexpr uint64_t kMaxElement = 1u << 12;            // bytes of a tap or a blend of the caller
+constexpr uint64_t kMaxElement = 1u << 12;  // bytes of a tap or a blend of the caller
 
 shd_result check_multiple(const char* field, uint32_t size, size_t alignment) {
   if (size % alignment == 0) return SHD_OK;
@@ -23,7 +22,7 @@ shd_result check_multiple(const char* field, uint32_t size, size_t alignment) {
 }
 
 shd_result check_explanation(const shd_explanation& explanation) {
-  SHD_TRY(check_count("explanation.tap_size", explanation.tap_size, kFirstTap, kMaxElement));
+  SHD_TRY(check_count("explanation.tap_size", explanation.tap_size, sizeof(shd_tap), kMaxElement));
   SHD_TRY(check_count("explanation.blend_size", explanation.blend_size, sizeof(shd_blend_step), kMaxElement));
   SHD_TRY(check_multiple("explanation.tap_size", explanation.tap_size, alignof(shd_tap)));
   SHD_TRY(check_multiple("explanation.blend_size", explanation.blend_size, alignof(shd_blend_step)));

@@ -40,25 +40,26 @@ void* shd_context_allocate(shd_context* context, size_t size, size_t alignment) 
   if (check_context(context) != SHD_OK || size == 0 || size > PTRDIFF_MAX) return nullptr;
   if (alignment & (alignment - 1)) return nullptr;  // the host was promised a power of two
   const shd_allocator& callbacks = context_of(context).allocator.callbacks;
-  return callbacks.allocate(callbacks.user_data, size, alignment < 8 ? 8 : alignment);
+  return callbacks.allocate(size, alignment < 8 ? 8 : alignment, callbacks.user_data);
 }
 
 void shd_context_free(shd_context* context, void* memory, size_t size, size_t alignment) {
   if (!memory || check_context(context) != SHD_OK) return;
   const shd_allocator& callbacks = context_of(context).allocator.callbacks;
-  callbacks.free(callbacks.user_data, memory, size, alignment < 8 ? 8 : alignment);
+  callbacks.free(memory, size, alignment < 8 ? 8 : alignment, callbacks.user_data);
 }
 
 void shd_context_log(shd_context* context, shd_log_level level, const char* message) {
   if (check_context(context) == SHD_OK && message) core::log(context_of(context), level, "%s", message);
 }
 
-shd_result shd_context_parallel_for(shd_context* context, uint32_t count, shd_task_fn task, void* task_data) {
+shd_result shd_context_parallel_for(shd_context* context, size_t count, shd_task_fn task, void* task_data) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     SHD_TRY(check_not_null("parallel_for.task", reinterpret_cast<const void*>(task)));
-    core::parallel_for(context_of(context), count,
-                       [&](uint32_t index, uint32_t worker) { task(task_data, index, worker); });
+    SHD_TRY(check_count("parallel_for.count", count, 0, UINT32_MAX));
+    core::parallel_for(context_of(context), static_cast<uint32_t>(count),
+                       [&](uint32_t index, uint32_t worker) { task(index, worker, task_data); });
     return SHD_OK;
   });
 }
@@ -86,19 +87,19 @@ shd_result shd_object_create(shd_context* context, uint32_t type, void* body, vo
   });
 }
 
-void* shd_object_body(const shd_object* object, uint32_t type) {
+void* shd_object_get_body(const shd_object* object, uint32_t type) {
   void* extension = is_extension_type(type) ? core::body_of(object_of(object), type) : nullptr;
   if (extension) return static_cast<ExtensionBody*>(extension)->body;
   core::fail(SHD_ERROR_INVALID_ARGUMENT, object ? "object: not a live handle of its type" : "object: NULL");
   return nullptr;
 }
 
-shd_context* shd_object_context(const shd_object* object) {
+shd_context* shd_object_get_context(const shd_object* object) {
   if (!object || object_of(object)->type.load() == 0) return nullptr;
   return reinterpret_cast<shd_context*>(object_of(object)->context);
 }
 
-shd_context* shd_framebuffer_context(const shd_framebuffer* framebuffer) {
+shd_context* shd_framebuffer_get_context(const shd_framebuffer* framebuffer) {
   const auto type = static_cast<uint32_t>(core::ObjectType::kFramebuffer);
   if (!core::body_of(object_of(framebuffer), type)) return nullptr;
   return reinterpret_cast<shd_context*>(object_of(framebuffer)->context);

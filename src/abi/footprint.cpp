@@ -4,6 +4,7 @@
 #include "abi/batch.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
+#include "abi/handle.h"
 #include "texture/domain/ray_footprint.h"
 
 namespace {
@@ -82,8 +83,10 @@ void trace_cones(const Piece<kConeColumns, kStepOutputs>& piece) {
 
 extern "C" {
 
-shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays, const shd_derivatives* out) {
+shd_result shd_derivatives_from_differentials(shd_context* context, const shd_ray_differentials* rays,
+                                              shd_derivatives* out) {
   return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
     shd_ray_differentials in = shd_ray_differentials_default();
     SHD_TRY(read_desc("rays", rays, false, &in));
     shd_derivatives derivatives = shd_derivatives_default();
@@ -101,13 +104,15 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     set_vector("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
     set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
-    run_batch(nullptr, batch, trace_differentials);
+    derivatives.nonfinite_count = run_counting(context_of(context), batch, batch.in.size(), trace_differentials);
+    write_desc(derivatives, out);
     return SHD_OK;
   });
 }
 
-shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_derivatives* out) {
+shd_result shd_derivatives_from_cones(shd_context* context, const shd_ray_cones* cones, shd_derivatives* out) {
   return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
     shd_ray_cones in = shd_ray_cones_default();
     SHD_TRY(read_desc("cones", cones, false, &in));
     shd_derivatives derivatives = shd_derivatives_default();
@@ -121,7 +126,8 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     columns[kWidth] = in_column("cones.width", in.width, Need::kRequired);
     set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
-    run_batch(nullptr, batch, trace_cones);
+    derivatives.nonfinite_count = run_counting(context_of(context), batch, batch.in.size(), trace_cones);
+    write_desc(derivatives, out);
     return SHD_OK;
   });
 }

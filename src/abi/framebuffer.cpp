@@ -19,21 +19,23 @@ using film::Framebuffer;
 
 constexpr core::ObjectType kFramebufferType = core::ObjectType::kFramebuffer;
 
-shd_result check_samples(const char* field, uint32_t samples) {
+shd_result check_samples(const char* field, uint64_t samples) {
   switch (samples) {
     case 1:
     case 2:
     case 4:
     case 8:
     case 16: return SHD_OK;
-    default: return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u is not 1, 2, 4, 8 or 16", field, samples);
+    default:
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %llu is not 1, 2, 4, 8 or 16", field,
+                        static_cast<unsigned long long>(samples));
   }
 }
 
 shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
-  SHD_TRY(check_samples("framebuffer.samples", desc.samples));
+  SHD_TRY(check_samples("framebuffer.sample_count", desc.sample_count));
   SHD_TRY(check_enum("framebuffer.color_format", desc.color_format, SHD_FORMAT_NONE, SHD_FORMAT_RGB32F));
   if (!film::can_draw(desc.color_format)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
@@ -112,7 +114,7 @@ shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_fram
     shd_framebuffer_info info = shd_framebuffer_info_default();
     info.width = body->width;
     info.height = body->height;
-    info.samples = body->samples;
+    info.sample_count = body->samples;
     info.color_format = body->color_format;
     info.aovs = body->aovs;
     info.byte_size = film::byte_size(*body);
@@ -121,15 +123,15 @@ shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_fram
   });
 }
 
-shd_result shd_sample_position(uint32_t samples, uint32_t index, float* out_x, float* out_y) {
+shd_result shd_sample_position(size_t sample_count, size_t index, float* out_x, float* out_y) {
   return guard([&]() -> shd_result {
     if (out_x) *out_x = 0.0f;
     if (out_y) *out_y = 0.0f;
-    SHD_TRY(check_samples("samples", samples));
-    SHD_TRY(check_count("index", index, 0, samples - 1));
+    SHD_TRY(check_samples("sample_count", sample_count));
+    SHD_TRY(check_count("index", index, 0, sample_count - 1));
     SHD_TRY(check_not_null("out_x", out_x));
     SHD_TRY(check_not_null("out_y", out_y));
-    const raster::SamplePoint& point = raster::sample_pattern(samples).point[index];
+    const raster::SamplePoint& point = raster::sample_pattern(static_cast<uint32_t>(sample_count)).point[index];
     *out_x = static_cast<float>(point.x) / geometry::kSubpixels;
     *out_y = static_cast<float>(point.y) / geometry::kSubpixels;
     return SHD_OK;
@@ -221,7 +223,7 @@ shd_result shd_framebuffer_read_color(const shd_framebuffer* framebuffer, const 
                         image.width != body->width ? "width" : "height", image.width, image.height, body->width,
                         body->height);
     }
-    film::read_color(context_of(shd_framebuffer_context(framebuffer)).simd, *body, image);
+    film::read_color(context_of(shd_framebuffer_get_context(framebuffer)).simd, *body, image);
     return SHD_OK;
   });
 }

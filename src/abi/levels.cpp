@@ -36,7 +36,7 @@ void query_piece(const core::SimdTarget& simd, const texture::Texture& texture, 
 }  // namespace
 
 extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const shd_sampler* sampler,
-                                               const shd_lookups* lookups, const shd_levels* out) {
+                                               const shd_lookups* lookups, shd_levels* out) {
   return guard([&]() -> shd_result {
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
@@ -49,8 +49,10 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
     batch.out[kLevel] = out_column("levels.level", levels.level, Need::kOptional);
     SHD_TRY(check_batch(batch));
     const core::Context& context = *object_of(texture)->context;
-    run_batch(&context, batch,
-              [&](const auto& piece) { query_piece(context.simd, *texture_body, *sampler_body, piece); });
+    levels.nonfinite_count = run_counting(context, batch, texture::kPlaceColumns, [&](const auto& piece) {
+      query_piece(context.simd, *texture_body, *sampler_body, piece);
+    });
+    write_desc(levels, out);
     return SHD_OK;
   });
 }

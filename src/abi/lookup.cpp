@@ -12,6 +12,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "core/enum_names.h"
 #include "texture/lookup/magnify.h"
 #include "texture/lookup/sample.h"
 
@@ -51,38 +52,13 @@ shd_result read_lookups(const shd_lookups* in, const texture::Texture& texture, 
 
 namespace {
 
-const char* profile_name(shd_profile profile) {
-  switch (profile) {
-    case SHD_PROFILE_LEAST_ERROR: return "LEAST_ERROR";
-    case SHD_PROFILE_VULKAN: return "VULKAN";
-    case SHD_PROFILE_D3D11: return "D3D11";
-    case SHD_PROFILE_OIIO: return "OIIO";
-    case SHD_PROFILE_EXACT: return "EXACT";
-    case SHD_PROFILE_MAX_ENUM: break;
-  }
-  return "unknown";
-}
-
-const char* projection_name(shd_projection projection) {
-  switch (projection) {
-    case SHD_PROJECTION_NONE: return "NONE";
-    case SHD_PROJECTION_LAT_LONG: return "LAT_LONG";
-    case SHD_PROJECTION_MIRROR_BALL: return "MIRROR_BALL";
-    case SHD_PROJECTION_ANGULAR: return "ANGULAR";
-    case SHD_PROJECTION_CUBE: return "CUBE";
-    case SHD_PROJECTION_OCTAHEDRAL: return "OCTAHEDRAL";
-    case SHD_PROJECTION_MAX_ENUM: break;
-  }
-  return "unknown";
-}
-
 /// Writes what a texture is: "is 3D", "has projection CUBE", "is in tiles".
 struct TextureKind {
   char text[64];
 
   explicit TextureKind(const texture::Texture& texture) {
     if (texture.projection != SHD_PROJECTION_NONE) {
-      std::snprintf(text, sizeof text, "has projection %s", projection_name(texture.projection));
+      std::snprintf(text, sizeof text, "has projection %s", core::value_name(texture.projection));
     } else {
       const bool flat = texture.depth == 0;
       std::snprintf(text, sizeof text, "is %s%s", flat ? "in " : "",
@@ -105,7 +81,7 @@ shd_result check_slice_options(const texture::Sampler& sampler) {
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR && sampler.profile != SHD_PROFILE_EXACT) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
                       "sampler.profile: %s, but the texture is 3D, which needs LEAST_ERROR or EXACT",
-                      profile_name(sampler.profile));
+                      core::value_name(sampler.profile));
   }
   if (sampler.blur_u != 0.0f || sampler.blur_v != 0.0f) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.blur_%c: not 0, but the texture is 3D",
@@ -118,12 +94,12 @@ shd_result check_slice_options(const texture::Sampler& sampler) {
 shd_result check_cells(const texture::Texture& texture, const texture::Sampler& sampler, texture::Use use) {
   texture::SupportCell cell = {sampler.filter, domain_of(texture), texture.store, use};
   if (const char* const reason = refusal_of(cell))
-    return refuse("sampler.filter", texture::name_of(sampler.filter), texture, use, reason);
+    return refuse("sampler.filter", core::value_name(sampler.filter), texture, use, reason);
   const shd_filter near = texture::magnifier(sampler).filter;
   if (near == sampler.filter) return SHD_OK;
   cell.filter = near;
   if (const char* const reason = refusal_of(cell))
-    return refuse("sampler.magnification", texture::name_of(near), texture, use, reason);
+    return refuse("sampler.magnification", core::value_name(near), texture, use, reason);
   return SHD_OK;
 }
 
@@ -234,7 +210,7 @@ void write_nonfinite(size_t count, shd_texels* out) {
   SHD_TRY(check_gradient(batch, texture, sampler));
   SHD_TRY(check_outputs(batch));
   std::atomic<size_t> nonfinite{0};
-  run_batch(&context, batch, [&](const Piece<kLookupColumns, kTexelOutputs>& piece) {
+  run_batch(context, batch, [&](const Piece<kLookupColumns, kTexelOutputs>& piece) {
     texture::Texels to;
     for (size_t c = 0; c < kCoarser; ++c) to.column(c) = piece.out_floats(c);
     to.coarser = piece.out_integers(kCoarser);

@@ -216,7 +216,7 @@ shd_result read_slot(const core::Allocator& allocator, const shd_slot* first, ui
   const char* const in = reinterpret_cast<const char*>(first) + size_t{index} * stride;
   char name[32];
   std::snprintf(name, sizeof name, "material.slots[%u]", index);
-  shd_slot desc = shd_slot_default(SHD_SLOT_DIFFUSE);
+  shd_slot desc = shd_slot_default();
   SHD_TRY(read_desc(name, reinterpret_cast<const shd_slot*>(in), false, &desc));
   if (desc.struct_size != stride) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of material.slots[0]", name,

@@ -78,7 +78,7 @@ shd_result read_moments(const char* name, const shd_image* image, const char* ch
 
 extern "C" {
 
-shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_mip_desc* desc, uint32_t level_count,
+shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_mip_desc* desc, size_t level_count,
                          const shd_image* levels) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
@@ -89,16 +89,17 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
     SHD_TRY(read_desc("mip", desc, false, &read));
     SHD_TRY(check_mip_desc(read, image::format_info(image.format).channels));
     SHD_TRY(check_count("level_count", level_count, 0, texture::full_level_count(image.width, image.height) - 1));
-    SHD_TRY(check_levels("levels", levels, 1, level_count, image.format, image.width, image.height));
-    SHD_TRY(check_levels_apart(image, level_count, levels));
-    texture::build_levels(context_of(context), image, read, level_count,
+    const auto count = static_cast<uint32_t>(level_count);
+    SHD_TRY(check_levels("levels", levels, 1, count, image.format, image.width, image.height));
+    SHD_TRY(check_levels_apart(image, count, levels));
+    texture::build_levels(context_of(context), image, read, count,
                           [&](uint32_t level) { return texture::image_at(levels, level - 1); });
     return SHD_OK;
   });
 }
 
-shd_result shd_normal_moments(shd_context* context, const shd_image* normals, const shd_image* out,
-                              const shd_image* mixed) {
+shd_result shd_mip_build_moments(shd_context* context, const shd_image* normals, const shd_image* out,
+                                 const shd_image* mixed) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     shd_image from, to, product;

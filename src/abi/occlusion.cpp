@@ -30,14 +30,14 @@ struct Query {
 };
 
 shd_result read_query(const core::Context& context, const shd_occlusion_desc& desc, Query* out) {
-  SHD_TRY(check_count("occlusion.rays", desc.rays, 1, kMaxRays));
+  SHD_TRY(check_count("occlusion.ray_count", desc.ray_count, 1, kMaxRays));
   if (!(desc.radius > 0.0f)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "occlusion.radius: %g is not above 0",
                       static_cast<double>(desc.radius));
   }
   SHD_TRY(check_range("occlusion.bias", static_cast<double>(desc.bias), 0.0, 1e9));
   SHD_TRY(check_count("occlusion.map_size", desc.map_size, 16, 8192));
-  out->options = {desc.rays, desc.seed, desc.radius, desc.bias, desc.map_size, desc.tracer};
+  out->options = {static_cast<uint32_t>(desc.ray_count), desc.seed, desc.radius, desc.bias, desc.map_size, desc.tracer};
   out->occluders.attach(context.allocator);
   if (desc.tracer.trace) return SHD_OK;
   SHD_TRY(check_count("occlusion.draw_count", desc.draw_count, 0, kMaxItems));
@@ -78,17 +78,18 @@ void store_values(const core::Array<float>& values, const shd_f32_out& out) {
 }
 
 shd_result compute_points(const core::Context& context, const Query& query, const shd_occlusion_points* points,
-                          const shd_f32_out* out) {
+                          shd_occlusion_values* out) {
   shd_occlusion_points read = shd_occlusion_points_default();
   SHD_TRY(read_desc("occlusion_points", points, false, &read));
-  SHD_TRY(check_not_null("out", out));
+  shd_occlusion_values values = shd_occlusion_values_default();
+  SHD_TRY(read_desc("occlusion_values", out, false, &values));
   Batch<6, 1> batch;
   batch.count = read.count;
   for (int c = 0; c < 3; ++c) {
     batch.in[c] = in_column("occlusion_points.position", read.position[c], Need::kRequired, c);
     batch.in[3 + c] = in_column("occlusion_points.normal", read.normal[c], Need::kRequired, c);
   }
-  batch.out[0] = out_column("out", *out, Need::kRequired);
+  batch.out[0] = out_column("occlusion_values.visibility", values.visibility, Need::kRequired);
   SHD_TRY(check_batch(batch));
   PointColumns columns(context.allocator, read.count);
   for (size_t i = 0; i < read.count; ++i) {
@@ -97,8 +98,14 @@ shd_result compute_points(const core::Context& context, const Query& query, cons
       columns.normal[c][i] = data::load(read.normal[c], i);
     }
   }
-  compute(context, query, columns.points());
-  store_values(columns.value, *out);
+  const occlusion::Points own = columns.points();
+  compute(context, query, own);
+  store_values(columns.value, values.visibility);
+  values.nonfinite_count = count_nonfinite(
+      Piece<6, 1>{read.count,
+                  {own.position[0], own.position[1], own.position[2], own.normal[0], own.normal[1], own.normal[2]},
+                  {nullptr}});
+  write_desc(values, out);
   return SHD_OK;
 }
 
@@ -212,7 +219,7 @@ shd_result with_query(shd_context* context, const shd_occlusion_desc* desc, cons
 extern "C" {
 
 shd_result shd_occlusion_compute(shd_context* context, const shd_occlusion_desc* desc,
-                                 const shd_occlusion_points* points, const shd_f32_out* out) {
+                                 const shd_occlusion_points* points, shd_occlusion_values* out) {
   return guard([&] {
     return with_query(context, desc, [&](const core::Context& scratch, const Query& query) {
       return compute_points(scratch, query, points, out);

@@ -75,7 +75,7 @@ shd_result read_polygon(const shd_polygon_desc* in, shd_polygon_desc* desc, Poly
   }
   const uint64_t values = uint64_t{polygon::harmonic_node_count(desc->vertex_count, desc->segments)} * out->count;
   if (values <= kMaxValues) return SHD_OK;
-  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "polygon.segments: %u with %u vertices gives %llu values, above %llu",
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "polygon.segments: %u with %zu vertices gives %llu values, above %llu",
                     desc->segments, desc->vertex_count, static_cast<unsigned long long>(values),
                     static_cast<unsigned long long>(kMaxValues));
 }
@@ -145,25 +145,23 @@ void evaluate(const Coordinates& coordinates, const shd_polygon_points& points, 
   counts->nonfinite.fetch_add(nonfinite, std::memory_order_relaxed);
 }
 
-/// Evaluates all points, on the executor of a context if there is one.
-void evaluate_all(const core::Context* context, const Coordinates& coordinates, const shd_polygon_points& points,
+/// Evaluates all points on the executor of a context.
+void evaluate_all(const core::Context& context, const Coordinates& coordinates, const shd_polygon_points& points,
                   const shd_f32_out* out, Counts* counts) {
-  if (!context) return evaluate(coordinates, points, out, 0, points.count, counts);
   const size_t size = std::max(kTaskPoints, points.count / kMaxTasks + 1);
   const auto tasks = static_cast<uint32_t>((points.count + size - 1) / size);
-  core::parallel_for(*context, tasks, [&](uint32_t task, uint32_t) {
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
     evaluate(coordinates, points, out, task * size, std::min(points.count, (task + 1) * size), counts);
   });
 }
 
 }  // namespace
 
-extern "C" shd_result shd_polygon_evaluate(const shd_context* context, const shd_polygon_desc* desc,
+extern "C" shd_result shd_polygon_evaluate(shd_context* context, const shd_polygon_desc* desc,
                                            const shd_polygon_points* points, shd_polygon_weights* out) {
   return guard([&]() -> shd_result {
-    if (context) SHD_TRY(check_context(context));
-    const core::Context* const owner = context ? &context_of(context) : nullptr;
-    const core::Allocator allocator = owner ? owner->allocator : core::Allocator{core::default_allocator()};
+    SHD_TRY(check_context(context));
+    const core::Context& owner = context_of(context);
     shd_polygon_desc read = shd_polygon_desc_default();
     Coordinates coordinates;
     SHD_TRY(read_polygon(desc, &read, &coordinates.polygon));
@@ -175,7 +173,7 @@ extern "C" shd_result shd_polygon_evaluate(const shd_context* context, const shd
     Columns columns;
     SHD_TRY(read_columns(in, weights, read.vertex_count, &columns));
     if (read.kind == SHD_BARYCENTRIC_HARMONIC &&
-        !solve_harmonic(allocator, coordinates.polygon, read.segments, &coordinates.field)) {
+        !solve_harmonic(owner.allocator, coordinates.polygon, read.segments, &coordinates.field)) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "polygon.vertex: too thin to be triangulated");
     }
     Counts counts;

@@ -48,7 +48,7 @@ projection::Points points_of(const Piece<kDirectionColumns, kPointColumns>& piec
 
 extern "C" {
 
-shd_result shd_project_directions(shd_context* context, const shd_directions* directions, shd_projected_points* out) {
+shd_result shd_projection_project(shd_context* context, const shd_directions* directions, shd_projected_points* out) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     shd_directions in = shd_directions_default();
@@ -71,7 +71,7 @@ shd_result shd_project_directions(shd_context* context, const shd_directions* di
     SHD_TRY(check_batch(batch));
     std::atomic<size_t> nonfinite{0};
     const core::Context& host = context_of(static_cast<const shd_context*>(context));
-    run_batch(&host, batch, [&](const auto& piece) {
+    run_batch(host, batch, [&](const auto& piece) {
       nonfinite += projection::project(in.projection, host.simd, directions_of(piece), points_of(piece));
     });
     points.nonfinite_count = nonfinite;
@@ -80,7 +80,7 @@ shd_result shd_project_directions(shd_context* context, const shd_directions* di
   });
 }
 
-shd_result shd_unproject_directions(shd_context* context, const shd_image_points* points, shd_point_directions* out) {
+shd_result shd_projection_unproject(shd_context* context, const shd_image_points* points, shd_point_directions* out) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     shd_image_points in = shd_image_points_default();
@@ -100,7 +100,7 @@ shd_result shd_unproject_directions(shd_context* context, const shd_image_points
     SHD_TRY(check_batch(batch));
     std::atomic<size_t> nonfinite{0};
     const core::Context& host = context_of(static_cast<const shd_context*>(context));
-    run_batch(&host, batch, [&](const auto& piece) {
+    run_batch(host, batch, [&](const auto& piece) {
       nonfinite += projection::unproject(
           in.projection, host.simd, {piece.count, piece.floats(kU), piece.floats(kV), piece.integers(kFace)},
           {{piece.out_floats(0), piece.out_floats(1), piece.out_floats(2)}, piece.out_floats(kSolidAngle)});

@@ -28,7 +28,7 @@ using namespace shd::abi;
 
 constexpr uint32_t kMaxPicture = 65536;
 constexpr uint32_t kMaxSupersampling = 16;
-constexpr uint32_t kMinPass = 1024, kMaxPass = 0x7fffffff, kDefaultPass = 1u << 21;  // triangles
+constexpr uint32_t kMinPass = 1024, kMaxPass = 0x7fffffff;  // triangles
 
 /// Draws with a blend in the order of draws are painted over the previous ones.
 void ignore_depth(core::Buffer<frame::Draw>* draws) {
@@ -56,12 +56,13 @@ shd_result check_region(const char* name, const shd_region& region, uint32_t min
 
 /// The picture, and where framebuffer, viewport and scissor lie in it.
 shd_result read_window(const shd_render_desc& desc, frame::Frame* frame) {
+  SHD_TRY(check_count("render.supersampling", desc.supersampling, 1, kMaxSupersampling));
   const film::Framebuffer& framebuffer = *frame->framebuffer;
   const uint32_t width = desc.picture_width ? desc.picture_width : framebuffer.width;
   const uint32_t height = desc.picture_height ? desc.picture_height : framebuffer.height;
   SHD_TRY(check_count("render.picture_width", width, framebuffer.width, kMaxPicture));
   SHD_TRY(check_count("render.picture_height", height, framebuffer.height, kMaxPicture));
-  const uint32_t factor = std::max(desc.supersampling, 1u), max_side = kMaxPicture / factor;
+  const uint32_t factor = desc.supersampling, max_side = kMaxPicture / factor;
   if (width > max_side || height > max_side) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "render.supersampling: %u times a picture of %u x %u exceeds %u pixels a side", factor, width,
@@ -95,8 +96,7 @@ shd_result read_view(const shd_render_desc& desc, frame::Frame* frame) {
 
 shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
-  SHD_TRY(check_count("render.supersampling", desc.supersampling, 0, kMaxSupersampling));
-  if (desc.pass_triangles) SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kMinPass, kMaxPass));
+  SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kMinPass, kMaxPass));
   SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN | SHD_RENDER_LOAD));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
   SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
@@ -236,7 +236,7 @@ shd_result abi::render_desc(const core::Context& context, const shd_render_desc&
   frame.visibility = desc.visibility;
   frame.counts_conflicts = desc.stats != nullptr;
   frame.supersampling = desc.supersampling;
-  frame.pass_triangles = desc.pass_triangles ? desc.pass_triangles : kDefaultPass;
+  frame.pass_triangles = desc.pass_triangles;
   if (bake) {
     frame::bake(context, frame, bake, stats);
   } else if (frame.supersampling > 1) {

@@ -95,7 +95,8 @@ shd_result render_shadow(const core::Context& context, const core::Context& owne
 /// Positions and normals in, light out.
 using ShadowBatch = Batch<6, 1>;
 
-shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out* out, ShadowBatch* batch) {
+shd_result read_batch(const shd_shadow_lookups* in, const shd_shadow_values* out, ShadowBatch* batch,
+                      shd_shadow_values* values) {
   shd_shadow_lookups read = shd_shadow_lookups_default();
   SHD_TRY(read_desc("shadow_lookups", in, false, &read));
   const bool has_normals = read.normal[0].data || read.normal[1].data || read.normal[2].data;
@@ -105,13 +106,15 @@ shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out* out, Shad
     batch->in[3 + c] =
         in_column("shadow_lookups.normal", read.normal[c], has_normals ? Need::kRequired : Need::kOptional, c);
   }
-  SHD_TRY(check_not_null("out", out));
-  batch->out[0] = out_column("out", *out, Need::kRequired);
+  *values = shd_shadow_values_default();
+  SHD_TRY(read_desc("shadow_values", out, false, values));
+  batch->out[0] = out_column("shadow_values.visibility", values->visibility, Need::kRequired);
   return check_batch(*batch);
 }
 
-void sample_batch(const core::Context& context, const light::Shadow& shadow, const ShadowBatch& batch) {
-  run_batch(&context, batch, [&](const Piece<6, 1>& piece) {
+/// Returns the number of points that are not finite.
+size_t sample_batch(const core::Context& context, const light::Shadow& shadow, const ShadowBatch& batch) {
+  return run_counting(context, batch, batch.in.size(), [&](const Piece<6, 1>& piece) {
     light::ShadowLookups lookups = {piece.count, {}, {}};
     for (size_t c = 0; c < 3; ++c) {
       lookups.position[c] = piece.floats(c);
@@ -163,14 +166,16 @@ shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd
   });
 }
 
-shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, const shd_f32_out* out) {
+shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, shd_shadow_values* out) {
   return guard([&]() -> shd_result {
     const light::Shadow* body = nullptr;
     SHD_TRY(read_handle("shadow", shadow, kShadowType, &body));
     ShadowBatch batch;
-    SHD_TRY(read_batch(lookups, out, &batch));
+    shd_shadow_values values;
+    SHD_TRY(read_batch(lookups, out, &batch, &values));
     if (!body->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
-    sample_batch(*object_of(shadow)->context, *body, batch);
+    values.nonfinite_count = sample_batch(*object_of(shadow)->context, *body, batch);
+    write_desc(values, out);
     return SHD_OK;
   });
 }

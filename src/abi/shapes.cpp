@@ -22,7 +22,7 @@ constexpr Segments kSide = {1, 1, SHD_MAX_SHAPE_SEGMENTS};
 
 /// Parameters and functions of each shd_shape.
 struct Shape {
-  Segments segments[SHD_SHAPE_DIRECTIONS];
+  Segments segments[3];
   bool has_radius, has_tube, has_size[3];
   shapes::Counts (*count)(const shd_shape_desc& desc);
   void (*fill)(const shd_shape_desc& desc, shapes::Sink& out);
@@ -73,14 +73,13 @@ shd_result check_lengths(const Shape& shape, const shd_shape_desc& desc) {
 
 /// Checks a desc and puts the usual numbers of segments in the place of zeros.
 shd_result read_shape(const shd_shape_desc* in, shd_shape_desc* desc, const Shape** shape) {
-  constexpr const char* kSegments[SHD_SHAPE_DIRECTIONS] = {"shape.segments[0]", "shape.segments[1]",
-                                                           "shape.segments[2]"};
+  constexpr const char* kSegments[3] = {"shape.segments[0]", "shape.segments[1]", "shape.segments[2]"};
   *desc = shd_shape_desc_default();
   SHD_TRY(read_desc("shape", in, true, desc));
-  SHD_TRY(check_enum("shape.shape", desc->shape, 0, SHD_SHAPE_TEAPOT));
-  *shape = &kShapes[desc->shape];
+  SHD_TRY(check_enum("shape.kind", desc->kind, 0, SHD_SHAPE_TEAPOT));
+  *shape = &kShapes[desc->kind];
   SHD_TRY(check_lengths(**shape, *desc));
-  for (int i = 0; i < SHD_SHAPE_DIRECTIONS; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const Segments& segments = (*shape)->segments[i];
     if (segments.high == 0) continue;
     if (desc->segments[i] == 0) desc->segments[i] = segments.usual;
@@ -138,7 +137,7 @@ geometry::Mesh build_mesh(core::Context& owner, const Shape& shape, const shd_sh
 
 extern "C" {
 
-shd_result shd_shape_count(const shd_shape_desc* desc, uint32_t* out_vertex_count, size_t* out_index_count) {
+shd_result shd_shape_count(const shd_shape_desc* desc, size_t* out_vertex_count, size_t* out_index_count) {
   if (out_vertex_count) *out_vertex_count = 0;
   if (out_index_count) *out_index_count = 0;
   return guard([&]() -> shd_result {

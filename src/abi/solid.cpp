@@ -68,7 +68,7 @@ void set_columns(const shd_solid_points& points, const shd_solid_values& values,
   batch->in[kFilterWidth] = in_column("points.width", points.width, Need::kOptional);
   batch->out[kValue] = out_column("values.value", values.value, Need::kOptional);
   for (int c = 0; c < 4; ++c) {
-    batch->out[kColor + static_cast<size_t>(c)] = out_column("values.color", values.color[c], Need::kOptional, c);
+    batch->out[kColor + static_cast<size_t>(c)] = out_column("values.channel", values.channel[c], Need::kOptional, c);
   }
 }
 
@@ -106,10 +106,10 @@ size_t evaluate_rows(const procedural::Solid& solid, const core::SimdTarget& sim
 
 }  // namespace
 
-extern "C" shd_result shd_solid_evaluate(const shd_context* context, const shd_solid_desc* desc,
+extern "C" shd_result shd_solid_evaluate(shd_context* context, const shd_solid_desc* desc,
                                          const shd_solid_points* points, shd_solid_values* out) {
   return guard([&]() -> shd_result {
-    if (context) SHD_TRY(check_context(context));
+    SHD_TRY(check_context(context));
     shd_solid_desc read;
     SHD_TRY(read_solid("solid", desc, &read));
     shd_solid_points in = shd_solid_points_default();
@@ -119,15 +119,14 @@ extern "C" shd_result shd_solid_evaluate(const shd_context* context, const shd_s
     SolidBatch batch;
     set_columns(in, values, &batch);
     SHD_TRY(check_solid_batch(batch));
-    const core::Context* const owner = context ? &context_of(context) : nullptr;
-    const core::SimdTarget simd = owner ? owner->simd : core::find_simd_target(SHD_SIMD_BEST);
+    const core::Context& owner = context_of(context);
     procedural::Solid solid;
     procedural::build(read, &solid);
     std::atomic<size_t> bad{0};
     run_batch(owner, batch, [&](const SolidPiece& piece) {
       size_t found = 0;
       for (size_t first = 0; first < piece.count; first += kRows) {
-        found += evaluate_rows(solid, simd, part_of(piece, first, std::min(kRows, piece.count - first)));
+        found += evaluate_rows(solid, owner.simd, part_of(piece, first, std::min(kRows, piece.count - first)));
       }
       if (found) bad.fetch_add(found, std::memory_order_relaxed);
     });

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "abi/camera.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -27,17 +28,17 @@ shd_result check_view(const shd_view& view) {
 
 shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
   SHD_TRY(check_enum("tessellation.mode", desc.mode, 0, SHD_TESSELLATION_MODE_ADAPTIVE));
-  SHD_TRY(check_count("tessellation.segments", desc.segments, 1, SHD_MAX_SEGMENTS));
-  SHD_TRY(check_count("tessellation.max_segments", desc.max_segments, 1, SHD_MAX_SEGMENTS));
+  SHD_TRY(check_count("tessellation.segments", desc.segments, 1, SHD_MAX_TESSELLATION_SEGMENTS));
+  SHD_TRY(check_count("tessellation.max_segments", desc.max_segments, 1, SHD_MAX_TESSELLATION_SEGMENTS));
   if (!(desc.edge_length > 0.0f && std::isfinite(desc.edge_length))) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "tessellation.edge_length: %g is not above 0 and finite",
                       static_cast<double>(desc.edge_length));
   }
-  SHD_TRY(check_count("tessellation.width", desc.width, 1, 65536));
-  SHD_TRY(check_count("tessellation.height", desc.height, 1, 65536));
+  SHD_TRY(check_count("tessellation.picture_width", desc.picture_width, 0, 65536));
+  SHD_TRY(check_count("tessellation.picture_height", desc.picture_height, desc.picture_width ? 1 : 0, 65536));
   SHD_TRY(check_enum("tessellation.normals", desc.normals, 0, SHD_DISPLACED_NORMALS_FACES));
-  if (desc.view) SHD_TRY(check_view(*desc.view));
-  if (desc.object_to_world) SHD_TRY(check_finite("tessellation.object_to_world", desc.object_to_world, 16));
+  SHD_TRY(check_view(desc.view));
+  SHD_TRY(check_finite("tessellation.object_to_world", desc.object_to_world, 16));
   SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, geometry::kMaxTriangles));
   SHD_TRY(check_number("tessellation.amplitude", desc.amplitude, 1e12));
   SHD_TRY(check_number("tessellation.offset", desc.offset, 1e12));
@@ -75,6 +76,10 @@ extern "C" shd_result shd_mesh_tessellate(shd_context* context, const shd_mesh* 
     shd_tessellation_desc read = shd_tessellation_desc_default();
     SHD_TRY(read_desc("tessellation", desc, false, &read));
     SHD_TRY(check_tessellation_desc(read));
+    if (read.camera && read.picture_width != 0) {
+      const float height = static_cast<float>(read.picture_height);
+      SHD_TRY(read_camera(read.camera, static_cast<float>(read.picture_width) / height, &read.view));
+    }
     Displacement displacement;
     SHD_TRY(read_displacement(read, &displacement));
     core::Context& owner = context_of(context);

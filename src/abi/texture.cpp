@@ -64,6 +64,11 @@ shd_result check_update(const texture::Texture& texture, uint32_t layer, uint32_
   return SHD_OK;
 }
 
+shd_texture_kind kind_of(const texture::Texture& texture) {
+  if (texture.depth != 0) return SHD_TEXTURE_KIND_3D;
+  return texture.projection != SHD_PROJECTION_NONE ? SHD_TEXTURE_KIND_DIRECTIONS : SHD_TEXTURE_KIND_2D;
+}
+
 /// Builds the tables of a texture in tiles, which loads its tiles. Without them there is no texture.
 void build_tables_of_tiles(const core::Context& context, texture::Texture* body, shd_texture** texture) {
   try {
@@ -87,6 +92,7 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
     SHD_TRY(check_context(context));
     shd_texture_desc read = shd_texture_desc_default();
     SHD_TRY(read_desc("texture", desc, false, &read));
+    SHD_TRY(select_kind(&read));
     SHD_TRY(check_texture_desc(read));
 
     core::Context& owner = context_of(context);
@@ -121,10 +127,11 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     const texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
     shd_texture_info info = shd_texture_info_default();
+    info.kind = kind_of(*body);
     info.format = body->format;
     info.width = body->width;
     info.height = body->height;
-    info.layers = body->layers;
+    info.layer_count = body->layers;
     info.level_count = body->level_count;
     info.tables = body->tables;
     info.flags = flags_of(*body);

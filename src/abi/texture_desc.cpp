@@ -21,16 +21,10 @@ constexpr uint64_t kMaxTiles = uint64_t{1} << 30;
 
 /// Size, layers and tables of a texture of directions.
 shd_result check_directions(const shd_texture_desc& desc) {
-  if (desc.projection == SHD_PROJECTION_NONE) return SHD_OK;
   const int projection = static_cast<int>(desc.projection);
   if (desc.projection != SHD_PROJECTION_LAT_LONG && desc.width != desc.height) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.height: %u, but images of projection %d are square, %u x %u",
                       desc.height, projection, desc.width, desc.width);
-  }
-  const uint32_t faces = projection::face_count(desc.projection);
-  if (faces > 1 && desc.layers != faces) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but images of projection %d have %u faces",
-                      desc.layers, projection, faces);
   }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
@@ -40,20 +34,10 @@ shd_result check_directions(const shd_texture_desc& desc) {
   return SHD_OK;
 }
 
-/// 2D, 3D, or directions.
+/// Tables and shape of a kind.
 shd_result check_kind(const shd_texture_desc& desc) {
-  SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
-  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, projection::kLastProjection));
-  if (desc.depth != 0 && desc.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
-                      static_cast<int>(desc.projection), desc.depth);
-  }
-  SHD_TRY(check_directions(desc));
+  if (desc.projection != SHD_PROJECTION_NONE) return check_directions(desc);
   if (desc.depth == 0) return SHD_OK;
-  if (desc.layers != 1) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but texture.depth is %u, not 0", desc.layers,
-                      desc.depth);
-  }
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texture.tables: %#x, but a 3D texture has SHD_TABLE_MIPMAP only",
                       desc.tables);
@@ -63,7 +47,7 @@ shd_result check_kind(const shd_texture_desc& desc) {
 
 /// Layers of a texture, or slices of a 3D texture.
 uint32_t image_count(const shd_texture_desc& desc) {
-  return desc.depth != 0 ? desc.depth : desc.layers;
+  return desc.depth != 0 ? desc.depth : static_cast<uint32_t>(desc.layer_count);
 }
 
 /// `layer_size` is the size of one layer in bytes, with its row stride.
@@ -121,9 +105,9 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but format %u has three channels",
                       desc.format);
   }
-  if (desc.layers != 1) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but %u layers, not 1",
-                      desc.layers);
+  if (desc.layer_count != 1) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but %zu layers, not 1",
+                      desc.layer_count);
   }
   const image::RowLayout layout = image::row_layout(desc.format, desc.width, desc.height);
   const size_t row = layout.row_size;
@@ -148,7 +132,8 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
 shd_result check_level_count(const shd_texture_desc& desc) {
   if (desc.level_count == 0) return SHD_OK;
   if (!(desc.tables & SHD_TABLE_MIPMAP)) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP", desc.level_count);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %zu without SHD_TABLE_MIPMAP",
+                      desc.level_count);
   }
   return check_count("texture.level_count", desc.level_count, 0,
                      texture::full_level_count(desc.width, desc.height, desc.depth) - 1);
@@ -157,13 +142,13 @@ shd_result check_level_count(const shd_texture_desc& desc) {
 shd_result check_given_levels(const shd_texture_desc& desc) {
   SHD_TRY(check_level_count(desc));
   if (desc.level_count == 0) return SHD_OK;
-  SHD_TRY(check_not_null("texture.levels", desc.levels));
+  SHD_TRY(check_not_null("texture.level_images", desc.level_images));
   if (desc.depth != 0) {
-    return check_slices("texture.levels", desc.levels, desc.level_count, desc.format, desc.width, desc.height,
-                        desc.depth);
+    return check_slices("texture.level_images", desc.level_images, static_cast<uint32_t>(desc.level_count), desc.format,
+                        desc.width, desc.height, desc.depth);
   }
-  return check_levels("texture.levels", desc.levels, desc.layers, desc.level_count, desc.format, desc.width,
-                      desc.height);
+  return check_levels("texture.level_images", desc.level_images, static_cast<uint32_t>(desc.layer_count),
+                      static_cast<uint32_t>(desc.level_count), desc.format, desc.width, desc.height);
 }
 
 /// Whether the levels that are borrowed follow one another in memory; they are checked already.
@@ -176,18 +161,19 @@ shd_result check_borrowed_levels(const shd_texture_desc& desc) {
   if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP} || desc.level_count == 0) {
     return core::fail(
         SHD_ERROR_INVALID_ARGUMENT,
-        "texture.flags: SHD_TEXTURE_BORROW_LEVELS, but texture.level_count %u and texture.tables %#x, not "
+        "texture.flags: SHD_TEXTURE_BORROW_LEVELS, but texture.level_count %zu and texture.tables %#x, not "
         "1 or more and SHD_TABLE_MIPMAP alone",
         desc.level_count, desc.tables);
   }
   const size_t size = image::format_info(desc.format).pixel_size;
   const uint8_t* next = static_cast<const uint8_t*>(desc.texels) + size * desc.width * desc.height;
   for (uint32_t level = 0; level < desc.level_count; ++level) {
-    const shd_image image = texture::image_at(desc.levels, level);
+    const shd_image image = texture::image_at(desc.level_images, level);
     if (image.pixels != next || image.row_stride != image.width * size) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                        "texture.levels[%u].%s, but SHD_TEXTURE_BORROW_LEVELS has packed levels one after another",
-                        level, image.pixels != next ? "pixels: not behind the finer level" : "row_stride: not packed");
+      return core::fail(
+          SHD_ERROR_INVALID_ARGUMENT,
+          "texture.level_images[%u].%s, but SHD_TEXTURE_BORROW_LEVELS has packed levels one after another", level,
+          image.pixels != next ? "pixels: not behind the finer level" : "row_stride: not packed");
     }
     next += size * image.width * image.height;
   }
@@ -196,7 +182,7 @@ shd_result check_borrowed_levels(const shd_texture_desc& desc) {
 
 shd_result check_texels(const shd_texture_desc& desc) {
   const char* const product = desc.depth != 0 ? "texture.width * texture.height * texture.depth"
-                                              : "texture.width * texture.height * texture.layers";
+                                              : "texture.width * texture.height * texture.layer_count";
   const uint64_t slice = uint64_t{desc.width} * desc.height;  // at most 2^32
   return check_count(product, slice * image_count(desc), 1,
                      desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels);
@@ -207,12 +193,10 @@ shd_result check_tiles(const shd_texture_desc& desc) {
   texture::TileCache* cache;
   SHD_TRY(read_handle("texture.tiles.cache", desc.tiles.cache, core::ObjectType::kTileCache, &cache));
   SHD_TRY(check_not_null("texture.tiles.load", reinterpret_cast<const void*>(desc.tiles.load)));
-  if (desc.texels || desc.levels) {
+  if (desc.texels || desc.level_images) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.%s: not NULL, but texture.tiles has a cache",
-                      desc.texels ? "texels" : "levels");
+                      desc.texels ? "texels" : "level_images");
   }
-  SHD_TRY(check_zero("texture.row_stride", desc.row_stride));
-  SHD_TRY(check_zero("texture.layer_stride", desc.layer_stride));
   if (desc.flags & ~uint32_t{SHD_TEXTURE_PREMULTIPLIED}) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: %#x, but texture.tiles has a cache", desc.flags);
   }
@@ -230,8 +214,9 @@ shd_result check_tiles(const shd_texture_desc& desc) {
 shd_result check_blocks(const shd_texture_desc& desc) {
   if (!image::is_block_format(enum_bits(desc.format))) return SHD_OK;
   if (desc.tables & SHD_TABLE_MIPMAP && desc.level_count == 0 && (desc.width > 1 || desc.height > 1)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.levels");
+    return core::fail(
+        SHD_ERROR_UNSUPPORTED,
+        "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.level_images");
   }
   return SHD_OK;
 }
@@ -263,7 +248,40 @@ StoreCheck check_of(texture::Store store) {
   SHD_UNREACHABLE();
 }
 
+/// Sets the layers of a cube map, which 1 and 6 both mean.
+shd_result count_faces(shd_texture_desc* desc) {
+  const uint32_t faces = projection::face_count(desc->projection);
+  if (faces == 1) return SHD_OK;
+  if (desc->layer_count != 1 && desc->layer_count != faces) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_count: %zu, but images of projection %d have %u faces",
+                      desc->layer_count, static_cast<int>(desc->projection), faces);
+  }
+  desc->layer_count = faces;
+  return SHD_OK;
+}
+
 }  // namespace
+
+shd_result select_kind(shd_texture_desc* desc) {
+  SHD_TRY(check_enum("texture.kind", desc->kind, SHD_TEXTURE_KIND_2D, SHD_TEXTURE_KIND_DIRECTIONS));
+  if (desc->kind == SHD_TEXTURE_KIND_3D) {
+    SHD_TRY(check_count("texture.depth", desc->depth, 1, 65536));
+    SHD_TRY(check_count("texture.layer_count", desc->layer_count, 1, 1));
+  } else if (desc->depth != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.depth: %u, but texture.kind is not SHD_TEXTURE_KIND_3D",
+                      desc->depth);
+  }
+  if (desc->kind == SHD_TEXTURE_KIND_DIRECTIONS) {
+    SHD_TRY(check_enum("texture.projection", desc->projection, SHD_PROJECTION_LAT_LONG, projection::kLastProjection));
+    SHD_TRY(count_faces(desc));
+  } else if (desc->projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.projection: %u, but texture.kind is not SHD_TEXTURE_KIND_DIRECTIONS",
+                      enum_bits(desc->projection));
+  }
+  if (desc->tiles.cache) desc->row_stride = desc->layer_stride = 0;
+  return SHD_OK;
+}
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
@@ -273,7 +291,7 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   const StoreCheck store = check_of(texture::store_of(desc));
   SHD_TRY(check_count("texture.width", desc.width, 1, store.largest));
   SHD_TRY(check_count("texture.height", desc.height, 1, store.largest));
-  SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
+  SHD_TRY(check_count("texture.layer_count", desc.layer_count, 1, 2048));
   SHD_TRY(check_kind(desc));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
   SHD_TRY(store.check(desc));

@@ -71,13 +71,13 @@ shd_result shd_tile_cache_get_stats(const shd_tile_cache* cache, shd_tile_cache_
   });
 }
 
-shd_result shd_tile_cache_load_requested(shd_tile_cache* cache, uint32_t max_tiles, uint32_t* out_loaded) {
+shd_result shd_tile_cache_load_requested(shd_tile_cache* cache, size_t max_tiles, size_t* out_loaded_count) {
   return guard([&]() -> shd_result {
-    if (out_loaded) *out_loaded = 0;
+    if (out_loaded_count) *out_loaded_count = 0;
     texture::TileCache* body;
     SHD_TRY(read_handle("cache", cache, core::ObjectType::kTileCache, &body));
-    const uint32_t loaded = body->load_requested(max_tiles);
-    if (out_loaded) *out_loaded = loaded;
+    const size_t loaded = body->load_requested(static_cast<uint32_t>(std::min<size_t>(max_tiles, UINT32_MAX)));
+    if (out_loaded_count) *out_loaded_count = loaded;
     return SHD_OK;
   });
 }

@@ -25,10 +25,10 @@ shd_result read_region(const shd_texture* handle, const shd_tile_region* region,
   SHD_TRY(check_count("region.layer", out->layer, 0, images - 1));
   const uint32_t width = texture::level_size(body.width, out->level);
   const uint32_t height = texture::level_size(body.height, out->level);
-  SHD_TRY(check_count("region.x", out->x, 0, width - 1));
-  SHD_TRY(check_count("region.y", out->y, 0, height - 1));
-  SHD_TRY(check_count("region.width", out->width, 1, width - out->x));
-  return check_count("region.height", out->height, 1, height - out->y);
+  SHD_TRY(check_count("region.area.x", out->area.x, 0, width - 1));
+  SHD_TRY(check_count("region.area.y", out->area.y, 0, height - 1));
+  SHD_TRY(check_count("region.area.width", out->area.width, 1, width - out->area.x));
+  return check_count("region.area.height", out->area.height, 1, height - out->area.y);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ shd_result shd_texture_pin_tiles(const shd_texture* texture, const shd_tile_regi
     SHD_TRY(read_region(texture, region, &body, &read));
     if (texture::pin_region(*body, read)) return SHD_OK;
     return core::fail(SHD_ERROR_LIMIT, "region: %u x %u texels of level %u, but half of the cache is pinned then",
-                      read.width, read.height, read.level);
+                      read.area.width, read.area.height, read.level);
   });
 }
 

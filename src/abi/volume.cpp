@@ -51,19 +51,18 @@ shd_result check_transfer(const shd_volume_desc& desc) {
 
 shd_result check_volume_desc(const shd_volume_desc& desc) {
   SHD_TRY(check_transfer(desc));
-  SHD_TRY(check_finite("volume.box_min", desc.box_min, 3));
-  SHD_TRY(check_finite("volume.box_max", desc.box_max, 3));
+  SHD_TRY(check_finite("volume.bounds_min", desc.bounds_min, 3));
+  SHD_TRY(check_finite("volume.bounds_max", desc.bounds_max, 3));
   for (int c = 0; c < 3; ++c) {
-    if (desc.box_min[c] < desc.box_max[c]) continue;
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "volume.box_max[%d]: %g is not above volume.box_min[%d], %g", c,
-                      double{desc.box_max[c]}, c, double{desc.box_min[c]});
+    if (desc.bounds_min[c] < desc.bounds_max[c]) continue;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "volume.bounds_max[%d]: %g is not above volume.bounds_min[%d], %g", c,
+                      double{desc.bounds_max[c]}, c, double{desc.bounds_min[c]});
   }
   if (!(desc.step > 0.0f && desc.step <= 1e12f)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "volume.step: %g is not above 0 and at most 1e+12",
                       double{desc.step});
   }
-  SHD_TRY(check_range("volume.jitter", double{desc.jitter}, 0.0, 1.0));
-  return check_zero("volume.flags", desc.flags);
+  return check_range("volume.jitter", double{desc.jitter}, 0.0, 1.0);
 }
 
 /// Whether a material can shade points that have no surface.

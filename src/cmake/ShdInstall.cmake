@@ -85,7 +85,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PR
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${doc_dir} COMPONENT doc
         FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "cheatsheet.html")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc_dir} COMPONENT doc
-        FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "*.png")
+        FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "*.png" PATTERN "*.md")
 
 option(SHD_DEB "Set up CPack for Debian packages" OFF)
 if(SHD_DEB)

@@ -25,7 +25,7 @@ void for_each_block(shd_context* context, size_t pixels, const Run& run) {
     char text[512] = "";  // written by the single task that sets failed
   };
   Job job{run, pixels};
-  const auto task = [](void* data, uint32_t index, uint32_t) {
+  const auto task = [](size_t index, size_t, void* data) {
     Job& mine = *static_cast<Job*>(data);
     const size_t begin = index * kTaskPixels;
     const size_t end = std::min(mine.pixels, begin + kTaskPixels);
@@ -46,7 +46,7 @@ void for_each_block(shd_context* context, size_t pixels, const Run& run) {
 }
 
 core::SimdTarget simd_of(shd_context* context) {
-  return core::find_simd_target(shd_context_simd_target(context));
+  return core::find_simd_target(shd_context_get_simd_target(context));
 }
 
 /// Transforms a block of loaded pixels from `first` on.

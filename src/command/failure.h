@@ -15,8 +15,13 @@ struct Failure : std::runtime_error {
 };
 
 /// Refuses the value of an option of the command line.
-[[noreturn]] inline void refuse(const std::string& option, const std::string& value, const char* wanted) {
-  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + " (shd-render --help)");
+[[noreturn]] inline void refuse(const std::string& option, const std::string& value, const std::string& wanted) {
+  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted);
+}
+
+/// Refuses options that do not fit together.
+inline void refuse_if(bool wrong, const std::string& text) {
+  if (wrong) throw Failure(kExitUsage, text);
 }
 
 /// Turns a failed shd call into a Failure that names the attempted action.

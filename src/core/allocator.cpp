@@ -17,7 +17,7 @@ constexpr size_t kHugePage = size_t{1} << 21;
 
 /// Requests huge pages for blocks of several huge pages. The first use of 8192 x 8192 RGBA8 texels then takes a fifth
 /// of the time.
-void* default_allocate(void*, size_t size, size_t alignment) {
+void* default_allocate(size_t size, size_t alignment, void*) {
   const bool huge = size >= 4 * kHugePage;
   void* memory = nullptr;
   if (posix_memalign(&memory, huge ? kHugePage : alignment, size) != 0) return nullptr;
@@ -30,14 +30,14 @@ void* default_allocate(void*, size_t size, size_t alignment) {
   return memory;
 }
 
-void default_free(void*, void* memory, size_t, size_t) {
+void default_free(void* memory, size_t, size_t, void*) {
   std::free(memory);
 }
 
 }  // namespace
 
 void* Allocator::try_allocate(size_t size) const noexcept {
-  return size && size <= PTRDIFF_MAX ? callbacks.allocate(callbacks.user_data, size, kAlignment) : nullptr;
+  return size && size <= PTRDIFF_MAX ? callbacks.allocate(size, kAlignment, callbacks.user_data) : nullptr;
 }
 
 void* Allocator::allocate(size_t size) const {
@@ -47,7 +47,7 @@ void* Allocator::allocate(size_t size) const {
 }
 
 void Allocator::free(void* memory, size_t size) const noexcept {
-  if (memory) callbacks.free(callbacks.user_data, memory, size, kAlignment);
+  if (memory) callbacks.free(memory, size, kAlignment, callbacks.user_data);
 }
 
 shd_allocator default_allocator() noexcept {

@@ -65,7 +65,7 @@ void log(const Context& context, shd_log_level level, const char* format, ...) n
   va_start(arguments, format);
   std::vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);
-  context.log.write(context.log.user_data, level, line);
+  context.log.write(level, line, context.log.user_data);
 }
 
 }  // namespace shd::core

@@ -39,7 +39,7 @@ struct DescSize;
 #else
 #define SHD_FIRST_SIZE_IS(first, size) true  // sizes are stated for LP64 only
 #endif
-#define SHD_DESC_SIZE(kind, type, required, last, size, arguments)                         \
+#define SHD_DESC_SIZE(kind, type, required, last, size)                                    \
   template <>                                                                              \
   struct DescSize<type> {                                                                  \
     static constexpr size_t kRequired = offsetof(type, required) + sizeof(type::required); \

@@ -69,7 +69,7 @@ struct Job {
         worker_count(context.executor.worker_count),
         claims(context.allocator, task_count) {}
 
-  static void run(void* data, uint32_t index, uint32_t worker) {
+  static void run(size_t index, size_t worker, void* data) {
     Job& job = *static_cast<Job*>(data);
     if (index >= job.count || worker >= job.worker_count) {
       job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
@@ -84,14 +84,14 @@ struct Job {
     const TaskScope scope(&job.call);
     guard([&](shd_result code, const char* text) { return job.failure.record(code, text); },
           [&] {
-            job.task.run(job.task.body, index, worker);
+            job.task.run(index, worker, job.task.body);
             return SHD_OK;
           });
   }
 };
 
-shd_result serial_parallel_for(void*, uint32_t count, shd_task_fn task, void* task_data) {
-  for (uint32_t i = 0; i < count; ++i) task(task_data, i, 0);
+shd_result serial_parallel_for(size_t count, shd_task_fn task, void* task_data, void*) {
+  for (size_t i = 0; i < count; ++i) task(i, 0, task_data);
   return SHD_OK;
 }
 
@@ -132,17 +132,17 @@ struct Arena {
 
 /// Distributes the tasks of one parallel_for.
 struct Queue {
-  uint32_t count;
+  size_t count;
   shd_task_fn task;
   void* task_data;
-  std::atomic<uint32_t> next{0};
+  std::atomic<size_t> next{0};
 
-  void drain(uint32_t worker) noexcept {
-    for (uint32_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) task(task_data, i, worker);
+  void drain(size_t worker) noexcept {
+    for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) task(i, worker, task_data);
   }
 };
 
-shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, void* task_data) {
+shd_result tbb_parallel_for(size_t count, shd_task_fn task, void* task_data, void* user_data) {
   auto* body = static_cast<Arena*>(user_data);
   tbb::task_arena& arena = body->memory.arena;
   Queue queue{count, task, task_data};
@@ -154,9 +154,9 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
   if (first == 0) g_first_use.compare_exchange_strong(first, body->generation + 1, std::memory_order_relaxed);
   try {
     const auto drain = [&](uint32_t) {
-      queue.drain(static_cast<uint32_t>(tbb::this_task_arena::current_thread_index()));
+      queue.drain(static_cast<size_t>(tbb::this_task_arena::current_thread_index()));
     };
-    const uint32_t drains = std::min(count, static_cast<uint32_t>(arena.max_concurrency()));
+    const auto drains = static_cast<uint32_t>(std::min(count, static_cast<size_t>(arena.max_concurrency())));
     // Isolated: a nested call that waits must not run tasks of the outer call, whose scratch memory is in use.
     arena.execute([&] {
       tbb::this_task_arena::isolate([&] { tbb::parallel_for(uint32_t{0}, drains, drain, tbb::simple_partitioner()); });
@@ -200,9 +200,9 @@ void destroy_executor(const Allocator& allocator, void* body) noexcept {
 
 void run_tasks(const Context& context, uint32_t count, const Task& task) {
   if (count == 0) return;
-  if (count == 1) return task.run(task.body, 0, 0);
+  if (count == 1) return task.run(0, 0, task.body);
   Job job(context, count, task);
-  const shd_result result = context.executor.parallel_for(context.executor.user_data, count, &job.run, &job);
+  const shd_result result = context.executor.parallel_for(count, &job.run, &job, context.executor.user_data);
   if (job.failure.failed.load(std::memory_order_acquire)) throw Failure(job.failure.code, job.failure.text);
   if (result != SHD_OK) refuse(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result));
   if (job.done.load(std::memory_order_acquire) != count) {

@@ -14,9 +14,9 @@ namespace shd::core {
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out);
 void destroy_executor(const Allocator& allocator, void* body) noexcept;
 
-/// A task of parallel_for(): calls run(body, index, worker).
+/// A task of parallel_for(): calls run(index, worker, body).
 struct Task {
-  void (*run)(void* body, uint32_t index, uint32_t worker);
+  void (*run)(size_t index, size_t worker, void* body);
   void* body;
 };
 
@@ -29,7 +29,9 @@ template <class Body>
 void parallel_for(const Context& context, uint32_t count, Body&& body) {
   using Plain = std::remove_reference_t<Body>;
   run_tasks(context, count,
-            {[](void* data, uint32_t index, uint32_t worker) { (*static_cast<Plain*>(data))(index, worker); },
+            {[](size_t index, size_t worker, void* data) {
+               (*static_cast<Plain*>(data))(static_cast<uint32_t>(index), static_cast<uint32_t>(worker));
+             },
              const_cast<void*>(static_cast<const void*>(&body))});
 }
 

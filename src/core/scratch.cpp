@@ -158,8 +158,8 @@ ScratchScope::ScratchScope(const Context& host) : host_(host), scratch_(host.scr
   scratch_->begin();
   context.tag = host.tag;
   context.allocator.callbacks = {
-      [](void* scratch, size_t size, size_t) { return static_cast<Scratch*>(scratch)->allocate(size); },
-      [](void* scratch, void* memory, size_t size, size_t) { static_cast<Scratch*>(scratch)->free(memory, size); },
+      [](size_t size, size_t, void* scratch) { return static_cast<Scratch*>(scratch)->allocate(size); },
+      [](void* memory, size_t size, size_t, void* scratch) { static_cast<Scratch*>(scratch)->free(memory, size); },
       scratch_};
   context.executor = host.executor;
   context.log = host.log;

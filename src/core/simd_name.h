@@ -11,7 +11,8 @@
 
 namespace shd::core {
 
-/// Name of a Highway target, as in shd_context_simd_target(). Highway names AVX-512 by its number of operands. Static.
+/// Name of a Highway target, as in shd_context_get_simd_target(). Highway names AVX-512 by its number of operands.
+/// Static.
 inline const char* simd_target_name(int64_t bit) {
   return bit == HWY_AVX3 ? "AVX512" : hwy::TargetName(bit);
 }
@@ -23,7 +24,7 @@ inline size_t simd_target_index(int64_t bit) {
   return chosen.GetIndex();
 }
 
-/// The target of this build whose name shd_context_simd_target() gave; the baseline for any other name.
+/// The target of this build whose name shd_context_get_simd_target() gave; the baseline for any other name.
 inline SimdTarget find_simd_target(const char* name) {
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
   for (int64_t rest = HWY_TARGETS; rest != 0; rest &= rest - 1) {

@@ -16,7 +16,7 @@ class ColorPlanes {
  public:
   /// Throws Failure and std::bad_alloc.
   ColorPlanes(const shd_framebuffer* framebuffer, const shd_framebuffer_info& info)
-      : context_(shd_framebuffer_context(framebuffer)) {
+      : context_(shd_framebuffer_get_context(framebuffer)) {
     const bool copies = info.color_format != SHD_FORMAT_RGBA32F;
     const size_t plane_size = sizeof(float) * info.width * info.height;
     if (copies) allocate(4 * plane_size);

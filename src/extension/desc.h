@@ -44,7 +44,7 @@ inline shd_image read_image(const char* name, const shd_image* in) {
 
 /// Throws Failure unless `context` is a live handle.
 inline void require_context(const shd_context* context) {
-  if (shd_context_worker_count(context) != 0) return;
+  if (shd_context_get_worker_count(context) != 0) return;
   refuse(SHD_ERROR_INVALID_ARGUMENT, context ? "context: not a live handle" : "context: NULL");
 }
 

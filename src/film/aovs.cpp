@@ -23,7 +23,7 @@ void find_levels(const core::SimdTarget& simd, const AovDraw& draw, const raster
 }
 
 /// Position of a tile's pixel in a plane.
-size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
+size_t plane_index(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
   return (area.top + size_t{pixel / raster::kTile}) * framebuffer.stride + area.left + pixel % raster::kTile;
 }
 
@@ -59,7 +59,7 @@ void write_aovs(const core::SimdTarget& simd, const TileArea& area, const AovDra
       const auto* from = static_cast<const std::remove_pointer_t<decltype(plane)>*>(column);
       for (size_t i = 0; i < scratch->row_count; ++i) {
         const uint32_t row = scratch->row[i];
-        plane[position(area, *framebuffer, f.pixel[row])] = from[row];
+        plane[plane_index(area, *framebuffer, f.pixel[row])] = from[row];
       }
     };
     info.is_integer ? scatter(framebuffer->u32_plane[p].data()) : scatter(framebuffer->plane[p].data());
@@ -67,7 +67,7 @@ void write_aovs(const core::SimdTarget& simd, const TileArea& area, const AovDra
 }
 
 void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer) {
-  ++framebuffer->u32_plane[SHD_PLANE_OVERDRAW][position(area, *framebuffer, pixel)];
+  ++framebuffer->u32_plane[SHD_PLANE_OVERDRAW][plane_index(area, *framebuffer, pixel)];
 }
 
 }  // namespace shd::film

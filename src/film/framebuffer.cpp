@@ -25,7 +25,7 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
   framebuffer.width = desc.width;
   framebuffer.height = desc.height;
   framebuffer.color_format = desc.color_format;
-  framebuffer.samples = desc.samples;
+  framebuffer.samples = desc.sample_count;
   framebuffer.aovs = desc.aovs;
   framebuffer.stride = (desc.width + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
   const size_t count = core::checked_mul(framebuffer.stride, desc.height);

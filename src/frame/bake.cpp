@@ -43,8 +43,8 @@ void bake(const core::Context& context, const Frame& frame, Bake* bake, shd_rend
   flat.visibility = SHD_VISIBILITY_DEPTH;
   flat.volume_count = 0;
   render(context, flat, stats);
-  bake->zero_area_triangles = stats->culled;
-  bake->nonfinite_triangles = stats->nonfinite;
+  bake->zero_area_triangles = stats->culled_triangle_count;
+  bake->nonfinite_triangles = stats->nonfinite_triangle_count;
   film::dilate(context, bake->dilation, bake->texels.data(), frame.framebuffer);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/executor.h"
+#include "core/read_desc.h"
 #include "film/expanded_color.h"
 #include "film/sample_store.h"
 #include "frame/passes.h"
@@ -17,21 +18,24 @@
 namespace shd::frame {
 namespace {
 
-/// Reports finished tiles to the host, never concurrently, and stores a cancellation request.
+/// Reports finished tiles to the host, never concurrently, and stores the result that ends the frame.
 class Progress {
  public:
   Progress(const shd_progress& callback, uint64_t total) : callback_(callback), total_(total) {}
 
-  /// Throws Failure once the host has cancelled.
+  /// Throws Failure once the host has given another result than SHD_OK.
   void step() {
     if (!callback_.report) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     ++done_;
-    if (!cancelled_) {
-      cancelled_ = callback_.report(callback_.user_data,
-                                    static_cast<float>(static_cast<double>(done_) / static_cast<double>(total_))) != 0;
+    if (result_ == SHD_OK) {
+      const double fraction = static_cast<double>(done_) / static_cast<double>(total_);
+      result_ = callback_.report(static_cast<float>(fraction), callback_.user_data);
     }
-    if (cancelled_) core::refuse(SHD_ERROR_CANCELLED, "render.progress: cancelled by the host");
+    if (result_ == SHD_OK) return;
+    const bool is_known = core::enum_bits(result_) <= SHD_ERROR_INTERNAL;
+    core::refuse(is_known ? result_ : SHD_ERROR_CALLBACK, "render.progress.report returned %s",
+                 shd_result_name(result_));
   }
 
  private:
@@ -39,7 +43,7 @@ class Progress {
   const uint64_t total_;
   std::mutex mutex_;
   uint64_t done_ = 0;
-  bool cancelled_ = false;
+  shd_result result_ = SHD_OK;
 };
 
 }  // namespace

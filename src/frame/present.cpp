@@ -20,13 +20,13 @@ void present_tile(const shd_present& host, const film::TileArea& area, const fil
   shd_present_tile tile = {};
   tile.struct_size = sizeof tile;
   tile.worker = worker;
-  tile.x = area.left;
-  tile.y = area.top;
-  tile.width = area.width;
-  tile.height = area.height;
+  tile.area.x = area.left;
+  tile.area.y = area.top;
+  tile.area.width = area.width;
+  tile.area.height = area.height;
   for (int c = 0; c < 4; ++c) tile.channel[c] = planes.plane[c];
   tile.row_stride = planes.stride * sizeof(float);
-  const shd_result result = host.tile(host.user_data, &tile);
+  const shd_result result = host.tile(&tile, host.user_data);
   if (result != SHD_OK) refuse_tile(result);
 }
 

@@ -38,10 +38,10 @@ struct BlockProgress {
   const shd_progress& host;
   double before, size, total;  // pixels
 
-  static int32_t report(void* user_data, float fraction) {
+  static shd_result report(float fraction, void* user_data) {
     const auto& self = *static_cast<BlockProgress*>(user_data);
     const double done = (self.before + self.size * static_cast<double>(fraction)) / self.total;
-    return self.host.report(self.host.user_data, static_cast<float>(done));
+    return self.host.report(static_cast<float>(done), self.host.user_data);
   }
 };
 
@@ -64,7 +64,7 @@ class Supersampler {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     desc.width = n_ * std::min(area_.width, edge());
     desc.height = n_ * std::min(area_.height, edge());
-    desc.samples = frame.framebuffer->samples;
+    desc.sample_count = frame.framebuffer->samples;
     desc.aovs = frame.framebuffer->aovs;
     build(context, desc, &large_);
   }

@@ -62,13 +62,13 @@ void order_triangles(const core::Context& context, const Frame& frame, Scene* sc
   if (frame.visibility == SHD_VISIBILITY_NEWELL) {
     raster::newell(context, area, &painting);
     distribute_painted(context, painting, painted, scene);
-    stats->splits = painting.cuts;
+    stats->split_count = painting.cuts;
   }
   if (!frame.counts_conflicts || painting.order.size() == 0) return;
   raster::SortGrid grid;
   raster::make_grid(context.allocator, area.pixels, painting.triangles.data(), painting.order.data(),
                     painting.order.size(), &grid);
-  stats->order_conflicts = raster::count_conflicts(context, painting.triangles.data(), grid);
+  stats->order_conflict_count = raster::count_conflicts(context, painting.triangles.data(), grid);
 }
 
 }  // namespace shd::frame

@@ -46,9 +46,9 @@ Worker& Workers::get(uint32_t index) {
 void Workers::count(shd_render_stats* stats) const {
   for (size_t i = 0; i < workers_.size(); ++i) {
     if (!workers_[i]) continue;
-    stats->fragments += workers_[i]->fragments;
-    stats->nonfinite_fragments += workers_[i]->nonfinite_fragments;
-    stats->hidden_samples += workers_[i]->hidden_samples;
+    stats->fragment_count += workers_[i]->fragments;
+    stats->nonfinite_fragment_count += workers_[i]->nonfinite_fragments;
+    stats->hidden_sample_count += workers_[i]->hidden_samples;
   }
 }
 

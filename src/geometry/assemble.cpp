@@ -34,23 +34,23 @@ void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<S
     const ScreenVertex &a = screen[row[0]], &b = screen[row[1]], &c = screen[row[2]];
     const uint32_t any = a.outcode | b.outcode | c.outcode;
     if (any & kOutNonfinite) {
-      ++stats->nonfinite;
+      ++stats->nonfinite_triangle_count;
       continue;
     }
     if (a.outcode & b.outcode & c.outcode & kOutside) {
-      ++stats->outside;
+      ++stats->outside_triangle_count;
       continue;
     }
     TriangleOutcome outcome;
     if (any & kMustClip) {
-      ++stats->clipped;
+      ++stats->clipped_triangle_count;
       outcome = clip_and_emit(assembly, row, static_cast<uint32_t>(i), out);
     } else {
       outcome = emit(assembly, a, b, c, static_cast<uint32_t>(i), out);
     }
     count(outcome, stats);
   }
-  stats->triangles += end - begin;
+  stats->triangle_count += end - begin;
 }
 
 }  // namespace shd::geometry

@@ -34,10 +34,10 @@ inline TriangleOutcome emit(const Assembly& assembly, const ScreenVertex& a, con
 }
 
 inline void count(TriangleOutcome outcome, shd_render_stats* stats) {
-  stats->outside += outcome == TriangleOutcome::kUnseen;
-  stats->culled += outcome == TriangleOutcome::kCulled;
-  stats->empty += outcome == TriangleOutcome::kEmpty;
-  stats->rasterised += outcome == TriangleOutcome::kRasterised;
+  stats->outside_triangle_count += outcome == TriangleOutcome::kUnseen;
+  stats->culled_triangle_count += outcome == TriangleOutcome::kCulled;
+  stats->empty_triangle_count += outcome == TriangleOutcome::kEmpty;
+  stats->rasterized_triangle_count += outcome == TriangleOutcome::kRasterised;
 }
 
 }  // namespace shd::geometry

@@ -60,7 +60,7 @@ void require_in_range(const Indices& indices) {
   for (size_t i = 0; i < indices.count; ++i) {
     const uint32_t index = indices[i];
     if (index < indices.desc.vertex_count || indices.is_restart(index)) continue;
-    core::refuse(SHD_ERROR_INVALID_ARGUMENT, "mesh.%s[%zu]: %u is not below vertex_count %u",
+    core::refuse(SHD_ERROR_INVALID_ARGUMENT, "mesh.%s[%zu]: %u is not below vertex_count %zu",
                  indices.desc.indices16.data ? "indices16" : "indices", i, index, indices.desc.vertex_count);
   }
 }

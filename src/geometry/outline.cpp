@@ -138,15 +138,15 @@ void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core:
     const uint32_t any = codes[0] | codes[1] | codes[2];
     o.primitive = static_cast<uint32_t>(i);
     if (any & kOutNonfinite) {
-      ++stats->nonfinite;
+      ++stats->nonfinite_triangle_count;
     } else if (codes[0] & codes[1] & codes[2] & (kOutNear | kOutFar | kOutBehind)) {
-      ++stats->outside;
+      ++stats->outside_triangle_count;
     } else {
-      stats->clipped += (any & kMustClip) != 0;
+      stats->clipped_triangle_count += (any & kMustClip) != 0;
       count(outline(o, assembly.cull, row, (any & kMustClip) != 0), stats);
     }
   }
-  stats->triangles += end - begin;
+  stats->triangle_count += end - begin;
 }
 
 }  // namespace shd::geometry

@@ -26,18 +26,16 @@ EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
     : uniform_(desc.mode == SHD_TESSELLATION_MODE_UNIFORM ? desc.segments : 0),
       max_parts_(desc.max_segments),
       edge_length_(double{desc.edge_length}),
-      in_pixels_(desc.view != nullptr) {
-  for (int i = 0; i < 16; ++i) {
-    to_world_[i] = desc.object_to_world ? double{desc.object_to_world[i]} : i % 5 == 0 ? 1.0 : 0.0;
-  }
+      in_pixels_(desc.picture_width != 0) {
+  for (int i = 0; i < 16; ++i) to_world_[i] = double{desc.object_to_world[i]};
   if (!in_pixels_) return;
   double clip[16];
-  data::multiply(desc.view->view_to_clip, desc.view->world_to_view, clip);
+  data::multiply(desc.view.view_to_clip, desc.view.world_to_view, clip);
   const Vec3d w = row_of(clip, 3);
   w_[0] = w.x, w_[1] = w.y, w_[2] = w.z, w_[3] = clip[15];
   w_per_length_ = data::length(w);
-  const double across = 0.5 * desc.width * data::length(row_of(clip, 0));
-  const double upwards = 0.5 * desc.height * data::length(row_of(clip, 1));
+  const double across = 0.5 * desc.picture_width * data::length(row_of(clip, 0));
+  const double upwards = 0.5 * desc.picture_height * data::length(row_of(clip, 1));
   pixels_ = across > upwards ? across : upwards;
 }
 

@@ -16,7 +16,7 @@ class EdgeFactor {
  public:
   explicit EdgeFactor(const shd_tessellation_desc& desc);
 
-  /// @return 1..SHD_MAX_SEGMENTS
+  /// @return 1..SHD_MAX_TESSELLATION_SEGMENTS
   uint32_t operator()(const Mesh& mesh, uint32_t a, uint32_t b) const;
 
  private:

@@ -121,7 +121,7 @@ struct LightCone {
   }
   /// Whether a ray meets a texel at a depth and a distance [texels] across or along the map from the point: whether
   /// distance - kReach is at most the half width before it is clamped, times the denominators.
-  HWY_INLINE hn::Mask<D> meets(D d, V depth, V distance) const {
+  HWY_INLINE hn::Mask<D> RayHitsBlocker(D d, V depth, V distance) const {
     const V light = hn::Set(d, half_light), length = (distance - hn::Set(d, kReach)) * at.texel;
     const V scaled = is_perspective ? length * depth : length;
     return hn::Le(scaled, light * (at.z - depth));
@@ -155,7 +155,7 @@ HWY_INLINE Blockers<D> FindBlockers(D d, const Comparison<D>& comparison, const 
       const V column = RoundDown(at.x + x), row = RoundDown(at.y + y);
       const V depth = comparison.depth(d, column, row);
       const auto blocks = hn::Lt(depth, comparison.plane(column, row));
-      const auto meets = hn::And(blocks, cone.meets(d, depth, hn::Max(hn::Abs(x), hn::Abs(y))));
+      const auto meets = hn::And(blocks, cone.RayHitsBlocker(d, depth, hn::Max(hn::Abs(x), hn::Abs(y))));
       sum = sum + hn::IfThenElseZero(meets, depth);
       count = count + hn::IfThenElseZero(meets, one);
       any_sum = any_sum + hn::IfThenElseZero(blocks, depth);

@@ -82,11 +82,11 @@ shd_deb(doc libshd-doc doc "texture filtering and software rasterisation on the 
 ${about}
 This package has the manual and the sources of the examples.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
-if(TARGET shd-render)
-  set(renderers ${libraries})
-  shd_deb(tools shd-tools graphics "renderer of model files on the CPU
+if(SHD_BUILD_TOOLS)
+  shd_deb(tools shd-tools graphics "renderer of model files and tools for textures on the CPU
 ${about}
-This package has shd-render. It renders a picture of a model file, with
-lights, shadows, environments and volumes." ${renderers})
+This package has shd-render, which renders a picture of a model file with
+lights, shadows, environments and volumes; shd-check, which judges texture
+lookups; and shd-maketx, which makes tiled files with mip levels." ${libraries})
 endif()
 include(CPack)

@@ -24,7 +24,7 @@ class CallbackFiles : public HostFiles {
     if (!desc_.find) return false;
     const void* bytes = nullptr;
     size_t size = 0;
-    const shd_result result = desc_.find(desc_.find_user_data, (folder + name).c_str(), &bytes, &size);
+    const shd_result result = desc_.find((folder + name).c_str(), &bytes, &size, desc_.user_data);
     if (result == SHD_ERROR_NOT_FOUND) return false;
     if (result != SHD_OK) core::refuse(result, "scene.find failed for \"%s\"", text_of(folder + name).c_str());
     if (!bytes) core::refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.find gave no bytes");

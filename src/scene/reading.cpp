@@ -51,7 +51,7 @@ struct Reading {
   Opened opened;  // the last answer
 };
 
-shd_result answer(void* user, const char* name, shd_worker_file* out) {
+shd_result answer(const char* name, shd_worker_file* out, void* user) {
   return extension::guard([&]() -> shd_result {
     auto& reading = *static_cast<Reading*>(user);
     reading.opened = Opened();
@@ -67,7 +67,7 @@ shd_result answer(void* user, const char* name, shd_worker_file* out) {
   });
 }
 
-shd_result receive(void* user, shd_worker_stream* reply) {
+shd_result receive(shd_worker_stream* reply, void* user) {
   return extension::guard([&]() -> shd_result {
     auto& reading = *static_cast<Reading*>(user);
     FieldReader reader([reply](void* bytes, size_t size) { require(shd_worker_read(reply, bytes, size)); },

@@ -57,15 +57,15 @@ shd_result load_as(shd_context* context, HostFiles& files, const TextureSource& 
 
 shd_result load_texture(shd_context* context, HostFiles& files, const TextureSource& source, shd_load_desc desc,
                         Texture& out, std::string& path) {
-  if (source.srgb && desc.color_space == SHD_COLOR_ENCODING_AUTO) {
+  if (source.srgb && desc.encoding == SHD_COLOR_ENCODING_AUTO) {
     constexpr shd_file_format_flags kImages = SHD_FILE_FORMAT_PNG | SHD_FILE_FORMAT_JPEG | SHD_FILE_FORMAT_WEBP;
     shd_load_desc image = desc;
     image.formats = (desc.formats ? desc.formats : shd_file_format_flags{SHD_FILE_FORMAT_DEFAULT}) & kImages;
-    image.color_space = SHD_COLOR_ENCODING_SRGB;
+    image.encoding = SHD_COLOR_ENCODING_SRGB;
     const shd_result result = image.formats ? load_as(context, files, source, image, out, path) : SHD_ERROR_UNSUPPORTED;
     if (result != SHD_ERROR_UNSUPPORTED) return result;
   }
-  if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
+  if (source.data) desc.encoding = SHD_COLOR_ENCODING_DATA;
   return load_as(context, files, source, desc, out, path);
 }
 
@@ -93,7 +93,7 @@ std::vector<shd_load_flags> alpha_flags(const Model& model) {
     }
   }
   for (size_t i = 0; i < out.size(); ++i) {
-    if (!hides[i]) out[i] = SHD_LOAD_DEFAULT;
+    if (!hides[i]) out[i] = SHD_LOAD_NONE;
   }
   return out;
 }

@@ -165,7 +165,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
   LobeShape shape = {};
   if (lights.any_shadow && info.lobes) keep_shadow_normals(points, &columns);
   if (info.has_normal)
-    shape = shape_surface(simd, {shading, points, w->varyings, per_fragment}, &points, &columns, &parameters);
+    shape = evaluate_surface(simd, {shading, points, w->varyings, per_fragment}, &points, &columns, &parameters);
   if (!per_fragment && (shading.frequency == SHD_FREQUENCY_FLAT || !info.lobes)) spread_normals(simd, shading, w);
   look_up_slots(simd, {shading, w->fragments, w->varyings, true}, ~material::kShapingSlots, &columns, &parameters);
   if (info.lobes) {

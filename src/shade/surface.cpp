@@ -122,8 +122,8 @@ void make_tangent_bases(const SlotContext& context, raster::Fragments* points, C
   }
 }
 
-LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
-                        Columns* columns, material::Parameters* parameters) {
+LobeShape evaluate_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
+                           Columns* columns, material::Parameters* parameters) {
   const material::Material& material = *context.shading.material;
   look_up_slots(simd, context, material::kShapingSlots, columns, parameters);
   const bool has_coat = material.model == material::ModelKey::kClearCoat;

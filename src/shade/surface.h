@@ -13,7 +13,7 @@ void make_tangent_bases(const SlotContext& context, raster::Fragments* points, C
 
 /// Applies the material's normal maps, bumps and double-sidedness to the points' normals, and derives the shape of the
 /// lobes. Writes the values of the shaping slots to `parameters`. Throws Failure if a procedure threw.
-LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
-                        Columns* columns, material::Parameters* parameters);
+LobeShape evaluate_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
+                           Columns* columns, material::Parameters* parameters);
 
 }  // namespace shd::shade

@@ -17,6 +17,8 @@ namespace hwy::HWY_NAMESPACE {
 
 template <size_t N>
 using DoubleV = Vec128<double, N>;
+template <size_t N>
+using DoubleM = Mask128<double, N>;
 
 template <size_t N, HWY_IF_LE128(double, N)>
 HWY_API DoubleV<N> Set(Simd<double, N, 0>, double value) {
@@ -45,6 +47,26 @@ HWY_API DoubleV<N> Min(DoubleV<N> a, DoubleV<N> b) {
 template <size_t N>
 HWY_API DoubleV<N> Max(DoubleV<N> a, DoubleV<N> b) {
   return {wasm_f64x2_max(a.raw, b.raw)};
+}
+template <size_t N>
+HWY_API DoubleV<N> Abs(DoubleV<N> a) {
+  return {wasm_f64x2_abs(a.raw)};
+}
+template <size_t N>
+HWY_API DoubleV<N> Sqrt(DoubleV<N> a) {
+  return {wasm_f64x2_sqrt(a.raw)};
+}
+template <size_t N>
+HWY_API DoubleM<N> operator==(DoubleV<N> a, DoubleV<N> b) {
+  return {wasm_f64x2_eq(a.raw, b.raw)};
+}
+template <size_t N>
+HWY_API DoubleM<N> operator>(DoubleV<N> a, DoubleV<N> b) {
+  return {wasm_f64x2_gt(a.raw, b.raw)};
+}
+template <size_t N>
+HWY_API DoubleM<N> operator>=(DoubleV<N> a, DoubleV<N> b) {
+  return {wasm_f64x2_ge(a.raw, b.raw)};
 }
 template <size_t N, HWY_IF_LE128(double, N)>
 HWY_API DoubleV<N> PromoteTo(Simd<double, N, 0>, Vec128<float, N> v) {

@@ -42,7 +42,4 @@ const char* name_of(Domain domain);
 const char* name_of(Store store);
 const char* name_of(Use use);
 
-/// Returns the name of a filter without its prefix.
-const char* name_of(shd_filter filter);
-
 }  // namespace shd::texture

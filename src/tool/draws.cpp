@@ -15,10 +15,10 @@ Mesh displace(shd_context* context, const Options& options, const Camera& camera
   desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
   desc.max_segments = 512;
   desc.edge_length = options.edge_length;
-  desc.width = options.width;
-  desc.height = options.height;
-  desc.view = &camera.view;
-  desc.object_to_world = instance.object_to_world.data();
+  desc.picture_width = options.width;
+  desc.picture_height = options.height;
+  desc.view = camera.view;
+  std::copy_n(instance.object_to_world.data(), 16, desc.object_to_world);
   desc.displacement = height;
   desc.amplitude = options.displacement;
   desc.lod = 2.0f;  // mean of several texels, because single texels are smaller than the triangles

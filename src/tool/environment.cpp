@@ -114,7 +114,7 @@ shd_image load_image(shd_context* context, const std::string& path, uint32_t sub
   load.subimage = subimage;
   shd_image image = shd_image_default();
   if (shd_bitmap_load(context, path.c_str(), &load, bitmap.out()) != SHD_OK ||
-      shd_bitmap_image(bitmap.get(), &image) != SHD_OK) {
+      shd_bitmap_get_image(bitmap.get(), &image) != SHD_OK) {
     throw Failure(kExitInput, path + ": " + shd_last_error());
   }
   return image;
@@ -131,7 +131,7 @@ bool is_cube_file(shd_context* context, const std::string& path, const shd_bitma
   load.info = &file;
   Texture texture;
   check(shd_texture_load(context, path.c_str(), &load, texture.out()), "environment", kExitInput);
-  return file.faces == 6;
+  return file.face_count == 6;
 }
 
 /// The faces of a cube map in a KTX2 or DDS file.

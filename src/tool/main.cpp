@@ -4,12 +4,11 @@
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
-#include <exception>
 #include <vector>
 
 #include <unistd.h>
 
-#include "command/failure.h"
+#include "command/program.h"
 #include "tool/camera.h"
 #include "tool/draws.h"
 #include "tool/environment.h"
@@ -35,7 +34,7 @@ Framebuffer make_framebuffer(shd_context* context, const Options& options) {
   shd_framebuffer_desc desc = shd_framebuffer_desc_default();
   desc.width = options.width;
   desc.height = options.height;
-  desc.samples = options.samples;
+  desc.sample_count = options.samples;
   desc.aovs = options.aovs;
   Framebuffer framebuffer;
   check(shd_framebuffer_create(context, &desc, framebuffer.out()), "framebuffer");
@@ -47,14 +46,15 @@ unsigned long long wide(uint64_t value) {
 }
 
 void print_stats(shd_context* context, const shd_render_stats& stats, double seconds) {
-  std::fprintf(stderr, "%llu triangles, %llu rasterised, %llu fragments in %.1f ms on %s with %u workers\n",
-               wide(stats.triangles), wide(stats.rasterised), wide(stats.fragments), 1e3 * seconds,
-               shd_context_simd_target(context), shd_context_worker_count(context));
+  std::fprintf(stderr, "%llu triangles, %llu rasterised, %llu fragments in %.1f ms on %s with %zu workers\n",
+               wide(stats.triangle_count), wide(stats.rasterized_triangle_count), wide(stats.fragment_count),
+               1e3 * seconds, shd_context_get_simd_target(context), shd_context_get_worker_count(context));
   std::fprintf(stderr, "vertices %.1f ms, assembly %.1f ms, binning %.1f ms, tiles %.1f ms; %.1f MiB of scratch\n",
                1e3 * stats.vertex_seconds, 1e3 * stats.assembly_seconds, 1e3 * stats.binning_seconds,
                1e3 * stats.tile_seconds, static_cast<double>(stats.scratch_bytes) / 1048576.0);
-  if (stats.order_conflicts || stats.splits) {
-    std::fprintf(stderr, "%llu pairs in the wrong order, %llu cuts\n", wide(stats.order_conflicts), wide(stats.splits));
+  if (stats.order_conflict_count || stats.split_count) {
+    std::fprintf(stderr, "%llu pairs in the wrong order, %llu cuts\n", wide(stats.order_conflict_count),
+                 wide(stats.split_count));
   }
 }
 
@@ -91,7 +91,7 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   if (!shadow_list.empty()) desc.shadows = shadow_list.data();
   desc.stats = &stats;
   desc.visibility = options.visibility;
-  desc.supersampling = options.supersampling;
+  desc.supersampling = std::max(options.supersampling, 1u);
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
   set_environment(options, stage.environment, desc);
   shd_volume_draw volume = shd_volume_draw_default();
@@ -102,7 +102,7 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   desc.progress = progress;
   const auto start = std::chrono::steady_clock::now();
   check(shd_render(stage.context, &desc), "render");
-  if (stats.triangles > 0 && stats.culled == stats.triangles) {
+  if (stats.triangle_count > 0 && stats.culled_triangle_count == stats.triangle_count) {
     std::fprintf(stderr, "shd-render: all faces are seen from behind, and none is double-sided: see --orbit\n");
   }
   if (!options.stats) return;
@@ -114,14 +114,14 @@ void report_unused(const Options& options, const Model& model) {
   shd_scene_info info = shd_scene_info_default();
   if (!model.scene.get() || shd_scene_get_info(model.scene.get(), &info) != SHD_OK) return;
   if (info.light_count > 0 && options.preset != LightPreset::kFile) {
-    std::fprintf(stderr, "shd-render: lights of the model that are not used: %u (--lights file)\n", info.light_count);
+    std::fprintf(stderr, "shd-render: lights of the model that are not used: %zu (--lights file)\n", info.light_count);
   }
   if (info.animation_count > 0 && options.animation.empty()) {
-    std::fprintf(stderr, "shd-render: animations of the model that are not used: %u (--animation 0)\n",
+    std::fprintf(stderr, "shd-render: animations of the model that are not used: %zu (--animation 0)\n",
                  info.animation_count);
   }
   if (info.camera_count > 0 && !options.camera) {
-    std::fprintf(stderr, "shd-render: cameras of the model that are not used: %u (--camera 0)\n", info.camera_count);
+    std::fprintf(stderr, "shd-render: cameras of the model that are not used: %zu (--camera 0)\n", info.camera_count);
   }
 }
 
@@ -200,6 +200,7 @@ void add_extras(shd_context* context, const Options& options, const Bounds& boun
 void run(const Options& options) {
   check_output_name(options);
   const Context context = make_context(options);
+  const Color color = open_color(context.get(), options);
   const StageVolume volume = load_volume(context.get(), options);
   Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
   report_unused(options, model);
@@ -228,7 +229,7 @@ void run(const Options& options) {
     const std::string name = picture_name(options, i);
     if (options.hash) std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
     if (name.empty()) continue;
-    save_picture(context.get(), framebuffer.get(), options, name);
+    save_picture(color, framebuffer.get(), options, name);
     std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
   }
   progress.finish();
@@ -237,21 +238,9 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const Options options = parse_options(argc, argv);
-    if (options.help) {
-      std::fputs(help_text(), stdout);
-    } else if (options.version) {
-      std::printf("shd-render %d.%d.%d\n", SHD_VERSION_MAJOR, SHD_VERSION_MINOR, SHD_VERSION_PATCH);
-    } else {
-      run(options);
-    }
+  return command::run("shd-render", [&] {
+    Options options;
+    if (read_options(argc, argv, options)) run(options);
     return kExitOk;
-  } catch (const Failure& failure) {
-    std::fprintf(stderr, "shd-render: %s\n", failure.what());
-    return failure.code;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "shd-render: %s\n", error.what());
-    return kExitFailed;
-  }
+  });
 }

@@ -60,11 +60,11 @@ void read_geometry(Geometry& geometry) {
 void add_scene_parts(Model& model, const shd_scene_info& info) {
   for (uint32_t i = 0; i < info.mesh_count; ++i) {
     model.geometries.emplace_back();
-    model.geometries.back().mesh = shd_scene_mesh(model.scene.get(), i);
+    model.geometries.back().mesh = shd_scene_get_mesh(model.scene.get(), i);
     read_geometry(model.geometries.back());
   }
   for (uint32_t i = 0; i < info.material_count; ++i) {
-    Surface surface = {shd_scene_name(model.scene.get(), SHD_SCENE_PART_MATERIAL, i), shd_material_desc_default()};
+    Surface surface = {shd_scene_get_name(model.scene.get(), SHD_SCENE_PART_MATERIAL, i), shd_material_desc_default()};
     check(shd_scene_get_material_desc(model.scene.get(), i, &surface.desc), "material");
     model.surfaces.push_back(surface);
   }
@@ -93,7 +93,7 @@ Model import_model(shd_context* context, const Options& options) {
   shd_scene_info info = shd_scene_info_default();
   check(shd_scene_get_info(model.scene.get(), &info), "scene");
   for (uint32_t i = 0; i < info.warning_count; ++i) {
-    std::fprintf(stderr, "shd-render: %s\n", in_options(shd_scene_warning(model.scene.get(), i)).c_str());
+    std::fprintf(stderr, "shd-render: %s\n", in_options(shd_scene_get_warning(model.scene.get(), i)).c_str());
   }
   add_scene_parts(model, info);
   return model;
@@ -105,7 +105,7 @@ std::optional<uint32_t> index_of(const shd_scene* scene, uint32_t count, const s
     if (text == std::to_string(i)) return i;
   }
   for (uint32_t i = 0; i < count; ++i) {
-    if (text == shd_scene_name(scene, SHD_SCENE_PART_ANIMATION, i)) return i;
+    if (text == shd_scene_get_name(scene, SHD_SCENE_PART_ANIMATION, i)) return i;
   }
   return std::nullopt;
 }
@@ -166,7 +166,7 @@ Animation find_animation(const Options& options, const Model& model) {
     std::string text = "--animation " + options.animation + ": the model has no such animation";
     for (uint32_t i = 0; i < info.animation_count && i < 16; ++i) {
       text += (i == 0 ? "; it has " : ", ") + std::to_string(i) + " \"" +
-              shd_scene_name(model.scene.get(), SHD_SCENE_PART_ANIMATION, i) + "\"";
+              shd_scene_get_name(model.scene.get(), SHD_SCENE_PART_ANIMATION, i) + "\"";
     }
     throw Failure(kExitInput, text);
   }

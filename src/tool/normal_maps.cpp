@@ -13,9 +13,9 @@ bool load_wide(shd_context* context, const std::string& path, std::vector<uint16
   Bitmap bitmap;
   shd_image image = shd_image_default();
   shd_load_desc desc = shd_load_desc_default();
-  desc.color_space = SHD_COLOR_ENCODING_DATA;
+  desc.encoding = SHD_COLOR_ENCODING_DATA;
   if (shd_bitmap_load(context, path.c_str(), &desc, bitmap.out()) != SHD_OK) return false;
-  if (shd_bitmap_image(bitmap.get(), &image) != SHD_OK) return false;
+  if (shd_bitmap_get_image(bitmap.get(), &image) != SHD_OK) return false;
   const bool wide = image.format == SHD_FORMAT_RGBA16;
   if (!wide && image.format != SHD_FORMAT_RGBA8 && image.format != SHD_FORMAT_RGBA8_SRGB) {
     throw Failure(kExitInput, path + ": a normal map of 8 or 16 bits is wanted");
@@ -59,7 +59,7 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
   desc.height = base.height;
   desc.texels = base.pixels;
   desc.tables = SHD_TABLE_MIPMAP;
-  desc.levels = levels.data();
+  desc.level_images = levels.data();
   desc.level_count = count;
   return shd_texture_create(context, &desc, out.out()) == SHD_OK;
 }
@@ -85,7 +85,7 @@ bool create_moments(shd_context* context, const shd_image& base, const Options& 
   moments.height = mixed.height = base.height;
   moments.pixels = texels.data();
   mixed.pixels = products.data();
-  return shd_normal_moments(context, &base, &moments, &mixed) == SHD_OK &&
+  return shd_mip_build_moments(context, &base, &moments, &mixed) == SHD_OK &&
          create_data(context, moments, options, out.texture) && create_data(context, mixed, options, out.mixed);
 }
 

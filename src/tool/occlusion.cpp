@@ -89,7 +89,7 @@ std::vector<shd_draw> occluders_of(const Model& model) {
 void add_occlusion(shd_context* context, const Options& options, const Bounds& bounds, Model& model) {
   const std::vector<shd_draw> draws = occluders_of(model);
   shd_occlusion_desc desc = shd_occlusion_desc_default();
-  desc.rays = *options.occlusion;
+  desc.ray_count = *options.occlusion;
   if (options.occlusion_radius > 0.0f) desc.radius = options.occlusion_radius * bounds.radius;
   desc.draws = draws.data();
   desc.draw_count = draws.size();

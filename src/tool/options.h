@@ -7,8 +7,22 @@
 #include <vector>
 
 #include <shd/shd.h>
+#include <shd/volume_file.h>
 
-#include "tool/volume_options.h"
+/// The volume of the command line.
+struct VolumeOptions {
+  std::string file;                   // .vdb, a pattern or a file of pages, or voxels of `size`; empty = no volume
+  std::array<uint32_t, 3> size = {};  // voxels of a file without a format; 0 = another file
+  shd_raw_sample sample = SHD_RAW_SAMPLE_U8;
+  shd_byte_order order = SHD_BYTE_ORDER_LITTLE;
+  uint64_t header = 0;                        // [bytes]
+  uint32_t first = 0, last = 0;               // numbers of a pattern
+  std::string grid;                           // name in a .vdb file; empty = the first one
+  std::array<float, 3> spacing = {1, 1, 1};   // distances of voxels along x, y and z
+  bool slices_up = false;                     // the axis of the slices is +Y, not -Z
+  std::optional<std::array<float, 2>> range;  // densities of the transfer function; absent = all densities
+  float density = 1.0f;                       // factor of extinction
+};
 
 /// A light of the command line. Positions are in radii of the model around its centre; directions point to the light;
 /// spots are aimed at the centre.
@@ -25,11 +39,11 @@ enum class KeepRoughness { kNone, kToksvig, kLean };
 
 /// The command line, checked.
 struct Options {
-  bool help = false, version = false;
   std::string model;  // empty = `shape`
   shd_shape shape = SHD_SHAPE_TEAPOT;
-  VolumeOptions volume;  // instead of a model
-  std::string output;    // empty = out.png, or with `hash` no file
+  bool has_shape = false;  // `shape` was given
+  VolumeOptions volume;    // instead of a model
+  std::string output;      // empty = out.png, or with `hash` no file
   uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
   bool sample_shading = false;  // every sample at its own position
   shd_visibility visibility = SHD_VISIBILITY_DEPTH;
@@ -90,8 +104,6 @@ struct Options {
   bool progress = false, stats = false, hash = false;
 };
 
-/// Throws Failure (kExitUsage) that names the option and its valid values.
-Options parse_options(int argc, const char* const* argv);
-
-/// The text of `--help`.
-const char* help_text();
+/// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure
+/// (kExitUsage) that names the option and its valid values.
+bool read_options(int argc, const char* const* argv, Options& out);

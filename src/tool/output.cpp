@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tool/output.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <vector>
 
-#ifdef SHD_RENDER_WITH_COLOR
-#include <shd/color.h>
-#endif
+#include <sys/stat.h>
 
-#include "command/failure.h"
+#include "command/suggest.h"
+#include "command/values.h"
 
 namespace {
 
@@ -22,7 +22,10 @@ std::string output_of(const Options& options) {
 }
 
 #ifdef SHD_RENDER_WITH_COLOR
-using Color = Owned<shd_color, shd_color_release>;
+void check_name(const char* option, const std::string& value, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), value) != names.end()) return;
+  command::refuse(option, value, "one of " + command::join(names), names);
+}
 #endif
 
 }  // namespace
@@ -31,6 +34,11 @@ void check_output_name(const Options& options) {
   const std::string name = output_of(options);
   if (name.empty() && options.aovs) throw Failure(kExitUsage, "--hash: --aov and --aovs need -o FILE.exr");
   if (name.empty()) return;
+  const size_t folder = name.rfind('/') + 1;
+  struct stat status;
+  if (folder > 0 && ::stat(name.substr(0, folder).c_str(), &status) != 0) {
+    throw Failure(kExitOutput, "-o: there is no folder \"" + name.substr(0, folder) + "\"");
+  }
   for (const char* end : {".png", ".tif", ".tiff", ".exr"}) {
     if (ends_with(name, end) && !(options.aovs && !ends_with(name, ".exr"))) return;
   }
@@ -67,22 +75,34 @@ uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options
   return hash;
 }
 
-void save_picture(shd_context* context, const shd_framebuffer* framebuffer, const Options& options,
+Color open_color([[maybe_unused]] shd_context* context, [[maybe_unused]] const Options& options) {
+  Color color;
+#ifdef SHD_RENDER_WITH_COLOR
+  const std::string name = output_of(options);
+  if (!options.color || name.empty() || ends_with(name, ".exr")) return color;
+  check(shd_color_create(context, nullptr, color.out()), "colour config");
+  std::vector<std::string> displays, views;
+  for (uint32_t i = 0; i < shd_color_get_display_count(color.get()); ++i) {
+    displays.push_back(shd_color_get_display_name(color.get(), i));
+  }
+  check_name("--display", options.display, displays);
+  const char* const display = options.display.c_str();
+  for (uint32_t i = 0; i < shd_color_get_view_count(color.get(), display); ++i) {
+    views.push_back(shd_color_get_view_name(color.get(), display, i));
+  }
+  check_name("--view", options.view, views);
+#endif
+  return color;
+}
+
+void save_picture([[maybe_unused]] const Color& color, const shd_framebuffer* framebuffer, const Options& options,
                   const std::string& name) {
   shd_save_desc desc = shd_save_desc_default();
-  const bool is_linear = ends_with(name, ".exr");
-  if (!is_linear) desc.bit_depth = 8;
+  if (!ends_with(name, ".exr")) desc.bit_depth = 8;
   if (options.dither) desc.dither = SHD_DITHER_ORDERED;
 #ifdef SHD_RENDER_WITH_COLOR
-  Color color;
-  shd_color_view view = {nullptr, options.display.c_str(), options.view.c_str()};
-  if (options.color && !is_linear) {
-    check(shd_color_create(context, nullptr, color.out()), "colour config");
-    view.color = color.get();
-    desc.display = {shd_color_apply_view, &view};
-  }
-#else
-  (void)context;
+  shd_color_view view = {color.get(), options.display.c_str(), options.view.c_str()};
+  if (color.get()) desc.display = {shd_color_apply_view, &view};
 #endif
   check(shd_framebuffer_save(framebuffer, name.c_str(), &desc), name, kExitOutput);
 }

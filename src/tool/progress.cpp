@@ -13,16 +13,16 @@ void Progress::finish() {
   shown_ = -1;
 }
 
-int32_t Progress::report(void* user_data, float fraction) {
+shd_result Progress::report(float fraction, void* user_data) {
   Progress& self = *static_cast<Progress*>(user_data);
   const double done = (self.picture_ + static_cast<double>(fraction)) / self.pictures_;
   const double seconds = std::chrono::duration<double>(Clock::now() - self.start_).count();
   const int percent = static_cast<int>(100.0 * done);
-  if (percent <= self.shown_ || (self.shown_ < 0 && seconds < 0.5)) return 0;
+  if (percent <= self.shown_ || (self.shown_ < 0 && seconds < 0.5)) return SHD_OK;
   const double left = done > 0.0 ? seconds / done - seconds : 0.0;
   if (self.pictures_ > 1) std::fprintf(stderr, "\rpicture %u of %u, ", self.picture_ + 1, self.pictures_);
   std::fprintf(stderr, "%srendering %3d %%, %.0f s left   ", self.pictures_ > 1 ? "" : "\r", percent, left);
   std::fflush(stderr);
   self.shown_ = percent;
-  return 0;
+  return SHD_OK;
 }

@@ -17,7 +17,7 @@ class Progress {
   void finish();
 
  private:
-  static int32_t report(void* user_data, float fraction);
+  static shd_result report(float fraction, void* user_data);
   using Clock = std::chrono::steady_clock;
 
   bool wanted_;

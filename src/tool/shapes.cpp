@@ -8,7 +8,7 @@
 
 Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags) {
   shd_shape_desc desc = shd_shape_desc_default();
-  desc.shape = shape;
+  desc.kind = shape;
   for (uint32_t& segments : desc.segments) segments = steps;
   if (shape == SHD_SHAPE_SPHERE) desc.segments[0] = 4 * steps, desc.segments[1] = 2 * steps;
   if (shape == SHD_SHAPE_TORUS) desc.segments[0] = 4 * steps, desc.segments[1] = 2 * steps + 1;

@@ -30,7 +30,7 @@ uint32_t tables_of(shd_filter filter) {
 
 Texture load_texture(shd_context* context, const std::string& path, bool data, uint32_t tables) {
   shd_load_desc desc = shd_load_desc_default();
-  if (data) desc.color_space = SHD_COLOR_ENCODING_DATA;
+  if (data) desc.encoding = SHD_COLOR_ENCODING_DATA;
   desc.tables = tables;
   Texture texture;
   if (shd_texture_load(context, path.c_str(), &desc, texture.out()) != SHD_OK) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: tool, the program shd-render. Installed with its manual, shd-render.1.
+/// Stage contract: tool, the program shd-render. Its manual page is made of its options.
 ///
 /// Input:      the command line; a model file or the name of a shape.
 /// Output:     pictures.
@@ -10,9 +10,10 @@
 /// | file        | contents                                                |
 /// |-------------|---------------------------------------------------------|
 /// | main.cpp    | from options to pictures                                |
-/// | options.h   | the command line, checked; help.cpp: --help             |
+/// | options.h   | the command line, checked                               |
+/// | option_groups.h | the options, group by group                         |
 /// | model.h     | the scene of a file, or a shape, and the floor          |
-/// | volumes.h   | the volume of a file; volume_options.h                  |
+/// | volumes.h   | the volume of a file                                    |
 /// | shapes.h    | meshes of shd/shapes.h                                  |
 /// | materials.h | materials, changed by the options                       |
 /// | solids.h    | built-in solid textures                                 |

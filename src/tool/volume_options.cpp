@@ -1,116 +1,81 @@
 // SPDX-License-Identifier: MIT
-#include "tool/volume_options.h"
+#include "command/values.h"
+#include "tool/option_groups.h"
 
-#include <cmath>
-#include <cstdio>
-#include <cstring>
-
-#include "command/failure.h"
+using namespace command;
 
 namespace {
 
-/// Whether `text` is a number, and ends behind it.
-bool read(const char*& text, float* out) {
-  int length = 0;
-  if (std::sscanf(text, "%f%n", out, &length) != 1 || !std::isfinite(*out)) return false;
-  text += length;
-  return true;
-}
-
-/// Reads `count` numbers with a separator between them.
-bool read_list(const std::string& value, char separator, float* out, int count) {
-  const char* text = value.c_str();
-  for (int i = 0; i < count; ++i) {
-    if (i > 0 && *text++ != separator) return false;
-    if (!read(text, out + i)) return false;
-  }
-  return *text == 0;
-}
-
-bool is_whole(float number, float low, float high) {
-  return number >= low && number <= high && number == std::floor(number);
-}
-
-void read_size(const std::string& name, const std::string& value, VolumeOptions& out) {
-  const char* wanted = "WIDTHxHEIGHTxDEPTH, each 1..65536";
-  float sides[3];
-  if (!read_list(value, 'x', sides, 3)) refuse(name, value, wanted);
-  for (size_t a = 0; a < 3; ++a) {
-    if (!is_whole(sides[a], 1, 65536)) refuse(name, value, wanted);
-    out.size[a] = static_cast<uint32_t>(sides[a]);
-  }
-}
-
 /// u8, i16be ...
-void read_format(const std::string& name, const std::string& value, VolumeOptions& out) {
-  constexpr const char* kNames[] = {"u8", "u16", "f16", "f32", "i8", "i16", "u32", "i32"};
-  const bool big = value.size() > 2 && value.compare(value.size() - 2, 2, "be") == 0;
-  const std::string kind = big ? value.substr(0, value.size() - 2) : value;
-  for (int i = 0; i < 8; ++i) {
-    if (kind != kNames[i]) continue;
-    out.sample = static_cast<shd_raw_sample>(i);
+Values format_values(VolumeOptions& out) {
+  const std::vector<std::string> names = {"u8", "u16", "f16", "f32", "i8", "i16", "u32", "i32"};  // as shd_raw_sample
+  const auto read = [&out, names](const std::string& text) {
+    const bool big = text.size() > 2 && text.compare(text.size() - 2, 2, "be") == 0;
+    const auto found = std::find(names.begin(), names.end(), big ? text.substr(0, text.size() - 2) : text);
+    out.sample = static_cast<shd_raw_sample>(found - names.begin());
     out.order = big ? SHD_BYTE_ORDER_BIG : SHD_BYTE_ORDER_LITTLE;
-    return;
-  }
-  refuse(name, value, "u8, u16, u32, i8, i16, i32, f16 or f32, with be behind it for the highest byte first");
+    return found != names.end();
+  };
+  return {"one of " + join(names) + ", with be behind it for the highest byte first", names, "u8", read};
 }
 
-void read_header(const std::string& name, const std::string& value, VolumeOptions& out) {
-  float bytes;
-  if (value == "rest") {
-    out.header = SHD_RAW_HEADER_REST;
-  } else if (read_list(value, ',', &bytes, 1) && is_whole(bytes, 0, 16777216)) {
-    out.header = static_cast<uint64_t>(bytes);
-  } else {
-    refuse(name, value, "a number of bytes 0..16777216, or rest");
-  }
+Values header_values(uint64_t& out) {
+  const auto read = [&out](const std::string& text) {
+    out = SHD_RAW_HEADER_REST;
+    return text == "rest" || number(out, 0, 16777216).read(text);
+  };
+  return {"a number of bytes 0..16777216, or rest", {}, "0", read};
 }
 
-void read_slices(const std::string& name, const std::string& value, VolumeOptions& out) {
-  float ends[2];
-  if (!read_list(value, ',', ends, 2) || !is_whole(ends[0], 0, 16777215) || !is_whole(ends[1], ends[0], 16777215)) {
-    refuse(name, value, "FIRST,LAST: whole numbers, the last one not smaller");
-  }
-  out.first = static_cast<uint32_t>(ends[0]);
-  out.last = static_cast<uint32_t>(ends[1]);
+Values slice_values(VolumeOptions& out) {
+  const auto read = [&out](const std::string& text) {
+    const std::vector<std::string> ends = split(text, ',');
+    return ends.size() == 2 && number(out.first, 0, 16777215).read(ends[0]) &&
+           number(out.last, out.first, 16777215).read(ends[1]);
+  };
+  return {"FIRST,LAST: whole numbers, the last one not smaller", {}, "0,0", read};
 }
 
-void read_spacing(const std::string& name, const std::string& value, VolumeOptions& out) {
-  if (!read_list(value, ',', out.spacing.data(), 3)) refuse(name, value, "X,Y,Z");
-  for (const float s : out.spacing) {
-    if (!(s >= 1e-6f && s <= 1e6f)) refuse(name, value, "X,Y,Z, each 1e-6..1e6");
-  }
+Values spacing_values(std::array<float, 3>& out) {
+  const auto read = [&out](const std::string& text) {
+    const auto numbers = read_numbers(text);
+    if (!numbers || numbers->size() != out.size()) return false;
+    std::copy(numbers->begin(), numbers->end(), out.begin());
+    return std::all_of(out.begin(), out.end(), [](float s) { return s >= 1e-6f && s <= 1e6f; });
+  };
+  return {"X,Y,Z, each 1e-6..1e6", {}, "1,1,1", read};
 }
 
-void read_range(const std::string& name, const std::string& value, VolumeOptions& out) {
-  std::array<float, 2> range{};
-  if (!read_list(value, ',', range.data(), 2) || !(range[0] < range[1])) refuse(name, value, "LOW,HIGH, rising");
-  out.range = range;
+Values range_values(std::optional<std::array<float, 2>>& out) {
+  const auto read = [&out](const std::string& text) {
+    const auto numbers = read_numbers(text);
+    if (!numbers || numbers->size() != 2) return false;
+    out = {(*numbers)[0], (*numbers)[1]};
+    return (*numbers)[0] < (*numbers)[1];
+  };
+  return {"LOW,HIGH, rising", {}, "the smallest and the largest one", read};
 }
 
 }  // namespace
 
-bool set_volume_value(const std::string& name, const std::string& value, VolumeOptions& out) {
-  if (name == "--volume") {
-    if (value.empty()) refuse(name, value, "the name of a file");
-    return out.file = value, true;
-  }
-  if (name == "--volume-size") return read_size(name, value, out), true;
-  if (name == "--volume-format") return read_format(name, value, out), true;
-  if (name == "--volume-header") return read_header(name, value, out), true;
-  if (name == "--volume-slices") return read_slices(name, value, out), true;
-  if (name == "--volume-grid") return out.grid = value, true;
-  if (name == "--volume-spacing") return read_spacing(name, value, out), true;
-  if (name == "--volume-range") return read_range(name, value, out), true;
-  if (name == "--volume-up") {
-    if (value != "y" && value != "z") refuse(name, value, "y or z");
-    return out.slices_up = value == "z", true;
-  }
-  if (name == "--volume-density") {
-    if (!read_list(value, ',', &out.density, 1) || out.density < 0 || out.density > 1e6f) {
-      refuse(name, value, "a number 0..1e6");
-    }
-    return true;
-  }
-  return false;
+Group volume_options(VolumeOptions& out) {
+  constexpr Name<bool> kAxes[] = {{"y", false}, {"z", true}};
+  return {
+      "Volume",
+      {{"--volume", "FILE", file(out.file),
+        "A volume instead of a model: an OpenVDB file (.vdb); a pattern of images such as slice_%03d.tif; a TIFF or "
+        "EXR whose pages are the slices; or voxels without a format, for which --volume-size is needed. It is lit, "
+        "except fog of OpenVDB; --model unlit shows its colours, without light."},
+       {"--volume-size", "WxHxD", size({out.size[0], out.size[1], out.size[2]}, 65536), "Size of a file of voxels."},
+       {"--volume-format", "F", format_values(out), "Format of its numbers."},
+       {"--volume-header", "N", header_values(out.header),
+        "Bytes in front of its voxels. With rest, the voxels end the file."},
+       {"--volume-slices", "FIRST,LAST", slice_values(out), "First and last number of a pattern."},
+       {"--volume-grid", "NAME", initially(text(out.grid), "the first one of float or double"),
+        "Grid of an OpenVDB file."},
+       {"--volume-spacing", "X,Y,Z", spacing_values(out.spacing), "Distances of voxels, except in OpenVDB files."},
+       {"--volume-up", "AXIS", named(out.slices_up, kAxes),
+        "With y, rows go down and slices away from the viewer; with z, slices go up."},
+       {"--volume-range", "LOW,HIGH", range_values(out.range), "Densities from clear to opaque."},
+       {"--volume-density", "F", number(out.density, 0, 1e6), "Factor of opacity."}}};
 }

@@ -96,7 +96,7 @@ bool make_ray(const Sight& sight, const WorldToBox& box, double end, float step,
   const double length = last - first;
   if (!(length > 0.0) || !std::isfinite(length)) return false;
   const double steps = std::ceil(length / static_cast<double>(step));
-  out->count = steps < SHD_VOLUME_MAX_STEPS ? static_cast<uint32_t>(std::max(steps, 1.0)) : SHD_VOLUME_MAX_STEPS;
+  out->count = steps < SHD_MAX_VOLUME_STEPS ? static_cast<uint32_t>(std::max(steps, 1.0)) : SHD_MAX_VOLUME_STEPS;
   const double dt = length / out->count;
   out->dt = static_cast<float>(dt);
   const double from[3] = {sight.origin.x, sight.origin.y, sight.origin.z};

@@ -40,8 +40,8 @@ void build(const core::Context& context, const shd_volume_desc& desc, Volume* ou
   out->sampler = texture::make_sampler(sampler);
   out->transfer = make_transfer(desc);
   for (int c = 0; c < 3; ++c) {
-    out->box_min[c] = static_cast<double>(desc.box_min[c]);
-    out->box_max[c] = static_cast<double>(desc.box_max[c]);
+    out->box_min[c] = static_cast<double>(desc.bounds_min[c]);
+    out->box_max[c] = static_cast<double>(desc.bounds_max[c]);
   }
   out->step = desc.step;
   out->jitter = desc.jitter;

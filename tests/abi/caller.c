@@ -88,7 +88,7 @@ static const uint32_t k_zero[4];
 /* The defaults that the library writes into the structs of these headers. */
 static void use_kinds(void)
 {
-#define USE_KIND(kind, type, required, last, size, arguments)                                            \
+#define USE_KIND(kind, type, required, last, size)                                                       \
     do {                                                                                                 \
         type *const desc = (type *)guarded(#type " of shd_desc_init()", sizeof *desc);                   \
         expect(shd_desc_init(SHD_DESC_KIND_##kind, desc, sizeof *desc) == SHD_OK, "defaults of " #type); \
@@ -212,11 +212,12 @@ static void use_footprint(void)
     }
     rays->origin_dx[0] = cones->width = shd_f32_column(one, 0);
     derivatives->dudx = shd_f32_out_column(dudx, 0);
-    EXPECT_READ(rays, shd_derivatives_from_differentials(rays, derivatives));
-    EXPECT_READ(derivatives, shd_derivatives_from_differentials(rays, derivatives));
-    expect(shd_derivatives_from_differentials(rays, derivatives) == SHD_OK && dudx[0] == 1, "ray differentials");
-    EXPECT_READ(cones, shd_derivatives_from_cones(cones, derivatives));
-    expect(shd_derivatives_from_cones(cones, derivatives) == SHD_OK, "ray cones");
+    EXPECT_READ(rays, shd_derivatives_from_differentials(g_context, rays, derivatives));
+    EXPECT_READ(derivatives, shd_derivatives_from_differentials(g_context, rays, derivatives));
+    expect(shd_derivatives_from_differentials(g_context, rays, derivatives) == SHD_OK && dudx[0] == 1,
+           "ray differentials");
+    EXPECT_READ(cones, shd_derivatives_from_cones(g_context, cones, derivatives));
+    expect(shd_derivatives_from_cones(g_context, cones, derivatives) == SHD_OK, "ray cones");
 }
 
 static void use_polygon(void)
@@ -264,11 +265,10 @@ static void use_solid(void)
 static void use_shapes(void)
 {
     float x[4] = {0};
-    uint32_t vertices = 0;
-    size_t indices = 0;
+    size_t vertices = 0, indices = 0;
     MAKE(shd_shape_desc, desc);
     MAKE(shd_shape_columns, columns);
-    desc->shape = SHD_SHAPE_PLANE;
+    desc->kind = SHD_SHAPE_PLANE;
     EXPECT_READ(desc, shd_shape_count(desc, &vertices, &indices));
     expect(shd_shape_count(desc, &vertices, &indices) == SHD_OK && vertices == 4 && indices == 6, "shape");
     columns->vertex_count = vertices;
@@ -351,12 +351,12 @@ static void use_shadow(const shd_light *light, const shd_draw *draws)
 {
     static const float zero[1] = {0};
     float visible[1] = {7};
-    const shd_f32_out out = shd_f32_out_column(visible, 0);
     shd_shadow *shadow = NULL;
     int c;
     MAKE(shd_shadow_desc, desc);
     MAKE(shd_shadow_render_desc, render);
     MAKE(shd_shadow_lookups, lookups);
+    MAKE(shd_shadow_values, values);
     EXPECT_READ(desc, shd_shadow_create(g_context, desc, &shadow));
     expect(shd_shadow_create(g_context, desc, &shadow) == SHD_OK, "shadow");
     render->light = light;
@@ -366,8 +366,10 @@ static void use_shadow(const shd_light *light, const shd_draw *draws)
     expect(shd_shadow_render(g_context, shadow, render) == SHD_OK, "shadow map");
     lookups->count = 1;
     for (c = 0; c < 3; ++c) lookups->position[c] = shd_f32_column(zero, 0);
-    EXPECT_READ(lookups, shd_shadow_sample(shadow, lookups, &out));
-    expect(shd_shadow_sample(shadow, lookups, &out) == SHD_OK && visible[0] <= 1, "shadow lookups");
+    values->visibility = shd_f32_out_column(visible, 0);
+    EXPECT_READ(lookups, shd_shadow_sample(shadow, lookups, values));
+    EXPECT_READ(values, shd_shadow_sample(shadow, lookups, values));
+    expect(shd_shadow_sample(shadow, lookups, values) == SHD_OK && visible[0] <= 1, "shadow lookups");
     shd_shadow_release(shadow);
 }
 
@@ -380,7 +382,7 @@ static void make_framebuffer(void)
     expect(shd_framebuffer_create(g_context, desc, &g_framebuffer) == SHD_OK, "framebuffer");
     SPOIL(info);
     expect(shd_framebuffer_get_info(g_framebuffer, info) == SHD_OK, "framebuffer info");
-    EXPECT_WRITTEN(info, info->width == EDGE && info->samples == 1);
+    EXPECT_WRITTEN(info, info->width == EDGE && info->sample_count == 1);
 }
 
 static void use_render(void)
@@ -412,7 +414,8 @@ static void use_render(void)
     EXPECT_READ(draws + 1, shd_render(g_context, desc));
     SPOIL(stats);
     expect(shd_render(g_context, desc) == SHD_OK, "frame");
-    EXPECT_WRITTEN(stats, stats->triangles == 4 && stats->outside == 2 && stats->rasterised == 2);
+    EXPECT_WRITTEN(stats, stats->triangle_count == 4 && stats->outside_triangle_count == 2 &&
+                              stats->rasterized_triangle_count == 2);
     SPOIL(view);
     expect(shd_framebuffer_view_plane(g_framebuffer, SHD_PLANE_R, view) == SHD_OK, "view of a plane");
     EXPECT_WRITTEN(view, view->f32 && !view->u32);
@@ -425,18 +428,18 @@ static void use_render(void)
     desc->camera = camera;
     EXPECT_READ(camera, shd_render(g_context, desc));
     expect(shd_render(g_context, desc) == SHD_OK, "frame of a camera");
-    EXPECT_WRITTEN(stats, stats->rasterised == 2);
+    EXPECT_WRITTEN(stats, stats->rasterized_triangle_count == 2);
     use_shadow(light, draws);
     shd_light_release(light);
     shd_material_release(material);
 }
 
 #ifndef SHD_TEST_OLDER /* the first layout of shd_texture_desc has no tiles */
-static shd_result load_black(void *user_data, const shd_tile *tiles, size_t count)
+static shd_result load_black(const shd_tile *tiles, size_t count, void *user_data)
 {
     (void)user_data;
     (void)count;
-    memset(tiles->texels, 0, tiles->row_stride * tiles->height);
+    memset(tiles->texels, 0, tiles->row_stride * tiles->area.height);
     return SHD_OK;
 }
 
@@ -451,7 +454,7 @@ static void use_tiled_texture(shd_tile_cache *cache)
     desc->tiles.cache = cache;
     desc->tiles.load = load_black;
     expect(shd_texture_create(g_context, desc, &texture) == SHD_OK, "texture in tiles");
-    region->width = region->height = 1;
+    region->area.width = region->area.height = 1;
     EXPECT_READ(region, shd_texture_pin_tiles(texture, region));
     expect(shd_texture_load_tiles(texture, region) == SHD_OK, "tiles");
     shd_texture_release(texture);
@@ -470,7 +473,7 @@ static void use_tiles(void)
 #endif
     SPOIL(stats);
     expect(shd_tile_cache_get_stats(cache, stats) == SHD_OK, "tile cache stats");
-    EXPECT_WRITTEN(stats, stats->resident_tiles == 0);
+    EXPECT_WRITTEN(stats, stats->resident_tile_count == 0);
     shd_tile_cache_release(cache);
 }
 
@@ -480,7 +483,7 @@ static void use_color(void)
     shd_color *color = NULL;
     MAKE(shd_color_desc, desc);
     EXPECT_READ(desc, shd_color_create(g_context, desc, &color));
-    expect(shd_color_create(g_context, desc, &color) == SHD_OK && shd_color_display_count(color) > 0, "color");
+    expect(shd_color_create(g_context, desc, &color) == SHD_OK && shd_color_get_display_count(color) > 0, "color");
     shd_color_release(color);
 #endif
 }
@@ -520,7 +523,7 @@ static void use_volume_files(const char *path)
     memset(&info->grid_class, 0, sizeof *info - offsetof(shd_vdb_info, grid_class));
 #endif
     expect(shd_texture_load(g_context, path, load, &texture) == SHD_ERROR_UNSUPPORTED, "vdb"); /* it is no such file */
-    EXPECT_WRITTEN(info, info->active_voxels == 0);
+    EXPECT_WRITTEN(info, info->active_voxel_count == 0);
 }
 
 /* The file is not tiled. */
@@ -535,7 +538,7 @@ static void use_tile_files(const char *path)
     EXPECT_READ(desc, shd_texture_open(g_context, path, desc, &texture, info));
     SPOIL(info);
     expect(shd_texture_open(g_context, path, desc, &texture, info) == SHD_ERROR_UNSUPPORTED, "tiles of a file");
-    EXPECT_WRITTEN(info, info->files == 0);
+    EXPECT_WRITTEN(info, info->file_count == 0);
     shd_tile_cache_release(cache);
 }
 
@@ -585,7 +588,7 @@ static void use_io(const char *path)
     expect(shd_bitmap_get_info(bitmap, info) == SHD_OK, "bitmap info");
     EXPECT_WRITTEN(info, info->file_format == SHD_FILE_FORMAT_PNG);
     SPOIL(loaded);
-    expect(shd_bitmap_image(bitmap, loaded) == SHD_OK, "bitmap");
+    expect(shd_bitmap_get_image(bitmap, loaded) == SHD_OK, "bitmap");
     EXPECT_WRITTEN(loaded, loaded->width == 2 && loaded->pixels);
     shd_bitmap_release(bitmap);
     use_tile_files(path);

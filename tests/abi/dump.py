@@ -42,7 +42,7 @@ def stubs(include, library):
         text = COMMENT.sub("", (include / "shd" / f"{header}.h").read_text(encoding="utf-8"))
         text = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.M)
         for returned, name, parameters in FUNCTION.findall(text):
-            body = "" if returned.split() == ["void"] else f"static {returned} value; return value;"
+            body = "" if returned.split() == ["void"] else f"static {returned} stub_result; return stub_result;"
             lines.append(f"{returned} {name}({parameters}) {{ {body} }}")
         lines += [f"{e} {e}_constants;" for e in ENUM.findall(text)]
     return "\n".join([*lines, ""])

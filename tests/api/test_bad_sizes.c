@@ -14,7 +14,7 @@ static shd_texture_desc texture_of(uint32_t width, uint32_t height, uint32_t lay
     desc.format = SHD_FORMAT_RGBA32F;
     desc.width = width;
     desc.height = height;
-    desc.layers = layers;
+    desc.layer_count = layers;
     desc.texels = k_memory;
     return desc;
 }
@@ -42,7 +42,7 @@ static shd_result make_levels(shd_context *context, uint32_t count)
     static shd_image levels[64];
     shd_texture_desc desc = texture_of(4, 4, 1);
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = count;
     return make_texture(context, &desc);
 }
@@ -67,7 +67,7 @@ static shd_result make_framebuffer(shd_context *context, uint32_t width, uint32_
     shd_result result;
     desc.width = width;
     desc.height = height;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = SHD_AOV_UV;
     result = shd_framebuffer_create(context, &desc, &framebuffer);
     assert_null(framebuffer);
@@ -134,7 +134,7 @@ static shd_result moments_0(shd_context *c)
     shd_image image = shd_image_default();
     image.format = SHD_FORMAT_RGBA32F;
     image.pixels = k_memory;
-    return shd_normal_moments(c, &image, &image, NULL);
+    return shd_mip_build_moments(c, &image, &image, NULL);
 }
 
 static shd_result make_shape(shd_context *context, uint32_t across, uint32_t down)
@@ -158,12 +158,12 @@ struct size_case {
 };
 static const struct size_case k_sizes[] = {
     {"texture/0x0", texture_0, "texture.width: 0 is not in 1..65536"},
-    {"texture/0_layers", texture_no_layers, "texture.layers: 0 is not in 1..2048"},
+    {"texture/0_layers", texture_no_layers, "texture.layer_count: 0 is not in 1..2048"},
     {"texture/-1x-1", texture_minus_1, "texture.width: 4294967295"},
-    {"texture/-1_layers", texture_minus_1_layers, "texture.layers: 4294967295"},
-    {"texture/2^32_texels", texture_2_16, "texture.width * texture.height * texture.layers: 4294967296"},
+    {"texture/-1_layers", texture_minus_1_layers, "texture.layer_count: 4294967295"},
+    {"texture/2^32_texels", texture_2_16, "texture.width * texture.height * texture.layer_count: 4294967296"},
     {"texture/2^31_wide", texture_2_31, "texture.width: 2147483648"},
-    {"texture/2^43_texels", texture_2_43, "texture.width * texture.height * texture.layers: 8796093022208"},
+    {"texture/2^43_texels", texture_2_43, "texture.width * texture.height * texture.layer_count: 8796093022208"},
     {"texture/row_stride_2^62", texture_row, "exceeds the address space"},
     {"texture/row_stride_size_max", texture_row_max, "exceeds the address space"},
     {"texture/layer_stride_2^63", texture_layer, "exceeds the address space"},
@@ -174,7 +174,7 @@ static const struct size_case k_sizes[] = {
     {"framebuffer/32768x32768", framebuffer_32768, "framebuffer.width: 32768 is not in 1..16384"},
     {"framebuffer/2^31x2^31x16", framebuffer_2_31, "framebuffer.width: 2147483648"},
     {"framebuffer/1x-1", framebuffer_minus_1, "framebuffer.height: 4294967295"},
-    {"framebuffer/-1_samples", framebuffer_samples, "framebuffer.samples: 4294967295"},
+    {"framebuffer/-1_samples", framebuffer_samples, "framebuffer.sample_count: 4294967295"},
     {"shadow/0", shadow_0, "shadow.size: 0 is not in 16..8192"},
     {"shadow/65536", shadow_65536, "shadow.size: 65536"},
     {"shadow/-1", shadow_minus_1, "shadow.size: 4294967295"},

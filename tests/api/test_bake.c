@@ -37,14 +37,14 @@ static void test_full_chart(void **state)
     set_quad(vertices, 0, 0, 1, 1);
     (void)shd_frame_draw(&f, vertices, 6, &material);
     stats = bake(&f, shd_bake_desc_default());
-    assert_int_equal(stats.triangles, 2);
-    assert_int_equal(stats.centre_texels, k_texels);
-    assert_int_equal(stats.touched_texels + stats.dilated_texels + stats.overlapping_texels, 0);
-    assert_int_equal(stats.outside_triangles + stats.zero_area_triangles + stats.nonfinite_triangles, 0);
-    assert_int_equal(f.stats.fragments, k_texels);
+    assert_int_equal(stats.triangle_count, 2);
+    assert_int_equal(stats.center_texel_count, k_texels);
+    assert_int_equal(stats.touched_texel_count + stats.dilated_texel_count + stats.overlapping_texel_count, 0);
+    assert_int_equal(stats.outside_triangle_count + stats.zero_area_triangle_count + stats.nonfinite_triangle_count, 0);
+    assert_int_equal(f.stats.fragment_count, k_texels);
     for (i = 0; i < k_texels; ++i) {
         const double u = ((double)(i % k_width) + 0.5) / k_width, v = ((double)(i / k_width) + 0.5) / k_height;
-        assert_int_equal(g_states[i], SHD_TEXEL_STATE_CENTRE);
+        assert_int_equal(g_states[i], SHD_TEXEL_STATE_CENTER);
         shd_assert_close("u", i, f.plane[SHD_PLANE_U][i], u, 2e-7, 0);
         shd_assert_close("v", i, f.plane[SHD_PLANE_V][i], v, 2e-7, 0);
         shd_assert_close("r", i, f.plane[SHD_PLANE_R][i], 4 * u, 1e-6, 0);
@@ -71,13 +71,13 @@ static void test_no_extrapolation(void **state)
     (void)shd_frame_draw(&f, vertices, 6, &material);
     desc.dilation = 2;
     stats = bake(&f, desc);
-    assert_true(stats.touched_texels > 20 && stats.dilated_texels > 40);
+    assert_true(stats.touched_texel_count > 20 && stats.dilated_texel_count > 40);
     for (i = 0; i < k_texels; ++i) {
         const double x = (double)(i % k_width), y = (double)(i / k_width);
         const double left = 0.203 * k_width, right = 0.711 * k_width, top = 0.301 * k_height, bottom = 0.787 * k_height;
         const int touches = x + 1 > left + 0.004 && x < right - 0.004 && y + 1 > top + 0.004 && y < bottom - 0.004;
         const int centre = x + 0.5 > left && x + 0.5 < right && y + 0.5 > top && y + 0.5 < bottom;
-        if (touches) assert_int_equal(g_states[i], centre ? SHD_TEXEL_STATE_CENTRE : SHD_TEXEL_STATE_TOUCHED);
+        if (touches) assert_int_equal(g_states[i], centre ? SHD_TEXEL_STATE_CENTER : SHD_TEXEL_STATE_TOUCHED);
         if (!touches) assert_true(g_states[i] == SHD_TEXEL_STATE_EMPTY || g_states[i] == SHD_TEXEL_STATE_DILATED);
         if (g_states[i] == SHD_TEXEL_STATE_EMPTY) {
             assert_int_equal(f.triangle[i], 0xffffffff);
@@ -110,13 +110,13 @@ static void test_overlaps(void **state)
     (void)shd_frame_draw(&f, vertices[0], 6, &material);
     (void)shd_frame_draw(&f, vertices[1], 6, &material);
     stats = bake(&f, shd_bake_desc_default());
-    assert_int_equal(stats.overlapping_texels, k_texels / 4);
+    assert_int_equal(stats.overlapping_texel_count, k_texels / 4);
     for (i = 0; i < k_texels; ++i) {
         const size_t x = i % k_width;
         assert_int_equal(f.u32[SHD_PLANE_DRAW][i], x < k_width / 2 ? 0 : 1); /* the first draw wins */
         shared += x >= k_width / 4 && x < k_width / 2;
     }
-    assert_int_equal(shared, stats.overlapping_texels);
+    assert_int_equal(shared, stats.overlapping_texel_count);
     shd_frame_close(&f);
 }
 
@@ -159,12 +159,12 @@ static void test_chart(void **state)
     }
     (void)shd_frame_draw(&f, vertices, 3, &material);
     stats = bake(&f, shd_bake_desc_default());
-    assert_int_equal(stats.triangles, 1);
-    assert_int_equal(stats.zero_area_triangles, c->zero_area);
-    assert_int_equal(stats.outside_triangles, c->outside);
-    assert_int_equal(stats.nonfinite_triangles, c->nonfinite);
-    assert_int_equal(stats.centre_texels + stats.touched_texels > 0, c->bakes);
-    assert_int_equal(stats.nonfinite_texels, 0);
+    assert_int_equal(stats.triangle_count, 1);
+    assert_int_equal(stats.zero_area_triangle_count, c->zero_area);
+    assert_int_equal(stats.outside_triangle_count, c->outside);
+    assert_int_equal(stats.nonfinite_triangle_count, c->nonfinite);
+    assert_int_equal(stats.center_texel_count + stats.touched_texel_count > 0, c->bakes);
+    assert_int_equal(stats.nonfinite_texel_count, 0);
     shd_frame_close(&f);
 }
 
@@ -197,10 +197,10 @@ static void test_no_coordinates(void **state)
         options.uv_set = k == 1;
         options.dilation = 5;
         stats = bake(&f, options);
-        assert_int_equal(stats.triangles, k == 2 || k == 4 ? 0 : 1);
-        assert_int_equal(stats.zero_area_triangles, k <= 1 ? 1 : 0);
-        assert_int_equal(stats.nonfinite_triangles, k == 3 ? 1 : 0);
-        assert_int_equal(stats.centre_texels + stats.touched_texels + stats.dilated_texels, 0);
+        assert_int_equal(stats.triangle_count, k == 2 || k == 4 ? 0 : 1);
+        assert_int_equal(stats.zero_area_triangle_count, k <= 1 ? 1 : 0);
+        assert_int_equal(stats.nonfinite_triangle_count, k == 3 ? 1 : 0);
+        assert_int_equal(stats.center_texel_count + stats.touched_texel_count + stats.dilated_texel_count, 0);
         shd_mesh_release(f.mesh[0]);
         f.mesh[0] = NULL;
     }
@@ -286,11 +286,11 @@ static void test_dropped(void **state)
     material.blend = SHD_BLEND_PREMULTIPLIED;
     (void)shd_frame_draw(&f, vertices, 6, &material);
     stats = bake(&f, shd_bake_desc_default());
-    assert_int_equal(stats.centre_texels, k_texels / 2);
-    assert_true(stats.nonfinite_texels > k_texels / 8);
+    assert_int_equal(stats.center_texel_count, k_texels / 2);
+    assert_true(stats.nonfinite_texel_count > k_texels / 8);
     for (i = 0; i < k_texels; ++i) {
         const int dropped = i % k_width < k_width / 2;
-        assert_int_equal(g_states[i], dropped ? SHD_TEXEL_STATE_EMPTY : SHD_TEXEL_STATE_CENTRE);
+        assert_int_equal(g_states[i], dropped ? SHD_TEXEL_STATE_EMPTY : SHD_TEXEL_STATE_CENTER);
         assert_true(f.plane[SHD_PLANE_A][i] == (dropped ? 0.0f : 0.25f));
         assert_int_equal(f.triangle[i] == 0xffffffff, dropped);
     }

@@ -144,13 +144,13 @@ struct LevelCase {
     double x[2], y[2];  // derivatives in texels of the face
     float lod;          // level in place of them, or -1
     float bias;
-    shd_level_rules rules;
+    shd_level_rule_flags rules;
     float level_error;
     double low, high;
 };
 constexpr float kDefaultError = 1.0f / 1024.0f;
-constexpr shd_level_rules kLengths = SHD_LEVEL_RULE_LENGTHS,
-                          kVulkan = kLengths | SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_VULKAN;
+constexpr shd_level_rule_flags kLengths = SHD_LEVEL_RULE_LENGTHS,
+                               kVulkan = kLengths | SHD_LEVEL_RULE_ELLIPSE | SHD_LEVEL_RULE_VULKAN;
 const LevelCase kLevelCases[] = {
     {"lod_on_grid", {}, {}, 3.0f, 0.0f, kVulkan, 0.0f, 3.0, 3.0},
     {"lod_below_grid", {}, {}, 2.9999998f, 0.0f, kVulkan, 0.0f, 2.9375, 3.0},
@@ -202,7 +202,7 @@ void test_levels(void **)
 struct DeepLevelCase {
     const char *name;
     double x[3], y[3];  // derivatives in texels
-    shd_level_rules rules;
+    shd_level_rule_flags rules;
     double low, high;
 };
 const DeepLevelCase kDeepLevelCases[] = {
@@ -235,8 +235,9 @@ struct DeepLevels {
         }
         shd_texture_desc desc = shd_texture_desc_default();
         desc.format = SHD_FORMAT_R32F, desc.width = 16, desc.height = 8, desc.depth = 32;
+        desc.kind = SHD_TEXTURE_KIND_3D;
         desc.texels = pixels[0].data(), desc.tables = SHD_TABLE_MIPMAP;
-        desc.levels = images.data(), desc.level_count = 5;
+        desc.level_images = images.data(), desc.level_count = 5;
         shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
     }
     ~DeepLevels() { shd_texture_release(texture); }
@@ -277,7 +278,7 @@ void test_deep_levels(void **)
 struct Own {
     shd_profile profile;
     shd_rules rules;
-    shd_level_rules level_rules;
+    shd_level_rule_flags level_rules;
 };
 
 void check_own(shd_context *context, const Scene &scene, const Own &own, shd_precision precision,

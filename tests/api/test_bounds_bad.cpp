@@ -112,10 +112,10 @@ void test_bad_call(void **)
     shd_assert_result("upper", shd_texture_bounds(f.texture, f.sampler, &f.in, nullptr, &f.lower, nullptr), kInvalid,
                       "upper: NULL");
     shd_bounds_desc desc = shd_bounds_desc_default();
-    shd_assert_result("preset", shd_bounds_preset(static_cast<shd_rules>(4), &desc), kInvalid,
+    shd_assert_result("preset", shd_bounds_desc_from_rules(static_cast<shd_rules>(4), &desc), kInvalid,
                       "bounds_preset.rules: 4 is not in 0..3");
     assert_int_equal(desc.subtexel_bits, 0);
-    shd_assert_result("preset", shd_bounds_preset(SHD_RULES_D3D11, nullptr), kInvalid, "out_desc: NULL");
+    shd_assert_result("preset", shd_bounds_desc_from_rules(SHD_RULES_D3D11, nullptr), kInvalid, "out_desc: NULL");
     f.in.count = 0;
     f.in.u.data = nullptr;
     shd_assert_ok(shd_texture_bounds(f.texture, f.sampler, &f.in, nullptr, &f.lower, &f.upper));
@@ -139,7 +139,8 @@ const Refused kRefused[] = {
      "sampler.precision: FAST of ANISOTROPIC"},
     {"blur", [](auto *, auto *s) { s->blur_v = 0.1f; }, "sampler.blur_u, blur_v"},
     {"level_blend", [](auto *, auto *s) { s->level_blend = 0.5f; }, "sampler.level_blend"},
-    {"lat_long", [](auto *t, auto *) { t->projection = SHD_PROJECTION_LAT_LONG; },
+    {"lat_long",
+     [](auto *t, auto *) { t->kind = SHD_TEXTURE_KIND_DIRECTIONS, t->projection = SHD_PROJECTION_LAT_LONG; },
      "texture.projection: LAT_LONG has no bounds: no standard defines its lookups along parallels"},
 };
 

@@ -21,7 +21,7 @@ struct Tiled {
     {
         cache = make_tile_cache(g_context, kTileBytes, kBudget);
         shd_texture_desc desc = shd_texture_desc_default();
-        desc.width = scene.kind.width, desc.height = scene.kind.height, desc.layers = scene.kind.layers;
+        desc.width = scene.kind.width, desc.height = scene.kind.height, desc.layer_count = scene.kind.layers;
         desc.tables = SHD_TABLE_MIPMAP;
         desc = source.desc(desc, scene.pixels->texture, cache);
         shd_assert_ok(shd_texture_create(g_context, &desc, &texture));

@@ -48,7 +48,7 @@ static void render_normals(const float normal[3], const struct flat_case *c, shd
     }
     shd_frame_draw(&f, vertices, 6, &material);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, EDGE * EDGE);
+    assert_int_equal(f.stats.fragment_count, EDGE * EDGE);
     for (k = 0; k < 3; ++k) memcpy(out[k], f.plane[k], sizeof out[k]);
     shd_texture_release(texture);
     shd_frame_close(&f);

@@ -43,7 +43,7 @@ static shd_result make_texture(struct stage *s, shd_format format, uint32_t tabl
     desc.format = format;
     desc.width = 61;
     desc.height = 37;
-    desc.layers = layers;
+    desc.layer_count = layers;
     desc.texels = s->texels;
     desc.tables = tables;
     result = shd_texture_create(s->context, &desc, &texture);
@@ -85,6 +85,7 @@ static shd_texture_desc solid_desc(struct stage *s)
 {
     shd_texture_desc desc = shd_texture_desc_default();
     desc.format = SHD_FORMAT_RGBA8;
+    desc.kind = SHD_TEXTURE_KIND_3D;
     desc.width = desc.height = desc.depth = 16;
     desc.texels = s->texels;
     desc.tables = SHD_TABLE_MIPMAP;
@@ -176,7 +177,7 @@ static shd_result normal_moments(struct stage *s)
     normals.width = normals.height = out.width = out.height = 64;
     normals.pixels = s->texels;
     out.pixels = moments;
-    result = shd_normal_moments(s->context, &normals, &out, NULL);
+    result = shd_mip_build_moments(s->context, &normals, &out, NULL);
     if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, moments, sizeof moments);
     return result;
 }
@@ -219,7 +220,7 @@ static shd_result make_shape(struct stage *s, shd_shape shape, uint32_t flags)
     shd_shape_desc desc = shd_shape_desc_default();
     shd_mesh *mesh = (shd_mesh *)s;
     shd_result result;
-    desc.shape = shape;
+    desc.kind = shape;
     result = shd_mesh_create_shape(s->context, &desc, (shd_mesh_flags)flags, &mesh);
     return keep_mesh(s, result, mesh);
 }
@@ -289,7 +290,7 @@ static shd_result make_shadow(struct stage *s, shd_shadow_filter filter)
     shd_shadow_desc desc = shd_shadow_desc_default();
     shd_shadow_render_desc render = shd_shadow_render_desc_default();
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    const shd_f32_out out = {s->columns[2], 0};
+    shd_shadow_values out = {sizeof out, {s->columns[2], 0}, 0};
     shd_shadow *shadow = NULL;
     shd_result result;
     int c;
@@ -320,7 +321,7 @@ static shd_result make_framebuffer(struct stage *s, uint32_t samples, uint32_t a
     shd_result result;
     desc.width = 130;
     desc.height = 70;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = aovs;
     result = shd_framebuffer_create(s->context, &desc, &framebuffer);
     assert_true((framebuffer != NULL) == (result == SHD_OK));
@@ -406,7 +407,7 @@ static shd_result occlusion(struct stage *s, shd_trace_fn trace)
     shd_draw draw = shd_draw_default();
     shd_result result;
     draw.mesh = s->mesh;
-    desc.rays = trace ? 7 : 1;
+    desc.ray_count = trace ? 7 : 1;
     desc.map_size = 16;
     desc.tracer.trace = trace;
     desc.draws = atlas.draws = &draw;

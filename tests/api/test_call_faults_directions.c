@@ -15,7 +15,7 @@ static shd_image sky(struct stage *s)
     return image;
 }
 
-static shd_result make_environment(struct stage *s, shd_irradiance irradiance, shd_environment_tables tables,
+static shd_result make_environment(struct stage *s, shd_irradiance irradiance, shd_environment_table_flags tables,
                                    shd_environment **out)
 {
     const shd_image image = sky(s);
@@ -27,10 +27,10 @@ static shd_result make_environment(struct stage *s, shd_irradiance irradiance, s
 }
 
 /* The irradiance, and the radiance of a lobe where there is a table of lobes. */
-static shd_result environment(struct stage *s, shd_irradiance irradiance, shd_environment_tables tables)
+static shd_result environment(struct stage *s, shd_irradiance irradiance, shd_environment_table_flags tables)
 {
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light light = shd_environment_light_default();
+    shd_environment_values light = shd_environment_values_default();
     shd_environment *made = (shd_environment *)s;
     const shd_result result = make_environment(s, irradiance, tables, &made);
     if (result != SHD_OK) {
@@ -41,12 +41,12 @@ static shd_result environment(struct stage *s, shd_irradiance irradiance, shd_en
     lookups.direction[0].data = s->columns[3];
     lookups.direction[1].data = s->columns[3] + 7;
     lookups.direction[2].data = s->columns[3] + 11;
-    light.rgb[0].data = s->columns[0];
-    light.rgb[2].data = s->columns[1];
-    shd_assert_ok(shd_environment_irradiance(made, &lookups, &light));
+    light.channel[0].data = s->columns[0];
+    light.channel[2].data = s->columns[1];
+    shd_assert_ok(shd_environment_sample_irradiance(made, &lookups, &light));
     s->hash = shd_hash(SHD_HASH_START, s->columns[0], 500 * sizeof(float));
     if (tables & SHD_ENVIRONMENT_TABLE_GGX) lookups.roughness.data = s->columns[3] + 100;
-    shd_assert_ok(shd_environment_radiance(made, &lookups, &light));
+    shd_assert_ok(shd_environment_sample_radiance(made, &lookups, &light));
     s->hash = shd_hash(s->hash, s->columns[1], 500 * sizeof(float));
     shd_environment_release(made);
     return result;
@@ -85,7 +85,8 @@ static shd_result texture_directions(struct stage *s)
     shd_result result;
     desc.format = SHD_FORMAT_RGBA8;
     desc.width = desc.height = 16;
-    desc.layers = 6;
+    desc.layer_count = 6;
+    desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
     desc.projection = SHD_PROJECTION_CUBE;
     desc.tables = SHD_TABLE_MIPMAP;
     desc.texels = s->texels;

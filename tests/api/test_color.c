@@ -208,15 +208,15 @@ static void test_null_arguments(void **state)
     assert_null(color);
     shd_color_retain(NULL);
     shd_color_release(NULL);
-    assert_int_equal(shd_color_display_count(NULL), 0);
-    assert_int_equal(shd_color_view_count(NULL, NULL), 0);
-    assert_int_equal(shd_color_space_count(NULL), 0);
-    assert_null(shd_color_display_name(NULL, 0));
-    assert_null(shd_color_view_name(NULL, NULL, 0));
-    assert_null(shd_color_space_name(NULL, 0));
-    assert_null(shd_color_default_display(NULL));
-    assert_null(shd_color_default_view(NULL, NULL));
-    assert_null(shd_color_working_space(NULL));
+    assert_int_equal(shd_color_get_display_count(NULL), 0);
+    assert_int_equal(shd_color_get_view_count(NULL, NULL), 0);
+    assert_int_equal(shd_color_get_space_count(NULL), 0);
+    assert_null(shd_color_get_display_name(NULL, 0));
+    assert_null(shd_color_get_view_name(NULL, NULL, 0));
+    assert_null(shd_color_get_space_name(NULL, 0));
+    assert_null(shd_color_get_default_display(NULL));
+    assert_null(shd_color_get_default_view(NULL, NULL));
+    assert_null(shd_color_get_working_space(NULL));
     shd_context_release(context);
 }
 
@@ -252,26 +252,26 @@ static void test_names(void **state)
     shd_color *color = shd_test_color(1, &context);
     uint32_t d, v, s, found = 0;
     (void)state;
-    assert_int_equal(shd_color_display_count(color), 2);
-    assert_string_equal(shd_color_default_display(color), "sRGB");
-    assert_string_equal(shd_color_default_view(color, NULL), SHD_ACES_VIEW);
-    assert_string_equal(shd_color_working_space(color), "Linear Rec.709");
+    assert_int_equal(shd_color_get_display_count(color), 2);
+    assert_string_equal(shd_color_get_default_display(color), "sRGB");
+    assert_string_equal(shd_color_get_default_view(color, NULL), SHD_ACES_VIEW);
+    assert_string_equal(shd_color_get_working_space(color), "Linear Rec.709");
     for (d = 0; d < 2; ++d) {
-        assert_string_equal(shd_color_display_name(color, d), displays[d]);
-        assert_int_equal(shd_color_view_count(color, displays[d]), 3);
-        for (v = 0; v < 3; ++v) assert_string_equal(shd_color_view_name(color, displays[d], v), views[v]);
-        assert_null(shd_color_view_name(color, displays[d], 3));
+        assert_string_equal(shd_color_get_display_name(color, d), displays[d]);
+        assert_int_equal(shd_color_get_view_count(color, displays[d]), 3);
+        for (v = 0; v < 3; ++v) assert_string_equal(shd_color_get_view_name(color, displays[d], v), views[v]);
+        assert_null(shd_color_get_view_name(color, displays[d], 3));
     }
-    assert_null(shd_color_display_name(color, 2));
-    assert_int_equal(shd_color_view_count(color, "Nothing"), 0);
-    assert_null(shd_color_view_name(color, "Nothing", 0));
-    assert_null(shd_color_default_view(color, "Nothing"));
-    for (s = 0; s < shd_color_space_count(color); ++s) {
+    assert_null(shd_color_get_display_name(color, 2));
+    assert_int_equal(shd_color_get_view_count(color, "Nothing"), 0);
+    assert_null(shd_color_get_view_name(color, "Nothing", 0));
+    assert_null(shd_color_get_default_view(color, "Nothing"));
+    for (s = 0; s < shd_color_get_space_count(color); ++s) {
         size_t k;
-        for (k = 0; k < 5; ++k) found += strcmp(shd_color_space_name(color, s), spaces[k]) == 0;
+        for (k = 0; k < 5; ++k) found += strcmp(shd_color_get_space_name(color, s), spaces[k]) == 0;
     }
     assert_int_equal(found, 5);
-    assert_null(shd_color_space_name(color, s));
+    assert_null(shd_color_get_space_name(color, s));
     shd_color_release(color);
     shd_context_release(context);
 }
@@ -299,7 +299,7 @@ static void test_files(void **state)
     assert_int_equal(mkfifo(fifo, 0600), 0);
     desc.config_path = path;
     shd_assert_ok(shd_color_create(context, &desc, &color));
-    assert_int_equal(shd_color_display_count(color), 2);
+    assert_int_equal(shd_color_get_display_count(color), 2);
     shd_color_release(color);
     desc.config_path = broken;
     shd_assert_result("broken", shd_color_create(context, &desc, &color), SHD_ERROR_CORRUPT, "color.config_path: ");
@@ -375,7 +375,7 @@ static void test_missing_table(void **state)
     shd_assert_ok(shd_color_create(context, &desc, &color));
     for (i = 0; i < 2; ++i) {
         memcpy(out, pixel, sizeof out);
-        shd_assert_result("table", shd_color_convert(color, "lin", "table", &image), SHD_ERROR_NOT_FOUND, "gone.cube");
+        shd_assert_result("table", shd_color_convert(color, &image, "lin", "table"), SHD_ERROR_NOT_FOUND, "gone.cube");
         assert_memory_equal(out, pixel, sizeof out);
         assert_works(color);
     }
@@ -434,7 +434,7 @@ static void test_locale(void **state)
     assert_string_equal(localeconv()->decimal_point, ",");
     desc.config_text = text;
     shd_assert_ok(shd_color_create(context, &desc, &color));
-    shd_assert_ok(shd_color_convert(color, "a", NULL, &image));
+    shd_assert_ok(shd_color_convert(color, &image, "a", NULL));
     assert_true(out[0] == 0.25f && out[1] == 0.5f && out[2] == 0.75f);
     shd_color_release(color);
     desc.config_text = shd_color_default_config();
@@ -473,7 +473,7 @@ static void test_damaged(void **state)
         accepted += result == SHD_OK;
         assert_true((color != NULL) == (result == SHD_OK));
         if (result != SHD_OK) assert_string_not_equal(shd_last_error(), "");
-        if (color && shd_color_default_view(color, NULL)) {
+        if (color && shd_color_get_default_view(color, NULL)) {
             float out[4] = {0.5f, 0.5f, 0.5f, 1.0f};
             shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, 1, 1, out);
             result = shd_color_apply_display_image(color, &image, NULL, NULL, NULL, &image);

@@ -19,7 +19,7 @@ static float *g_rgba;      /* the colours of make_colors() */
 static size_t g_log_lines; /* warnings so far */
 static char g_log_line[1024];
 
-static void write_log(void *user_data, shd_log_level level, const char *message)
+static void write_log(shd_log_level level, const char *message, void *user_data)
 {
     (void)user_data;
     if (level < SHD_LOG_LEVEL_WARNING) return;
@@ -164,9 +164,9 @@ static void test_bound(void **state)
     const int is_built_in = *c->config == g_default_config;
     uint32_t v;
     g_log_lines = 0;
-    assert_true(shd_color_view_count(baked, c->display) > 0);
-    for (v = 0; v < shd_color_view_count(baked, c->display); ++v) {
-        const char *view = shd_color_view_name(baked, c->display, v);
+    assert_true(shd_color_get_view_count(baked, c->display) > 0);
+    for (v = 0; v < shd_color_get_view_count(baked, c->display); ++v) {
+        const char *view = shd_color_get_view_name(baked, c->display, v);
         check_bound(baked, exact, NULL, c->display, view);
         if (is_built_in) {
             check_bound(baked, exact, "ACEScg", c->display, view);
@@ -236,8 +236,8 @@ static void test_bad_numbers(void **state)
         rgba[4 * i + 2] = k_bad[i / BAD / BAD];
         rgba[4 * i + 3] = k_alpha[i % ALPHAS];
     }
-    for (v = 0; v < shd_color_view_count(baked, c->display); ++v) {
-        const char *view = shd_color_view_name(baked, c->display, v);
+    for (v = 0; v < shd_color_get_view_count(baked, c->display); ++v) {
+        const char *view = shd_color_get_view_name(baked, c->display, v);
         apply(baked, rgba, BAD, BAD * BAD, NULL, c->display, view, got);
         apply(exact, rgba, BAD, BAD * BAD, NULL, c->display, view, want);
         for (i = 0; i < 4 * pixels; ++i) {
@@ -268,12 +268,12 @@ static uint64_t hash_views(const char *config, const char *display, shd_simd sim
     uint8_t *out = (uint8_t *)malloc(stride * height);
     uint64_t hash = SHD_HASH_START;
     uint32_t v, y;
-    for (v = 0; v < shd_color_view_count(color, display); ++v) {
+    for (v = 0; v < shd_color_get_view_count(color, display); ++v) {
         shd_image image = shd_test_image(v % 2 ? SHD_FORMAT_RGBA8 : SHD_FORMAT_RGBA8_SRGB, width, height, out);
         image.row_stride = stride;
         memset(out, 0xa5, stride * height);
         shd_assert_ok(
-            shd_color_apply_display(color, framebuffer, display, shd_color_view_name(color, display, v), &image));
+            shd_color_apply_display(color, framebuffer, display, shd_color_get_view_name(color, display, v), &image));
         for (y = 0; y < height; ++y) {
             size_t k;
             for (k = 4 * (size_t)width; k < stride; ++k) assert_int_equal(out[y * stride + k], 0xa5);

@@ -85,14 +85,14 @@ static uint64_t visit(void)
     hash = shd_hash(hash, out, sizeof out);
     shd_assert_ok(CHECKED(shd_color_apply_display_image(color, &source, NULL, "sRGB", "Plain", &eight)));
     hash = shd_hash(hash, bytes, sizeof bytes);
-    shd_assert_ok(CHECKED(shd_color_convert(color, "ACES2065-1", "sRGB - Texture", &source)));
+    shd_assert_ok(CHECKED(shd_color_convert(color, &source, "ACES2065-1", "sRGB - Texture")));
     hash = shd_hash(hash, rgba, sizeof rgba);
     broken.config_text = "ocio_profile_version: [";
     shd_assert_result("broken", CHECKED(shd_color_create(context, &broken, &none)), SHD_ERROR_CORRUPT, "config_text");
     broken.config_text = NULL;
     broken.config_path = "/nowhere/config.ocio";
     shd_assert_result("path", CHECKED(shd_color_create(context, &broken, &none)), SHD_ERROR_NOT_FOUND, "config_path");
-    shd_assert_result("space", CHECKED(shd_color_convert(color, "gone", NULL, &source)), SHD_ERROR_NOT_FOUND, "gone");
+    shd_assert_result("space", CHECKED(shd_color_convert(color, &source, "gone", NULL)), SHD_ERROR_NOT_FOUND, "gone");
     enter();
     shd_color_release(color);
     (void)leave(SHD_OK);

@@ -78,7 +78,7 @@ static void test_bad_values(void **state)
     for (v = 0; v < 25; ++v) {
         shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, side, side * side, out);
         memcpy(out, rgba, pixels * 16);
-        shd_assert_ok(shd_color_convert(g_color, k_spaces[v / 5], k_spaces[v % 5], &image));
+        shd_assert_ok(shd_color_convert(g_color, &image, k_spaces[v / 5], k_spaces[v % 5]));
         for (i = 0; i < pixels * 4; ++i) {
             if (i % 4 != 3 && !isfinite(out[i])) {
                 fail_msg("%s to %s: pixel %zu is not finite", k_spaces[v / 5], k_spaces[v % 5], i / 4);
@@ -243,13 +243,13 @@ static void test_refuse_arguments(void **state)
                       "overlaps");
     shd_assert_result("from", shd_color_apply_display_image(g_color, &image, "Nowhere", NULL, NULL, &image),
                       SHD_ERROR_NOT_FOUND, "from_space: no colour space 'Nowhere'; there are");
-    shd_assert_result("null from", shd_color_convert(g_color, NULL, NULL, &image), BAD, "from_space: NULL");
-    shd_assert_result("long from", shd_color_convert(g_color, name, NULL, &image), SHD_ERROR_NOT_FOUND, "there are");
-    shd_assert_result("to", shd_color_convert(g_color, "ACEScg", "%s%n", &image), SHD_ERROR_NOT_FOUND,
+    shd_assert_result("null from", shd_color_convert(g_color, &image, NULL, NULL), BAD, "from_space: NULL");
+    shd_assert_result("long from", shd_color_convert(g_color, &image, name, NULL), SHD_ERROR_NOT_FOUND, "there are");
+    shd_assert_result("to", shd_color_convert(g_color, &image, "ACEScg", "%s%n"), SHD_ERROR_NOT_FOUND,
                       "to_space: no colour space '%s%n'");
-    shd_assert_result("8-bit", shd_color_convert(g_color, "ACEScg", NULL, &eight), BAD, "in_out.format: 2");
-    shd_assert_result("null image", shd_color_convert(g_color, "ACEScg", NULL, NULL), BAD, "in_out: NULL");
-    shd_assert_ok(shd_color_convert(g_color, "ACEScg", NULL, &image));
+    shd_assert_result("8-bit", shd_color_convert(g_color, &eight, "ACEScg", NULL), BAD, "in_out.format: 2");
+    shd_assert_result("null image", shd_color_convert(g_color, NULL, "ACEScg", NULL), BAD, "in_out: NULL");
+    shd_assert_ok(shd_color_convert(g_color, &image, "ACEScg", NULL));
     free(name);
     shd_framebuffer_release(framebuffer);
     shd_framebuffer_release(foreign);
@@ -342,12 +342,12 @@ static void test_concurrent(void **state)
     shd_context_release(context);
 }
 
-static shd_result failing_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result failing_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     int *fail = (int *)user_data;
     uint32_t i;
     if (*fail) return SHD_ERROR_IO;
-    for (i = 0; i < count; ++i) task(task_data, i, 0);
+    for (i = 0; i < count; ++i) task(i, 0, task_data);
     return SHD_OK;
 }
 
@@ -383,7 +383,7 @@ struct budget {
     long live;
 };
 
-static void *budget_allocate(void *user_data, size_t size, size_t alignment)
+static void *budget_allocate(size_t size, size_t alignment, void *user_data)
 {
     struct budget *budget = (struct budget *)user_data;
     void *memory = NULL;
@@ -395,7 +395,7 @@ static void *budget_allocate(void *user_data, size_t size, size_t alignment)
     return memory;
 }
 
-static void budget_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void budget_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     (void)size;
     (void)alignment;

@@ -62,7 +62,7 @@ void test_offsets(void **)
     shd_assert_ok(shd_context_create(nullptr, &context));
     shd_assert_ok(shd_color_create(context, &desc, &color));
     assert_comma();
-    shd_assert_ok(shd_color_convert(color, "a", nullptr, &image));
+    shd_assert_ok(shd_color_convert(color, &image, "a", nullptr));
     assert_comma();
     assert_true(pixel[0] == 0.25f && pixel[1] == 1000.5f && pixel[2] == 1234567.75f);
     shd_color_release(color);

@@ -163,7 +163,7 @@ static void test_convert(void **state)
     float pixel[4] = {c->in[0], c->in[1], c->in[2], -7.0f};
     shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, 1, 1, pixel);
     size_t k;
-    shd_assert_ok(shd_color_convert(g_color, c->from ? c->from : "scene_linear", c->to, &image));
+    shd_assert_ok(shd_color_convert(g_color, &image, c->from ? c->from : "scene_linear", c->to));
     for (k = 0; k < 3; ++k) shd_assert_close(c->name, k, pixel[k], c->out[k], c->tolerance, 0.0);
     assert_true(pixel[3] == -7.0f);
 }
@@ -175,7 +175,7 @@ static void test_convert_ramp(void **state)
     size_t i;
     (void)state;
     for (i = 0; i < 1025 * 4; ++i) ramp[i] = (float)(i / 4) / 1024.0f;
-    shd_assert_ok(shd_color_convert(g_color, "sRGB - Texture", "Linear Rec.709", &image));
+    shd_assert_ok(shd_color_convert(g_color, &image, "sRGB - Texture", "Linear Rec.709"));
     for (i = 0; i < 1025; ++i) {
         const float x = (float)i / 1024.0f;
         shd_assert_close("decode", i, ramp[4 * i + 1], shd_srgb_decode(x), 1e-6, 3e-5);
@@ -191,7 +191,7 @@ static void test_convert_halves(void **state)
     uint32_t i;
     (void)state;
     for (i = 0; i < 65536 * 4; ++i) pixels[i] = (uint16_t)(i / 4);
-    shd_assert_ok(shd_color_convert(g_color, "Raw", "ACEScg", &image));
+    shd_assert_ok(shd_color_convert(g_color, &image, "Raw", "ACEScg"));
     for (i = 0; i < 65536; ++i) {
         const double value = shd_test_half((uint16_t)i);
         uint16_t want = (uint16_t)i;
@@ -366,13 +366,13 @@ static void test_view_as_display(void **state)
     for (i = 0; i < W * H * 4; ++i) rgba[i] = i % 4 == 3 ? 0.5f : shd_test_value(i);
     framebuffer = shd_test_framebuffer(g_context, W, H, rgba);
     shd_assert_ok(shd_color_apply_display(g_color, framebuffer, "sRGB", "Plain", &image_a));
-    shd_assert_ok(display.apply(display.user_data, framebuffer, &image_b));
+    shd_assert_ok(display.apply(framebuffer, &image_b, display.user_data));
     assert_memory_equal(a, b, sizeof a);
-    shd_assert_result("null", display.apply(NULL, framebuffer, &image_b), SHD_ERROR_INVALID_ARGUMENT, "color_view");
+    shd_assert_result("null", display.apply(framebuffer, &image_b, NULL), SHD_ERROR_INVALID_ARGUMENT, "color_view");
     view.view = "Plainer";
-    shd_assert_result("view", display.apply(&view, framebuffer, &image_b), SHD_ERROR_NOT_FOUND, "Plainer");
+    shd_assert_result("view", display.apply(framebuffer, &image_b, &view), SHD_ERROR_NOT_FOUND, "Plainer");
     view.color = NULL;
-    shd_assert_result("color", display.apply(&view, framebuffer, &image_b), SHD_ERROR_INVALID_ARGUMENT, "");
+    shd_assert_result("color", display.apply(framebuffer, &image_b, &view), SHD_ERROR_INVALID_ARGUMENT, "");
     shd_framebuffer_release(framebuffer);
 }
 

@@ -39,7 +39,7 @@ static shd_framebuffer *make_framebuffer(shd_context *context, uint32_t samples,
     shd_framebuffer *framebuffer = NULL;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.color_format = color_format;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
     return framebuffer;
@@ -212,7 +212,7 @@ struct arguments {
     shd_image image;      /* target of out */
 };
 
-static shd_result take_nothing(void *user_data, const shd_present_tile *tile)
+static shd_result take_nothing(const shd_present_tile *tile, void *user_data)
 {
     (void)user_data;
     (void)tile;
@@ -261,7 +261,7 @@ static const struct refuse_case k_refused[] = {
     {"refused/color_type", bad_color_type, SHD_ERROR_INVALID_ARGUMENT, "color: not a live handle"},
     {"refused/render_null", bad_render, SHD_ERROR_INVALID_ARGUMENT, "render: NULL"},
     {"refused/render_size", bad_render_size, SHD_ERROR_INVALID_ARGUMENT, "render.struct_size: 8 is below"},
-    {"refused/render_field", bad_render_field, SHD_ERROR_INVALID_ARGUMENT, "render.supersampling: 17 is not in 0..16"},
+    {"refused/render_field", bad_render_field, SHD_ERROR_INVALID_ARGUMENT, "render.supersampling: 17 is not in 1..16"},
     {"refused/render_draws", bad_draw, SHD_ERROR_INVALID_ARGUMENT, "render.draws: NULL"},
     {"refused/framebuffer_null", bad_framebuffer, SHD_ERROR_INVALID_ARGUMENT, "render.framebuffer: NULL"},
     {"refused/framebuffer_type", bad_framebuffer_type, SHD_ERROR_INVALID_ARGUMENT, "render.framebuffer: "},
@@ -350,10 +350,10 @@ static void test_older_desc(void **state)
     close_stage(&s);
 }
 
-static int32_t cancel(void *user_data, float fraction)
+static shd_result cancel(float fraction, void *user_data)
 {
     (void)user_data;
-    return fraction > 0.4f;
+    return fraction > 0.4f ? SHD_ERROR_CANCELLED : SHD_OK;
 }
 
 /* A frame that is cancelled half-way; the next one is whole. */
@@ -368,7 +368,7 @@ static void test_cancelled(void **state)
     image = make_image(SHD_FORMAT_RGBA8, g_got);
     s.scene.desc.progress.report = cancel;
     shd_assert_result("cancel", shd_color_render(s.color, &s.scene.desc, NULL, NULL, &image), SHD_ERROR_CANCELLED,
-                      "render.progress: cancelled");
+                      "render.progress.report returned SHD_ERROR_CANCELLED");
     s.scene.desc.progress.report = NULL;
     shd_assert_ok(shd_color_render(s.color, &s.scene.desc, NULL, NULL, &image));
     assert_memory_equal(g_got, g_want, BYTES);
@@ -431,7 +431,7 @@ static void test_steady(void **state)
     shd_image image = make_image(SHD_FORMAT_RGBA8, g_got);
     int i;
     (void)state;
-    open_counted(&s, &memory, SHD_CONTEXT_DEFAULT);
+    open_counted(&s, &memory, SHD_CONTEXT_NONE);
     shd_assert_ok(shd_color_render(s.color, &s.scene.desc, NULL, NULL, &image));
     memory.calls = 0;
     for (i = 0; i < 4; ++i) shd_assert_ok(shd_color_render(s.color, &s.scene.desc, NULL, NULL, &image));

@@ -116,7 +116,7 @@ static shd_result convert(const struct table_case *c, float pixel[4], shd_color 
              g_folder, c->file);
     desc.config_text = text;
     shd_assert_ok(shd_color_create(g_context, &desc, out_color));
-    return shd_color_convert(*out_color, "lin", "table", &image);
+    return shd_color_convert(*out_color, &image, "lin", "table");
 }
 
 static void test_table(void **state)
@@ -143,7 +143,7 @@ static void test_table(void **state)
             assert_true(isfinite(pixel[k]));
             if (c->outcome == LEGAL) shd_assert_close(c->file, (size_t)k, pixel[k], (double)k_pixel[k], 1e-6, 0);
         }
-        shd_assert_ok(shd_color_convert(color, "lin", "lin", &image));
+        shd_assert_ok(shd_color_convert(color, &image, "lin", "lin"));
         shd_color_release(color);
     }
 }

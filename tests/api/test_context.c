@@ -11,21 +11,21 @@ struct create_case {
     const char *message;
 };
 
-static void *null_allocate(void *user_data, size_t size, size_t alignment)
+static void *null_allocate(size_t size, size_t alignment, void *user_data)
 {
     (void)user_data;
     (void)size;
     (void)alignment;
     return NULL;
 }
-static void null_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void null_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     (void)user_data;
     (void)memory;
     (void)size;
     (void)alignment;
 }
-static shd_result no_tasks(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result no_tasks(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     (void)user_data;
     (void)count;
@@ -105,8 +105,8 @@ static void test_null_desc(void **state)
     shd_context *context = NULL;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
-    assert_string_not_equal(shd_context_simd_target(context), "");
-    assert_true(shd_context_worker_count(context) >= 1);
+    assert_string_not_equal(shd_context_get_simd_target(context), "");
+    assert_true(shd_context_get_worker_count(context) >= 1);
     shd_context_release(context);
 }
 
@@ -114,8 +114,8 @@ static void test_null_arguments(void **state)
 {
     (void)state;
     shd_assert_result("create", shd_context_create(NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_context: NULL");
-    assert_string_equal(shd_context_simd_target(NULL), "");
-    assert_int_equal(shd_context_worker_count(NULL), 0);
+    assert_string_equal(shd_context_get_simd_target(NULL), "");
+    assert_int_equal(shd_context_get_worker_count(NULL), 0);
     shd_context_retain(NULL);
     shd_context_release(NULL);
 }
@@ -143,11 +143,11 @@ static void test_retain(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_context_retain(context);
     shd_context_release(context);
-    assert_string_not_equal(shd_context_simd_target(context), "");
+    assert_string_not_equal(shd_context_get_simd_target(context), "");
     shd_context_release(context);
 }
 
-/** A target and its name from shd_context_simd_target(). */
+/** A target and its name from shd_context_get_simd_target(). */
 static const struct {
     shd_simd simd;
     const char *name, *other_name;
@@ -167,7 +167,7 @@ static const char *target_name(shd_simd simd)
     desc.simd = simd;
     result = shd_context_create(&desc, &context);
     if (result == SHD_OK) {
-        name = shd_context_simd_target(context);
+        name = shd_context_get_simd_target(context);
     } else {
         shd_assert_result("forced", result, SHD_ERROR_UNSUPPORTED, "available:");
     }

@@ -23,11 +23,11 @@ struct kind_case {
 };
 
 /* A function for each struct, and a row. */
-#define DEFAULTS(kind, type, required, last, size, arguments) \
-    static void defaults_##type(void *p)                      \
-    {                                                         \
-        const type value = type##_default arguments;          \
-        memcpy(p, &value, sizeof value);                      \
+#define DEFAULTS(kind, type, required, last, size) \
+    static void defaults_##type(void *p)           \
+    {                                              \
+        const type value = type##_default();       \
+        memcpy(p, &value, sizeof value);           \
     }
 SHD_SIZED_STRUCTS(DEFAULTS)
 
@@ -39,7 +39,7 @@ SHD_SIZED_STRUCTS(DEFAULTS)
         },               \
         second)
 #define REQUIRED(type, field) (offsetof(type, field) + sizeof(((type *)0)->field))
-#define KIND(kind, type, required, last, size, arguments) \
+#define KIND(kind, type, required, last, size) \
     {#type, SHD_DESC_KIND_##kind, sizeof(type), ALIGNMENT(type), REQUIRED(type, required), defaults_##type},
 static const struct kind_case k_kinds[] = {SHD_SIZED_STRUCTS(KIND)};
 

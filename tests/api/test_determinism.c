@@ -44,7 +44,7 @@ static void expect_scene(const char *what, const shd_context_desc *desc, shd_sce
         const uint64_t got = shd_scene_render(&scene);
         if (got != want) {
             fail_msg("%s, scene %s, run %d on %s: hash %016llx, want %016llx", what, k_kind_names[kind], run,
-                     shd_context_simd_target(context), (unsigned long long)got, (unsigned long long)want);
+                     shd_context_get_simd_target(context), (unsigned long long)got, (unsigned long long)want);
         }
     }
     shd_scene_close(&scene);
@@ -122,21 +122,23 @@ static void test_scene_is_whole(void **state)
     shd_scene_open(&scene, SHD_SCENE_MIXED, context);
     (void)shd_scene_render(&scene);
     whole = shd_hash_framebuffer(scene.framebuffer);
-    assert_true(scene.stats.triangles > 4000);
-    assert_true(scene.stats.nonfinite > 10);
-    assert_true(scene.stats.clipped >= 2);
-    assert_true(scene.stats.culled > 100);
-    assert_true(scene.stats.rasterised > 1000);
-    assert_int_equal(scene.stats.nonfinite_fragments, 0);
-    assert_int_equal(scene.stats.triangles, scene.stats.nonfinite + scene.stats.outside + scene.stats.culled +
-                                                scene.stats.empty + scene.stats.rasterised);
+    assert_true(scene.stats.triangle_count > 4000);
+    assert_true(scene.stats.nonfinite_triangle_count > 10);
+    assert_true(scene.stats.clipped_triangle_count >= 2);
+    assert_true(scene.stats.culled_triangle_count > 100);
+    assert_true(scene.stats.rasterized_triangle_count > 1000);
+    assert_int_equal(scene.stats.nonfinite_fragment_count, 0);
+    assert_int_equal(scene.stats.triangle_count,
+                     scene.stats.nonfinite_triangle_count + scene.stats.outside_triangle_count +
+                         scene.stats.culled_triangle_count + scene.stats.empty_triangle_count +
+                         scene.stats.rasterized_triangle_count);
     count = scene.desc.draw_count;
     for (draw = 0; draw < count; ++draw) {
         scene.desc.draws = &scene.draw[draw];
         scene.desc.draw_count = 1;
         (void)shd_scene_render(&scene);
-        if (scene.stats.fragments < 20)
-            fail_msg("draw %zu: %llu fragments", draw, (unsigned long long)scene.stats.fragments);
+        if (scene.stats.fragment_count < 20)
+            fail_msg("draw %zu: %llu fragments", draw, (unsigned long long)scene.stats.fragment_count);
         memcpy(others, scene.draw, count * sizeof others[0]);
         others[draw].cull = SHD_CULL_NONE;
         others[draw].instances = NULL;

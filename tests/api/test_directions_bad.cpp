@@ -15,18 +15,21 @@ struct CreateCase {
 };
 const CreateCase kCreate[] = {
     {"create/lat_long", SHD_PROJECTION_LAT_LONG, 5, 3, 1, SHD_TABLE_MIPMAP, 0, ""},
-    {"create/lat_long_layers", SHD_PROJECTION_LAT_LONG, 5, 3, 4, 0, 0, ""},
     {"create/cube", SHD_PROJECTION_CUBE, 4, 4, 6, 0, 0, ""},
-    {"create/unknown", static_cast<shd_projection>(6), 4, 4, 1, 0, 0, "texture.projection: 6 is not in 0..5"},
+    {"create/unknown", static_cast<shd_projection>(6), 4, 4, 1, 0, 0, "texture.projection: 6 is not in 1..5"},
     {"create/ball_not_square", SHD_PROJECTION_MIRROR_BALL, 4, 5, 1, 0, 0, "texture.height: 5"},
     {"create/angular_not_square", SHD_PROJECTION_ANGULAR, 5, 4, 1, 0, 0, "texture.height: 4"},
+    {"create/ball_array", SHD_PROJECTION_MIRROR_BALL, 4, 4, 3, 0, 0, ""},
     {"create/cube_not_square", SHD_PROJECTION_CUBE, 4, 5, 6, 0, 0, "texture.height: 5"},
     {"create/octahedral_not_square", SHD_PROJECTION_OCTAHEDRAL, 4, 5, 1, 0, 0, "texture.height: 5"},
-    {"create/cube_one_layer", SHD_PROJECTION_CUBE, 4, 4, 1, 0, 0, "texture.layers: 1, but images of projection 4"},
-    {"create/cube_twelve_layers", SHD_PROJECTION_CUBE, 4, 4, 12, 0, 0, "texture.layers: 12"},
+    {"create/cube_one_layer", SHD_PROJECTION_CUBE, 4, 4, 1, 0, 0, ""},
+    {"create/cube_twelve_layers", SHD_PROJECTION_CUBE, 4, 4, 12, 0, 0,
+     "texture.layer_count: 12, but images of projection 4 have 6 faces"},
     {"create/ripmap", SHD_PROJECTION_LAT_LONG, 4, 4, 1, SHD_TABLE_RIPMAP, 0, "texture.tables: 0x2"},
     {"create/summed_area", SHD_PROJECTION_LAT_LONG, 4, 4, 1, SHD_TABLE_SUMMED_AREA, 0, "texture.tables: 0x4"},
-    {"create/depth", SHD_PROJECTION_LAT_LONG, 4, 4, 1, 0, 2, "texture.projection: 1, but texture.depth is 2"},
+    {"create/none", SHD_PROJECTION_NONE, 4, 4, 1, 0, 0, "texture.projection: 0 is not in 1..5"},
+    {"create/depth", SHD_PROJECTION_LAT_LONG, 4, 4, 1, 0, 2,
+     "texture.depth: 2, but texture.kind is not SHD_TEXTURE_KIND_3D"},
 };
 
 void test_create(void **state)
@@ -34,8 +37,9 @@ void test_create(void **state)
     const auto &row = *static_cast<const CreateCase *>(*state);
     static const float texels[16 * 16] = {};
     shd_texture_desc desc = shd_texture_desc_default();
+    desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
     desc.format = SHD_FORMAT_R32F;
-    desc.width = row.width, desc.height = row.height, desc.layers = row.layers, desc.depth = row.depth;
+    desc.width = row.width, desc.height = row.height, desc.layer_count = row.layers, desc.depth = row.depth;
     desc.tables = row.tables;
     desc.projection = row.projection;
     desc.texels = texels;
@@ -49,6 +53,8 @@ void test_create(void **state)
         info.struct_size = sizeof info;
         shd_assert_ok(shd_texture_get_info(texture, &info));
         assert_int_equal(row.projection, info.projection);
+        assert_int_equal(info.kind, SHD_TEXTURE_KIND_DIRECTIONS);
+        assert_int_equal(info.layer_count, row.projection == SHD_PROJECTION_CUBE ? 6 : row.layers);
     }
     shd_texture_release(texture);
 }

@@ -25,7 +25,7 @@ int set_up(void **)
 {
     shd_shape_desc shape = shd_shape_desc_default();
     shd_mesh_info info = shd_mesh_info_default();
-    shape.shape = SHD_SHAPE_TEAPOT;
+    shape.kind = SHD_SHAPE_TEAPOT;
     shd_assert_ok(shd_context_create(nullptr, &g_context));
     shd_assert_ok(shd_mesh_create_shape(g_context, &shape, SHD_MESH_NONE, &g_teapot));
     shd_assert_ok(shd_mesh_get_info(g_teapot, &info));
@@ -103,7 +103,7 @@ std::vector<float> occlusion(shd_context *context, const shd_tracer &tracer, siz
     std::vector<float> value(end - begin), column[6];
     shd_occlusion_desc desc = shd_occlusion_desc_default();
     shd_occlusion_points points = shd_occlusion_points_default();
-    const shd_f32_out out = {value.data(), 0};
+    shd_occlusion_values out = {sizeof out, {value.data(), 0}, 0};
     Random random = {7};
     for (auto &c : column) c.resize(end);
     for (size_t i = 0; i < end; ++i) {
@@ -115,7 +115,7 @@ std::vector<float> occlusion(shd_context *context, const shd_tracer &tracer, siz
     }
     points.count = end - begin;
     desc.tracer = tracer;
-    desc.rays = 37;
+    desc.ray_count = 37;
     shd_assert_ok(shd_occlusion_compute(context, &desc, &points, &out));
     return value;
 }

@@ -313,7 +313,7 @@ static void test_bad_lookups(void **state)
     shd_image image = sky_image(SHD_PROJECTION_LAT_LONG, 32, 16);
     shd_environment *environment = create(g_context, SHD_PROJECTION_LAT_LONG, &image, SHD_IRRADIANCE_HARMONICS);
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light light;
+    shd_environment_values light;
     (void)state;
     outputs(&light);
     lookups.count = BAD;
@@ -322,8 +322,8 @@ static void test_bad_lookups(void **state)
         lookups.roughness = shd_f32_column(k == 2 ? &k_bad[0][3] : NULL, sizeof k_bad[0]);
         lookups.exponent = shd_f32_column(k == 3 ? &k_bad[0][4] : NULL, sizeof k_bad[0]);
         g_out[1][BAD] = -5.0f;
-        if (k == 0) shd_assert_ok(shd_environment_irradiance(environment, &lookups, &light));
-        if (k != 0) shd_assert_ok(shd_environment_radiance(environment, &lookups, &light));
+        if (k == 0) shd_assert_ok(shd_environment_sample_irradiance(environment, &lookups, &light));
+        if (k != 0) shd_assert_ok(shd_environment_sample_radiance(environment, &lookups, &light));
         for (size_t i = 0; i < BAD; ++i) {
             if (!(g_out[1][i] >= 0.0f && g_out[1][i] < 10.0f)) fail_msg("%d: [%zu] is %g", k, i, (double)g_out[1][i]);
         }
@@ -404,7 +404,7 @@ static void test_refusals(void **state)
     shd_environment_lookups lookups = lookups_of(DIRECTIONS), none = lookups_of(0);
     shd_environment_info info = shd_environment_info_default();
     shd_environment *bare = NULL;
-    shd_environment_light light;
+    shd_environment_values light;
     const shd_result bad = SHD_ERROR_INVALID_ARGUMENT;
     (void)state;
     outputs(&light);
@@ -417,30 +417,34 @@ static void test_refusals(void **state)
     shd_assert_ok(shd_environment_get_info(bare, &info));
     assert_int_equal(info.tables, 0);
     assert_int_equal(info.map_size, 0);
-    shd_assert_ok(shd_environment_irradiance(bare, &lookups, &light));
-    shd_assert_ok(shd_environment_irradiance(bare, &none, &light));
-    shd_assert_result("no radiance", shd_environment_radiance(bare, &lookups, &light), bad,
+    shd_assert_ok(shd_environment_sample_irradiance(bare, &lookups, &light));
+    shd_assert_ok(shd_environment_sample_irradiance(bare, &none, &light));
+    shd_assert_result("no radiance", shd_environment_sample_radiance(bare, &lookups, &light), bad,
                       "environment: made without SHD_ENVIRONMENT_TABLE_RADIANCE");
     lookups.roughness = shd_f32_column(g_direction[0], 0);
-    shd_assert_result("no GGX", shd_environment_radiance(bare, &lookups, &light), bad, "SHD_ENVIRONMENT_TABLE_GGX");
-    shd_assert_result("roughness", shd_environment_irradiance(bare, &lookups, &light), bad, "lookups.roughness: set");
+    shd_assert_result("no GGX", shd_environment_sample_radiance(bare, &lookups, &light), bad,
+                      "SHD_ENVIRONMENT_TABLE_GGX");
+    shd_assert_result("roughness", shd_environment_sample_irradiance(bare, &lookups, &light), bad,
+                      "lookups.roughness: set");
     lookups.exponent = lookups.roughness;
-    shd_assert_result("both", shd_environment_radiance(bare, &lookups, &light), bad, "lookups.exponent: set");
+    shd_assert_result("both", shd_environment_sample_radiance(bare, &lookups, &light), bad, "lookups.exponent: set");
     lookups.roughness.data = NULL;
-    shd_assert_result("no Phong", shd_environment_radiance(bare, &lookups, &light), bad, "SHD_ENVIRONMENT_TABLE_PHONG");
+    shd_assert_result("no Phong", shd_environment_sample_radiance(bare, &lookups, &light), bad,
+                      "SHD_ENVIRONMENT_TABLE_PHONG");
     lookups.exponent.data = NULL;
-    shd_assert_result("rgb", shd_environment_irradiance(bare, &lookups, NULL), bad, "light: NULL");
-    shd_assert_result("lookups", shd_environment_irradiance(bare, NULL, &light), bad, "lookups: NULL");
-    shd_assert_result("handle", shd_environment_irradiance(NULL, &lookups, &light), bad, "environment: NULL");
+    shd_assert_result("rgb", shd_environment_sample_irradiance(bare, &lookups, NULL), bad, "values: NULL");
+    shd_assert_result("lookups", shd_environment_sample_irradiance(bare, NULL, &light), bad, "lookups: NULL");
+    shd_assert_result("handle", shd_environment_sample_irradiance(NULL, &lookups, &light), bad, "environment: NULL");
     shd_assert_result("info", shd_environment_get_info(NULL, &info), bad, "environment: NULL");
     shd_assert_result("out_info", shd_environment_get_info(bare, NULL), bad, "out_info: NULL");
-    light.rgb[1].data = g_direction[0];
-    shd_assert_result("overlap", shd_environment_irradiance(bare, &lookups, &light), bad, "overlap");
+    light.channel[1].data = g_direction[0];
+    shd_assert_result("overlap", shd_environment_sample_irradiance(bare, &lookups, &light), bad, "overlap");
     outputs(&light);
     lookups.direction[2].data = NULL;
-    shd_assert_result("direction", shd_environment_irradiance(bare, &lookups, &light), bad, "lookups.direction[2]");
-    light.rgb[0].data = light.rgb[2].data = NULL;
-    shd_assert_ok(shd_environment_irradiance(bare, &none, &light));
+    shd_assert_result("direction", shd_environment_sample_irradiance(bare, &lookups, &light), bad,
+                      "lookups.direction[2]");
+    light.channel[0].data = light.channel[2].data = NULL;
+    shd_assert_ok(shd_environment_sample_irradiance(bare, &none, &light));
     shd_environment_release(bare);
     free(image.pixels);
 }

@@ -89,7 +89,7 @@ static double light_around(const shd_environment *environment, const long double
     enum { SIDE = 192 };
     static float n[3][SIDE * SIDE], out[SIDE * SIDE];
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light columns = shd_environment_light_default();
+    shd_environment_values columns = shd_environment_values_default();
     const double d[3] = {(double)sun[0], (double)sun[1], (double)sun[2]};
     const int k = fabs(d[0]) < 0.6 ? 0 : 1;
     double x[3] = {0, 0, 0}, y[3], length, sum = 0.0;
@@ -109,8 +109,8 @@ static double light_around(const shd_environment *environment, const long double
     }
     lookups.count = SIDE * SIDE;
     for (int axis = 0; axis < 3; ++axis) lookups.direction[axis] = shd_f32_column(n[axis], 0);
-    columns.rgb[c] = shd_f32_out_column(out, 0);
-    shd_assert_ok(shd_environment_radiance(environment, &lookups, &columns));
+    columns.channel[c] = shd_f32_out_column(out, 0);
+    shd_assert_ok(shd_environment_sample_radiance(environment, &lookups, &columns));
     for (size_t i = 0; i < SIDE * SIDE; ++i) sum += (double)out[i] - sky;
     return sum * 2.0 * (double)REF_PI * (1.0 - cos(radius)) / (SIDE * SIDE);
 }
@@ -294,7 +294,7 @@ static void test_edge(void **state)
     const struct edge_case *row = (const struct edge_case *)*state;
     const shd_image image = image_of(row->projection, row->width, row->height, 0.0f);
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light columns = shd_environment_light_default();
+    shd_environment_values columns = shd_environment_values_default();
     shd_environment *environment;
     double worst = 0.0;
     for (uint32_t i = 0; i < image.width * image.height; ++i) {
@@ -312,8 +312,8 @@ static void test_edge(void **state)
         create_with(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS, SHD_ENVIRONMENT_TABLE_RADIANCE);
     lookups.count = COUNT;
     for (int c = 0; c < 3; ++c) lookups.direction[c] = shd_f32_column(n[c], 0);
-    columns.rgb[0] = shd_f32_out_column(out, 0);
-    shd_assert_ok(shd_environment_radiance(environment, &lookups, &columns));
+    columns.channel[0] = shd_f32_out_column(out, 0);
+    shd_assert_ok(shd_environment_sample_radiance(environment, &lookups, &columns));
     for (size_t i = 0; i < COUNT; ++i) {
         const double want = 2.0 + (double)n[0][i] + 0.5 * (double)n[1][i] - 0.3 * (double)n[2][i];
         worst = fmax(worst, fabs((double)out[i] - want));
@@ -340,7 +340,7 @@ static void test_convolved(void **state)
     const struct convolved_case *row = (const struct convolved_case *)*state;
     const shd_image image = image_of(SHD_PROJECTION_LAT_LONG, row->width, row->height, 0.0f);
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light columns = shd_environment_light_default();
+    shd_environment_values columns = shd_environment_values_default();
     const int places = strcmp(row->name, "convolved/random") ? 1 : PLACES / SHD_ORACLE_STRIDE;
     uint32_t random = 11;
     double worst = 0.0;
@@ -351,7 +351,7 @@ static void test_convolved(void **state)
     n[0][0] = -0.83370f, n[1][0] = 0.00421f, n[2][0] = 0.55225f; /* the terminator of convolved/fold, on a fold */
     lookups.count = COUNT;
     for (int c = 0; c < 3; ++c) lookups.direction[c] = shd_f32_column(n[c], 0);
-    columns.rgb[1] = shd_f32_out_column(out, 0);
+    columns.channel[1] = shd_f32_out_column(out, 0);
     for (int place = 0; place < places; ++place) {
         const uint32_t x = places == 1 ? row->x : shd_noise(&random) % row->width;
         const uint32_t y = places == 1 ? row->y : shd_noise(&random) % row->height;
@@ -363,7 +363,7 @@ static void test_convolved(void **state)
         environment = create_with(g_context, SHD_PROJECTION_LAT_LONG, &image, SHD_IRRADIANCE_CONVOLVED,
                                   SHD_ENVIRONMENT_TABLE_NONE);
         light = 1000.0 * ref.lights[(size_t)y * row->width + x].solid_angle;
-        shd_assert_ok(shd_environment_irradiance(environment, &lookups, &columns));
+        shd_assert_ok(shd_environment_sample_irradiance(environment, &lookups, &columns));
         for (size_t i = 0; i < COUNT; ++i) {
             const double *l = ref.lights[(size_t)y * row->width + x].direction;
             const double cosine = (double)n[0][i] * l[0] + (double)n[1][i] * l[1] + (double)n[2][i] * l[2];

@@ -12,7 +12,7 @@ struct log_line {
     char text[64];
     int count;
 };
-static void write_log(void *user_data, shd_log_level level, const char *message)
+static void write_log(shd_log_level level, const char *message, void *user_data)
 {
     struct log_line *line = (struct log_line *)user_data;
     line->level = level;
@@ -114,13 +114,13 @@ struct count_tasks {
     shd_context *context;
     shd_result nested;
 };
-static void count_task(void *data, uint32_t index, uint32_t worker)
+static void count_task(size_t index, size_t worker, void *data)
 {
     struct count_tasks *tasks = (struct count_tasks *)data;
     if (worker >= tasks->worker_count) __atomic_fetch_add(&tasks->mistakes, 1, __ATOMIC_RELAXED);
     ++tasks->runs[index];
 }
-static void nesting_task(void *data, uint32_t index, uint32_t worker)
+static void nesting_task(size_t index, size_t worker, void *data)
 {
     static struct count_tasks inner[4];
     struct count_tasks *tasks = (struct count_tasks *)data;
@@ -147,7 +147,7 @@ static void test_parallel_for(void **state)
         shd_assert_ok(shd_context_create(&desc, &context));
         for (c = 0; c < sizeof k_counts / sizeof k_counts[0]; ++c) {
             memset(&tasks, 0, sizeof tasks);
-            tasks.worker_count = shd_context_worker_count(context);
+            tasks.worker_count = shd_context_get_worker_count(context);
             shd_assert_ok(shd_context_parallel_for(context, k_counts[c], count_task, &tasks));
             for (i = 0; i < sizeof tasks.runs; ++i) assert_int_equal(tasks.runs[i], i < k_counts[c]);
             assert_int_equal(tasks.mistakes, 0);
@@ -189,13 +189,13 @@ static void test_object(void **state)
     (void)state;
     open_context(&f);
     shd_assert_ok(shd_object_create(f.context, k_type, &ends, count_end, &object));
-    assert_ptr_equal(shd_object_body(object, k_type), &ends);
-    assert_null(shd_object_body(object, k_other_type));
+    assert_ptr_equal(shd_object_get_body(object, k_type), &ends);
+    assert_null(shd_object_get_body(object, k_other_type));
     assert_string_equal(shd_last_error(), "object: not a live handle of its type");
-    assert_null(shd_object_body(object, 1));
-    assert_null(shd_object_body(NULL, k_type));
+    assert_null(shd_object_get_body(object, 1));
+    assert_null(shd_object_get_body(NULL, k_type));
     assert_string_equal(shd_last_error(), "object: NULL");
-    assert_ptr_equal(shd_object_context(object), f.context);
+    assert_ptr_equal(shd_object_get_context(object), f.context);
     shd_object_retain(object, k_type);
     shd_object_retain(object, k_other_type);
     shd_object_release(object, k_other_type);
@@ -208,11 +208,11 @@ static void test_object(void **state)
     shd_object_release(object, k_type);
     shd_object_retain(object, k_type);
     assert_int_equal(ends, 1);
-    assert_null(shd_object_body(object, k_type));
-    assert_null(shd_object_context(object));
+    assert_null(shd_object_get_body(object, k_type));
+    assert_null(shd_object_get_context(object));
     shd_object_retain(NULL, k_type);
     shd_object_release(NULL, k_type);
-    assert_null(shd_object_context(NULL));
+    assert_null(shd_object_get_context(NULL));
     close_context(&f);
 }
 
@@ -283,11 +283,11 @@ static void test_framebuffer_context(void **state)
     desc.width = desc.height = 2;
     shd_assert_ok(shd_framebuffer_create(f.context, &desc, &framebuffer));
     shd_assert_ok(shd_object_create(f.context, k_type, &ends, count_end, &object));
-    assert_ptr_equal(shd_framebuffer_context(framebuffer), f.context);
-    assert_null(shd_framebuffer_context((const shd_framebuffer *)object));
-    assert_null(shd_framebuffer_context(NULL));
+    assert_ptr_equal(shd_framebuffer_get_context(framebuffer), f.context);
+    assert_null(shd_framebuffer_get_context((const shd_framebuffer *)object));
+    assert_null(shd_framebuffer_get_context(NULL));
     shd_framebuffer_release(framebuffer);
-    assert_null(shd_framebuffer_context(framebuffer));
+    assert_null(shd_framebuffer_get_context(framebuffer));
     shd_object_release(object, k_type);
     close_context(&f);
 }

@@ -8,11 +8,11 @@
 
 /* Four workers that run one after another on the calling thread, so that every run makes the same allocations in the
  * same order. */
-static shd_result turns_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result turns_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     uint32_t i;
     (void)user_data;
-    for (i = 0; i < count; ++i) task(task_data, count - 1 - i, i % 4);
+    for (i = 0; i < count; ++i) task(count - 1 - i, i % 4, task_data);
     return SHD_OK;
 }
 
@@ -128,7 +128,7 @@ static int run_with_fault(const struct fault_case *c, size_t n, uint64_t want, s
         if (is_fault("render", shd_render(context, &s.desc), &locked)) {
             met = 1;
             ++tally->render;
-            assert_true(s.stats.triangles == 0 && s.stats.fragments == 0);
+            assert_true(s.stats.triangle_count == 0 && s.stats.fragment_count == 0);
             assert_int_equal(locked.memory.live_bytes, before);
         }
         shd_fault_arm(&locked.memory, 0, 0);
@@ -183,7 +183,7 @@ enum {
     k_reenter
 };
 
-static void nested_task(void *data, uint32_t index, uint32_t worker)
+static void nested_task(size_t index, size_t worker, void *data)
 {
     (void)index;
     (void)worker;
@@ -211,7 +211,7 @@ static shd_result reenter(const struct liar *self)
     return result;
 }
 
-static shd_result liar_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result liar_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     struct liar *self = (struct liar *)user_data;
     const int lie = self->armed ? self->lie : -1;
@@ -219,13 +219,13 @@ static shd_result liar_parallel_for(void *user_data, uint32_t count, shd_task_fn
     ++self->calls;
     if (lie == k_fail_early) return self->answer;
     if (lie == k_run_none) return SHD_OK;
-    if (lie == k_index_out) task(task_data, count, 0);
-    if (lie == k_worker_out) task(task_data, 0, 4);
+    if (lie == k_index_out) task(count, 0, task_data);
+    if (lie == k_worker_out) task(0, 4, task_data);
     if (lie == k_reenter) self->nested = reenter(self);
     for (i = 0; i < count; ++i) {
         if ((lie == k_skip_one || lie == k_twice_and_skip) && i == count - 1) continue;
-        task(task_data, i, i % 4);
-        if ((lie == k_run_twice || lie == k_twice_and_skip) && i == 0) task(task_data, i, i % 4);
+        task(i, i % 4, task_data);
+        if ((lie == k_run_twice || lie == k_twice_and_skip) && i == 0) task(i, i % 4, task_data);
     }
     return lie == k_fail_late ? self->answer : SHD_OK;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Derivatives for ray tracers, against the hits of neighbouring rays with a plane; refusals and degenerate input. */
 #include "support/check.h"
+#include "support/group_context.h"
 
 #include <shd/shd.h>
 
@@ -126,8 +127,8 @@ static void test_differentials(void **state)
     make_rays();
     {
         const shd_ray_differentials rays = differentials(RAYS);
-        const shd_derivatives out = outputs();
-        shd_assert_ok(shd_derivatives_from_differentials(&rays, &out));
+        shd_derivatives out = outputs();
+        shd_assert_ok(shd_derivatives_from_differentials(g_context, &rays, &out));
     }
     for (i = 0; i < RAYS; ++i) {
         for (c = 0; c < 4; ++c) {
@@ -153,8 +154,8 @@ static void test_cones(void **state)
     cross(k_u, k_v, normal);
     {
         const shd_ray_cones in = cones(RAYS);
-        const shd_derivatives out = outputs();
-        shd_assert_ok(shd_derivatives_from_cones(&in, &out));
+        shd_derivatives out = outputs();
+        shd_assert_ok(shd_derivatives_from_cones(g_context, &in, &out));
     }
     for (i = 0; i < RAYS; ++i) {
         double along[3], across[3], direction[3], cosine, projected;
@@ -191,8 +192,8 @@ static void test_cone_limits(void **state)
     }
     {
         const shd_ray_cones in = cones(3);
-        const shd_derivatives out = outputs();
-        shd_assert_ok(shd_derivatives_from_cones(&in, &out));
+        shd_derivatives out = outputs();
+        shd_assert_ok(shd_derivatives_from_cones(g_context, &in, &out));
     }
     for (i = 0; i < 3; ++i) {
         shd_assert_close("dudx", (size_t)i, fabs((double)g.out[0][i]), k_along[i] / 2, 0, 1e-6);
@@ -210,25 +211,25 @@ static void test_degenerate(void **state)
                               g.origin_dx[0], g.direction_dx[0], g.direction_dy[1], g.width};
     size_t column, value, c;
     float want[2][4];
-    const shd_derivatives out = outputs();
+    shd_derivatives out = outputs();
     const shd_ray_differentials rays = differentials(2);
     const shd_ray_cones in = cones(2);
     (void)state;
     make_rays();
-    shd_assert_ok(shd_derivatives_from_differentials(&rays, &out));
+    shd_assert_ok(shd_derivatives_from_differentials(g_context, &rays, &out));
     for (c = 0; c < 4; ++c) want[0][c] = g.out[c][1];
-    shd_assert_ok(shd_derivatives_from_cones(&in, &out));
+    shd_assert_ok(shd_derivatives_from_cones(g_context, &in, &out));
     for (c = 0; c < 4; ++c) want[1][c] = g.out[c][1];
     for (column = 0; column < sizeof columns / sizeof columns[0]; ++column) {
         for (value = 0; value < sizeof k_values / sizeof k_values[0]; ++value) {
             make_rays();
             columns[column][0] = k_values[value];
-            shd_assert_ok(shd_derivatives_from_differentials(&rays, &out));
+            shd_assert_ok(shd_derivatives_from_differentials(g_context, &rays, &out));
             for (c = 0; c < 4; ++c) {
                 assert_true(isfinite(g.out[c][0]));
                 assert_true(g.out[c][1] == want[0][c]);
             }
-            shd_assert_ok(shd_derivatives_from_cones(&in, &out));
+            shd_assert_ok(shd_derivatives_from_cones(g_context, &in, &out));
             for (c = 0; c < 4; ++c) {
                 assert_true(isfinite(g.out[c][0]));
                 assert_true(g.out[c][1] == want[1][c]);
@@ -252,10 +253,10 @@ static void test_no_area(void **state)
     {
         const shd_ray_differentials rays = differentials(2);
         const shd_ray_cones in = cones(2);
-        const shd_derivatives out = outputs();
-        shd_assert_ok(shd_derivatives_from_differentials(&rays, &out));
+        shd_derivatives out = outputs();
+        shd_assert_ok(shd_derivatives_from_differentials(g_context, &rays, &out));
         for (c = 0; c < 4; ++c) assert_true(g.out[c][0] == 0 && g.out[c][1] == 0);
-        shd_assert_ok(shd_derivatives_from_cones(&in, &out));
+        shd_assert_ok(shd_derivatives_from_cones(g_context, &in, &out));
         for (c = 0; c < 4; ++c) assert_true(g.out[c][0] == 0 && g.out[c][1] == 0);
     }
 }
@@ -338,9 +339,9 @@ static void test_arguments(void **state)
     shd_derivatives out = outputs();
     make_rays();
     c->edit(&rays, &in, &out);
-    shd_assert_result(c->name, shd_derivatives_from_differentials(&rays, &out),
+    shd_assert_result(c->name, shd_derivatives_from_differentials(g_context, &rays, &out),
                       c->rays_message[0] ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK, c->rays_message);
-    shd_assert_result(c->name, shd_derivatives_from_cones(&in, &out),
+    shd_assert_result(c->name, shd_derivatives_from_cones(g_context, &in, &out),
                       c->cones_message[0] ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK, c->cones_message);
 }
 
@@ -348,13 +349,16 @@ static void test_null(void **state)
 {
     const shd_ray_differentials rays = differentials(1);
     const shd_ray_cones in = cones(1);
-    const shd_derivatives out = outputs();
+    shd_derivatives out = outputs();
     (void)state;
-    shd_assert_result("rays", shd_derivatives_from_differentials(NULL, &out), SHD_ERROR_INVALID_ARGUMENT, "rays: NULL");
-    shd_assert_result("out", shd_derivatives_from_differentials(&rays, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("rays", shd_derivatives_from_differentials(g_context, NULL, &out), SHD_ERROR_INVALID_ARGUMENT,
+                      "rays: NULL");
+    shd_assert_result("out", shd_derivatives_from_differentials(g_context, &rays, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "derivatives: NULL");
-    shd_assert_result("cones", shd_derivatives_from_cones(NULL, &out), SHD_ERROR_INVALID_ARGUMENT, "cones: NULL");
-    shd_assert_result("out", shd_derivatives_from_cones(&in, NULL), SHD_ERROR_INVALID_ARGUMENT, "derivatives: NULL");
+    shd_assert_result("cones", shd_derivatives_from_cones(g_context, NULL, &out), SHD_ERROR_INVALID_ARGUMENT,
+                      "cones: NULL");
+    shd_assert_result("out", shd_derivatives_from_cones(g_context, &in, NULL), SHD_ERROR_INVALID_ARGUMENT,
+                      "derivatives: NULL");
 }
 
 int main(void)
@@ -370,5 +374,5 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"cone_limits", test_cone_limits, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"degenerate", test_degenerate, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"no_area", test_no_area, NULL, NULL, NULL};
-    return _cmocka_run_group_tests("api.footprint", tests, n, NULL, NULL);
+    return _cmocka_run_group_tests("api.footprint", tests, n, set_up_context, tear_down_context);
 }

@@ -28,13 +28,13 @@ static const struct create_case k_create[] = {
     {"create/height_0", 4, 0, 1, 0, BAD, "framebuffer.height: 0 is not in 1..16384", 0},
     {"create/width_16385", 16385, 4, 1, 0, BAD, "framebuffer.width: 16385", 0},
     {"create/height_uint32_max", 4, 0xffffffffu, 1, 0, BAD, "framebuffer.height: 4294967295", 0},
-    {"create/samples_0", 4, 4, 0, 0, BAD, "framebuffer.samples: 0", 0},
+    {"create/samples_0", 4, 4, 0, 0, BAD, "framebuffer.sample_count: 0", 0},
     {"create/samples_2", 4, 4, 2, 0, SHD_OK, "", 320},
-    {"create/samples_3", 4, 4, 3, 0, BAD, "framebuffer.samples: 3 is not 1, 2, 4, 8 or 16", 0},
+    {"create/samples_3", 4, 4, 3, 0, BAD, "framebuffer.sample_count: 3 is not 1, 2, 4, 8 or 16", 0},
     {"create/samples_4", 4, 4, 4, 0, SHD_OK, "", 320},
     {"create/samples_8", 4, 4, 8, 0, SHD_OK, "", 320},
     {"create/samples_16", 4, 4, 16, 0, SHD_OK, "", 320},
-    {"create/samples_64", 4, 4, 64, 0, BAD, "framebuffer.samples: 64", 0},
+    {"create/samples_64", 4, 4, 64, 0, BAD, "framebuffer.sample_count: 64", 0},
     {"create/aovs_unknown", 4, 4, 1, 4097, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x1000 ", 0},
 };
 
@@ -57,7 +57,7 @@ static void test_create(void **state)
     shd_framebuffer_info info = shd_framebuffer_info_default();
     desc.width = c->width;
     desc.height = c->height;
-    desc.samples = c->samples;
+    desc.sample_count = c->samples;
     desc.aovs = c->aovs;
     shd_assert_result(c->name, shd_framebuffer_create(g_context, &desc, &framebuffer), c->expected, c->message);
     if (c->expected != SHD_OK) {
@@ -67,7 +67,7 @@ static void test_create(void **state)
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
     assert_int_equal(info.width, c->width);
     assert_int_equal(info.height, c->height);
-    assert_int_equal(info.samples, c->samples);
+    assert_int_equal(info.sample_count, c->samples);
     assert_int_equal(info.aovs, c->aovs);
     assert_true(info.byte_size >= c->least_bytes);
     shd_framebuffer_release(framebuffer);
@@ -216,7 +216,7 @@ static void test_bad_reads(void **state)
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, NULL), BAD, "out_view: NULL");
     shd_assert_result("info", shd_framebuffer_get_info(framebuffer, NULL), BAD, "out_info: NULL");
     shd_assert_result("info", shd_framebuffer_get_info(NULL, &info), BAD, "framebuffer: NULL");
-    assert_true(info.width == 0 && info.height == 0 && info.samples == 0 && info.aovs == 0 && info.byte_size == 0);
+    assert_true(info.width == 0 && info.height == 0 && info.sample_count == 0 && info.aovs == 0 && info.byte_size == 0);
     assert_int_equal(info.struct_size, sizeof info);
     info.struct_size = 8;
     shd_assert_result("info", shd_framebuffer_get_info(framebuffer, &info), BAD, "out_info.struct_size: 8 is below 16");
@@ -338,10 +338,10 @@ static const struct position_case k_positions[] = {
     {"position/4_last", 4, 3, 0.625f, 0.875f, SHD_OK, ""},
     {"position/16_second", 16, 2, 0.3125f, 0.625f, SHD_OK, ""},
     {"position/16_eleventh", 16, 11, 0.125f, 0.75f, SHD_OK, ""},
-    {"position/samples_0", 0, 0, 0, 0, BAD, "samples: 0 is not 1, 2, 4, 8 or 16"},
-    {"position/samples_3", 3, 0, 0, 0, BAD, "samples: 3 is not 1, 2, 4, 8 or 16"},
-    {"position/samples_32", 32, 0, 0, 0, BAD, "samples: 32 is not"},
-    {"position/samples_max", 0xffffffffu, 0, 0, 0, BAD, "samples: 4294967295 is not"},
+    {"position/samples_0", 0, 0, 0, 0, BAD, "sample_count: 0 is not 1, 2, 4, 8 or 16"},
+    {"position/samples_3", 3, 0, 0, 0, BAD, "sample_count: 3 is not 1, 2, 4, 8 or 16"},
+    {"position/samples_32", 32, 0, 0, 0, BAD, "sample_count: 32 is not"},
+    {"position/samples_max", 0xffffffffu, 0, 0, 0, BAD, "sample_count: 4294967295 is not"},
     {"position/index_1_of_1", 1, 1, 0, 0, BAD, "index: 1 is not in 0..0"},
     {"position/index_8_of_8", 8, 8, 0, 0, BAD, "index: 8 is not in 0..7"},
     {"position/index_max", 16, 0xffffffffu, 0, 0, BAD, "index: 4294967295 is not in 0..15"},
@@ -364,7 +364,7 @@ static void test_position_null(void **state)
     value = -1;
     shd_assert_result("y", shd_sample_position(4, 0, &value, NULL), BAD, "out_y: NULL");
     assert_true(value == 0);
-    shd_assert_result("both", shd_sample_position(3, 0, NULL, NULL), BAD, "samples: 3");
+    shd_assert_result("both", shd_sample_position(3, 0, NULL, NULL), BAD, "sample_count: 3");
 }
 
 static void test_null_desc(void **state)

@@ -13,7 +13,7 @@ static shd_framebuffer *make(shd_context *context, shd_format format, uint32_t s
     shd_framebuffer *framebuffer = NULL;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = SHD_AOV_UV | SHD_AOV_TRIANGLE | SHD_AOV_TARGET2;
     desc.color_format = format;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
@@ -91,8 +91,8 @@ static void draw(const struct way *way, shd_scene *scene, shd_framebuffer *frame
     shd_assert_ok(shd_render(scene->context, &desc));
     desc.draw_count = scene->desc.draw_count;
     memcpy(desc.clear_color, way->clear, sizeof way->clear);
-    desc.pass_triangles = way->passes;
-    desc.supersampling = way->supersampling;
+    if (way->passes) desc.pass_triangles = way->passes;
+    if (way->supersampling) desc.supersampling = way->supersampling;
     if (way->window == 1) desc.scissor = &k_scissor;
     if (way->window == 2) {
         desc.picture_width = WIDTH + 99;

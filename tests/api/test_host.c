@@ -94,7 +94,7 @@ static void set_host(unsigned mxcsr)
 }
 
 /* Tasks and programs run with the IEEE defaults, even if the host changed floating-point control. */
-static void check_control(void *data, uint32_t index, uint32_t worker)
+static void check_control(size_t index, size_t worker, void *data)
 {
     (void)index;
     (void)worker;
@@ -412,7 +412,7 @@ static void test_small_stack(void **state)
         deep.sampler = sampler;
         draw = stack_used(&deep, size);
         print_message("%s: shd_render %zu, shd_texture_sample %zu and %zu, of a thread %zu bytes of stack\n",
-                      shd_context_simd_target(context), render - base, sample - base, draw - base, base);
+                      shd_context_get_simd_target(context), render - base, sample - base, draw - base, base);
         shd_sampler_release(sampler);
         shd_scene_close(&s);
         shd_context_release(context);

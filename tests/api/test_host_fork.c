@@ -53,7 +53,7 @@ static shd_result make_texture(shd_context *context, shd_format format, shd_text
 static shd_result make_mesh(shd_context *context, shd_mesh **out)
 {
     shd_shape_desc desc = shd_shape_desc_default();
-    desc.shape = SHD_SHAPE_SPHERE;
+    desc.kind = SHD_SHAPE_SPHERE;
     desc.segments[0] = desc.segments[1] = 12;
     return shd_mesh_create_shape(context, &desc, SHD_MESH_TANGENTS, out);
 }
@@ -160,9 +160,9 @@ static int use_occlusion(struct place *p)
     shd_occlusion_desc desc = shd_occlusion_desc_default();
     shd_occlusion_points points = shd_occlusion_points_default();
     float open[1] = {-1};
-    const shd_f32_out out = shd_f32_out_column(open, 0);
+    shd_occlusion_values out = {sizeof out, shd_f32_out_column(open, 0), 0};
     int c;
-    desc.rays = 4;
+    desc.ray_count = 4;
     desc.map_size = 32;
     desc.draws = &draw;
     desc.draw_count = 1;
@@ -276,7 +276,7 @@ static void reach(void)
     sem_wait(&g_stop.go_on);
 }
 
-static void *stop_allocate(void *user_data, size_t size, size_t alignment)
+static void *stop_allocate(size_t size, size_t alignment, void *user_data)
 {
     void *memory = NULL;
     int stops;
@@ -289,7 +289,7 @@ static void *stop_allocate(void *user_data, size_t size, size_t alignment)
     if (stops) reach();
     return posix_memalign(&memory, alignment, size) == 0 ? memory : NULL;
 }
-static void stop_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void stop_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     (void)user_data, (void)size, (void)alignment;
     free(memory);

@@ -132,11 +132,12 @@ static shd_result render_light(struct fixture *f, void *handle)
 static shd_result object_body(struct fixture *f, void *handle)
 {
     (void)f;
-    return shd_object_body((const shd_object *)handle, 0x54455354) ? SHD_OK : SHD_ERROR_INVALID_ARGUMENT;
+    return shd_object_get_body((const shd_object *)handle, 0x54455354) ? SHD_OK : SHD_ERROR_INVALID_ARGUMENT;
 }
 static shd_result framebuffer_context(struct fixture *f, void *handle)
 {
-    return shd_framebuffer_context((const shd_framebuffer *)handle) == f->context ? SHD_OK : SHD_ERROR_INVALID_ARGUMENT;
+    return shd_framebuffer_get_context((const shd_framebuffer *)handle) == f->context ? SHD_OK
+                                                                                      : SHD_ERROR_INVALID_ARGUMENT;
 }
 
 static const struct entry k_entries[] = {
@@ -157,8 +158,8 @@ static const struct entry k_entries[] = {
     {"shd_render/mesh", k_mesh, render_mesh, "render.draws[0]: draw.mesh: ", 0},
     {"shd_render/material", k_material, render_material, "render.draws[0]: draw.material: ", 1},
     {"shd_render/light", k_light, render_light, "render.lights[0]: light: ", 0},
-    {"shd_object_body", k_object, object_body, "object: ", 0},
-    {"shd_framebuffer_context", k_framebuffer, framebuffer_context, "", 0},
+    {"shd_object_get_body", k_object, object_body, "object: ", 0},
+    {"shd_framebuffer_get_context", k_framebuffer, framebuffer_context, "", 0},
 };
 
 /* Retain and release of every type do nothing for handles of other types. */

@@ -180,7 +180,7 @@ static shd_result shadow_mesh(struct fixture *f, void *handle)
 static shd_result shadow_sample(struct fixture *f, void *handle)
 {
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    const shd_f32_out out = {f->column + 8, 0};
+    shd_shadow_values out = {sizeof out, {f->column + 8, 0}, 0};
     int c;
     shd_assert_ok(shadow_shadow(f, f->live[k_shadow]));
     lookups.count = 3;
@@ -209,7 +209,7 @@ static shd_result render_shadow(struct fixture *f, void *handle)
 
 /* ---- contexts ---- */
 
-static void do_nothing(void *data, uint32_t index, uint32_t worker)
+static void do_nothing(size_t index, size_t worker, void *data)
 {
     (void)data;
     (void)index;

@@ -28,7 +28,7 @@ static void find(void *handle, const char *name, void *function)
     memcpy(function, &symbol, sizeof symbol);
 }
 
-static void count_task(void *data, uint32_t index, uint32_t worker)
+static void count_task(size_t index, size_t worker, void *data)
 {
     (void)worker;
     ((unsigned char *)data)[index] = 1;

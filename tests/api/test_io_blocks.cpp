@@ -131,12 +131,12 @@ static void test_blocks(void **state)
     const size_t header = make_file(c, &size);
     int k;
     make_places();
-    load.color_space = SHD_COLOR_ENCODING_DATA;
+    load.encoding = SHD_COLOR_ENCODING_DATA;
     shd_assert_ok(shd_context_create(NULL, &context));
     decode_file(c->name, size);
     read_texels(context, c->format, s_file + header, s_own);
     shd_assert_ok(shd_bitmap_load_memory(context, s_file, size, &load, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width, SIDE);
     assert_int_equal(image.height, SIDE);
     assert_int_equal(image.row_stride, SIDE * shd_format_size(image.format));

@@ -177,7 +177,7 @@ static shd_texture *make_texture(shd_context *context, const shd_bitmap *bitmap)
     shd_image image = shd_image_default();
     shd_texture_desc desc = shd_texture_desc_default();
     shd_texture *texture = NULL;
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width, 4);
     assert_int_equal(image.height, 4);
     desc.format = image.format;
@@ -205,7 +205,7 @@ static void test_block(void **state)
     shd_texels out;
     int i, k;
     shd_assert_ok(shd_context_create(NULL, &context));
-    load.color_space = SHD_COLOR_ENCODING_DATA; /* the codes without conversion */
+    load.encoding = SHD_COLOR_ENCODING_DATA; /* the codes without conversion */
     shd_assert_ok(shd_bitmap_load_memory(context, file, size, &load, &bitmap));
     texture = make_texture(context, bitmap);
     nearest.filter = SHD_FILTER_NEAREST;

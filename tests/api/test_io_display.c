@@ -56,7 +56,7 @@ static struct codes save(const shd_save_desc *desc, const char *file)
     int i, c;
     shd_assert_ok(shd_framebuffer_save(g_framebuffer, io_path(file), desc));
     shd_assert_ok(shd_bitmap_load(g_context, io_path(file), NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width, SIZE);
     for (i = 0; i < PIXELS; ++i) {
         for (c = 0; c < 4; ++c) {
@@ -87,7 +87,7 @@ static void test_dither_mean(void **state)
             shd_save_desc desc = shd_save_desc_default();
             struct codes codes;
             desc.bit_depth = k_depths[d];
-            desc.color_space = SHD_COLOR_ENCODING_LINEAR;
+            desc.encoding = SHD_COLOR_ENCODING_LINEAR;
             desc.dither = SHD_DITHER_ORDERED;
             paint(rgba);
             codes = save(&desc, "mean.png");
@@ -111,7 +111,7 @@ static void test_dither_exact(void **state)
     for (k = 0; k < 3; ++k) {
         shd_save_desc desc = shd_save_desc_default();
         struct codes codes;
-        desc.color_space = SHD_COLOR_ENCODING_LINEAR;
+        desc.encoding = SHD_COLOR_ENCODING_LINEAR;
         desc.dither = SHD_DITHER_ORDERED;
         paint(k_colors[k]);
         codes = save(&desc, "exact.png");
@@ -150,7 +150,7 @@ struct display {
     float value;
 };
 
-static shd_result show(void *user_data, const shd_framebuffer *framebuffer, const shd_image *out)
+static shd_result show(const shd_framebuffer *framebuffer, const shd_image *out, void *user_data)
 {
     struct display *display = (struct display *)user_data;
     size_t i;

@@ -240,9 +240,9 @@ static void test_handles(void **state)
         shd_image image = shd_image_default();
         shd_bitmap_info info = shd_bitmap_info_default();
         const char *message = i == 0 ? "bitmap: NULL" : "bitmap: not a live handle of its type";
-        shd_assert_result("image", shd_bitmap_image(handle, &image), SHD_ERROR_INVALID_ARGUMENT, message);
+        shd_assert_result("image", shd_bitmap_get_image(handle, &image), SHD_ERROR_INVALID_ARGUMENT, message);
         shd_assert_result("info", shd_bitmap_get_info(handle, &info), SHD_ERROR_INVALID_ARGUMENT, message);
-        assert_string_equal(shd_bitmap_color_space(handle), "");
+        assert_string_equal(shd_bitmap_get_color_space(handle), "");
         shd_bitmap_retain(handle);
         shd_bitmap_release(handle);
         shd_bitmap_release(handle);
@@ -316,7 +316,7 @@ static uint64_t visit(unsigned control)
         after = shd_read_control();
         shd_write_control(0x1f80);
         shd_assert_result(g_corpus[i].name, result, SHD_OK, "");
-        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
         shd_write_control(control);
         saved = shd_image_save(&image,
                                io_path(image.format == SHD_FORMAT_RGBA16F   ? "c.exr"

@@ -63,7 +63,7 @@ static void test_hygiene(void **state)
     char saved_locale[256];
     int descriptors, i;
     (void)state;
-    load_everything(SHD_LOAD_DEFAULT);    /* opens the descriptors of the worker before they are counted */
+    load_everything(SHD_LOAD_NONE);       /* opens the descriptors of the worker before they are counted */
     load_everything(SHD_LOAD_IN_PROCESS); /* and those that OpenImageIO keeps open */
     snprintf(saved_locale, sizeof saved_locale, "%s", locale);
     assert_non_null(getcwd(folder, sizeof folder));
@@ -71,7 +71,7 @@ static void test_hygiene(void **state)
     descriptors = count_descriptors();
     errno = 4711;
     load_everything(SHD_LOAD_IN_PROCESS);
-    load_everything(SHD_LOAD_DEFAULT);
+    load_everything(SHD_LOAD_NONE);
     assert_int_equal(errno, 4711);
     assert_int_equal(count_descriptors(), descriptors);
     sigprocmask(SIG_SETMASK, NULL, &after);
@@ -88,7 +88,7 @@ static void test_sigchld_ignored(void **state)
     void (*old)(int) = signal(SIGCHLD, SIG_IGN);
     (void)state;
     stop_worker();
-    load_everything(SHD_LOAD_DEFAULT); /* starts a worker */
+    load_everything(SHD_LOAD_NONE); /* starts a worker */
     signal(SIGCHLD, old);
 }
 
@@ -129,7 +129,7 @@ static void test_exact_budgets(void **state)
         shd_image image = shd_image_default();
         shd_bitmap *bitmap = NULL;
         shd_assert_ok(shd_bitmap_load_memory(g_context, bytes->data, bytes->size, &desc, &bitmap));
-        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
         desc.worker_path = k_worker;
         desc.max_file_bytes = bytes->size;
         desc.max_pixels = (uint64_t)image.width * image.height;
@@ -180,7 +180,7 @@ struct fault {
     size_t live;
 };
 
-static void *fault_allocate(void *user_data, size_t size, size_t alignment)
+static void *fault_allocate(size_t size, size_t alignment, void *user_data)
 {
     struct fault *fault = (struct fault *)user_data;
     void *memory = NULL;
@@ -190,7 +190,7 @@ static void *fault_allocate(void *user_data, size_t size, size_t alignment)
     return memory;
 }
 
-static void fault_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void fault_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     struct fault *fault = (struct fault *)user_data;
     (void)alignment;
@@ -233,7 +233,7 @@ static void test_allocation_faults(void **state)
 {
     (void)state;
     check_allocation_faults(SHD_LOAD_IN_PROCESS, 4);
-    check_allocation_faults(SHD_LOAD_DEFAULT, 2);
+    check_allocation_faults(SHD_LOAD_NONE, 2);
 }
 
 static uint64_t g_want[IO_SAMPLE_COUNT];

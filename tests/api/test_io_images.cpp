@@ -34,7 +34,7 @@ struct Loaded {
         shd_load_desc desc = shd_load_desc_default();
         desc.flags = flags;
         shd_assert_ok(shd_bitmap_load_memory(g_context, file.data(), file.size(), &desc, &bitmap));
-        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     }
     ~Loaded() { shd_bitmap_release(bitmap); }
     Loaded(const Loaded &) = delete;
@@ -189,7 +189,7 @@ void test_linear(void **)
     for (size_t c = 0; c < 4; ++c) {
         shd_assert_close("linear", c, static_cast<double>(light.floats(0, 0)[c]), expected[c], 1e-6, 0);
     }
-    assert_string_equal(shd_bitmap_color_space(light.bitmap), "Linear Rec.709");
+    assert_string_equal(shd_bitmap_get_color_space(light.bitmap), "Linear Rec.709");
     assert_int_equal(codes.image.format, SHD_FORMAT_RGBA16);
     const Bytes bytes = make_png<unsigned char>(SHD_FORMAT_RGBA8_SRGB, 1, 1, {188, 10, 255, 128});
     const Loaded kept(bytes, SHD_LOAD_LINEAR);
@@ -291,7 +291,7 @@ void test_tiff(void **)
     shd_bitmap *bitmap = nullptr;
     shd_image image = shd_image_default();
     shd_assert_ok(load(white, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(static_cast<const unsigned char *>(image.pixels)[0], 255 - 0x92);
     shd_bitmap_release(bitmap);
     shd_assert_result("1 bit", load(bits, &bitmap), SHD_ERROR_UNSUPPORTED, "no BitsPerSample, which means 1 bit");
@@ -307,9 +307,9 @@ void test_pfm(void **)
     Bytes file(header.begin(), header.end());
     const auto *bytes = reinterpret_cast<const unsigned char *>(pixel);
     file.insert(file.end(), bytes, bytes + sizeof pixel);
-    for (const uint32_t flags : {SHD_LOAD_DEFAULT, SHD_LOAD_LINEAR}) {
+    for (const uint32_t flags : {SHD_LOAD_NONE, SHD_LOAD_LINEAR}) {
         const Loaded loaded(file, flags);
-        assert_string_equal(shd_bitmap_color_space(loaded.bitmap), "Linear Rec.709");
+        assert_string_equal(shd_bitmap_get_color_space(loaded.bitmap), "Linear Rec.709");
         assert_memory_equal(loaded.floats(0, 0), pixel, sizeof pixel);
     }
 }
@@ -328,7 +328,7 @@ void test_webp_alpha(void **)
     const shd_result result = shd_bitmap_load_memory(g_context, file.data(), file.size(), &desc, &bitmap);
     if (result == SHD_ERROR_UNSUPPORTED) skip();  // built without WebP
     shd_assert_ok(result);
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     for (int i = 0; i < 8; ++i) {
         const int code = static_cast<const unsigned char *>(image.pixels)[i];
         assert_true(std::abs(code - expected[i]) <= (i < 4 || i == 7 ? 0 : 1));
@@ -398,7 +398,7 @@ void test_premultiplied_file(void **)
 {
     const std::vector<float> pixels = {.25f, .5f, 0, .5f, 2, 0, 0, 0};
     const Bytes file = make_file(SHD_FORMAT_RGBA32F, 2, 1, pixels, "premultiplied.exr");
-    for (const uint32_t flags : {SHD_LOAD_DEFAULT, SHD_LOAD_PREMULTIPLY, SHD_LOAD_ALPHA_WEIGHTED}) {
+    for (const uint32_t flags : {SHD_LOAD_NONE, SHD_LOAD_PREMULTIPLY, SHD_LOAD_ALPHA_WEIGHTED}) {
         shd_load_desc desc = shd_load_desc_default();
         shd_texture_info info = shd_texture_info_default();
         shd_image image = shd_image_default();

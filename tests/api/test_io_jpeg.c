@@ -86,8 +86,7 @@ static shd_result load(const io_bytes *bytes, const shd_load_desc *desc)
 /* Loads by the worker, in this process and in parts, each with the same result. Frees the bytes. */
 static void check(const char *name, io_bytes bytes, shd_load_desc desc, shd_result expected, const char *message)
 {
-    static const shd_load_flags flags[] = {SHD_LOAD_DEFAULT, SHD_LOAD_IN_PROCESS,
-                                           SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL};
+    static const shd_load_flags flags[] = {SHD_LOAD_NONE, SHD_LOAD_IN_PROCESS, SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL};
     size_t i;
     desc.worker_path = k_worker;
     for (i = 0; i < sizeof flags / sizeof flags[0]; ++i) {

@@ -112,7 +112,7 @@ static void test_module_missing(void **state)
     shd_assert_result("missing", load(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap),
                       SHD_ERROR_NOT_FOUND, "cannot open libshd_io_oiio.so");
     assert_null(bitmap);
-    desc.flags = SHD_LOAD_DEFAULT;
+    desc.flags = SHD_LOAD_NONE;
     worker = io_copy_worker(k_worker, "worker");
     desc.worker_path = worker;
     shd_assert_ok(load(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap));
@@ -157,13 +157,13 @@ static int load_in_folder_of_stranger(void)
     setenv("LD_LIBRARY_PATH", "lib:", 1); /* for the worker: the dynamic linker of this process has read it before */
     symbol = dlsym(handle, "shd_bitmap_load_memory");
     memcpy(&load, &symbol, sizeof load);
-    if (load_sample(load, SHD_LOAD_DEFAULT) != SHD_OK) return 3;
+    if (load_sample(load, SHD_LOAD_NONE) != SHD_OK) return 3;
     if (load_sample(load, SHD_LOAD_IN_PROCESS) != SHD_OK) return 4;
     setenv("SHD_IO_WORKER", "lib/shd-io-worker", 1);
-    if (load_sample(load, SHD_LOAD_DEFAULT) != SHD_ERROR_INVALID_ARGUMENT) return 5;
+    if (load_sample(load, SHD_LOAD_NONE) != SHD_ERROR_INVALID_ARGUMENT) return 5;
     if (!strstr(shd_last_error(), "SHD_IO_WORKER: \"lib/shd-io-worker\" is not an absolute path")) return 6;
     setenv("SHD_IO_WORKER", io_path("ours/lib/shd-io-worker"), 1);
-    if (load_sample(load, SHD_LOAD_DEFAULT) != SHD_OK) return 7;
+    if (load_sample(load, SHD_LOAD_NONE) != SHD_OK) return 7;
     return access(io_path("stranger_ran"), F_OK) == 0 ? 8 : 0;
 }
 

@@ -20,7 +20,7 @@ struct desc_case {
 static void edit_size(shd_load_desc *d) { d->struct_size = 7; }
 static void edit_formats(shd_load_desc *d) { d->formats = 1u << 20; }
 static void edit_flags(shd_load_desc *d) { d->flags = 1u << 9; }
-static void edit_encoding(shd_load_desc *d) { d->color_space = (shd_color_encoding)9; }
+static void edit_encoding(shd_load_desc *d) { d->encoding = (shd_color_encoding)9; }
 static void edit_subimage(shd_load_desc *d) { d->subimage = 70000; }
 static void edit_subimage_absent(shd_load_desc *d) { d->subimage = 1; }
 static void edit_ratio_nan(shd_load_desc *d) { d->max_ratio = (double)NAN; }
@@ -55,7 +55,7 @@ static const struct desc_case k_desc[] = {
     {"desc/struct_size_small", edit_size, SHD_ERROR_INVALID_ARGUMENT, "load.struct_size: 7"},
     {"desc/formats_unknown", edit_formats, SHD_ERROR_UNSUPPORTED, "load.formats: bits 0x100000"},
     {"desc/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "load.flags: bits 0x200"},
-    {"desc/color_space_9", edit_encoding, SHD_ERROR_INVALID_ARGUMENT, "load.color_space: 9"},
+    {"desc/color_space_9", edit_encoding, SHD_ERROR_INVALID_ARGUMENT, "load.encoding: 9"},
     {"desc/subimage_70000", edit_subimage, SHD_ERROR_INVALID_ARGUMENT, "load.subimage: 70000 is not in 0..65535"},
     {"desc/subimage_absent", edit_subimage_absent, SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part 1"},
     {"desc/max_ratio_nan", edit_ratio_nan, SHD_ERROR_INVALID_ARGUMENT, "load.max_ratio"},
@@ -187,12 +187,12 @@ static void test_null_arguments(void **state)
                       "out_texture: NULL");
     shd_assert_result("texture path", shd_texture_load(g_context, NULL, NULL, &texture), SHD_ERROR_INVALID_ARGUMENT,
                       "path: NULL");
-    shd_assert_result("image", shd_bitmap_image(NULL, &image), SHD_ERROR_INVALID_ARGUMENT, "NULL");
+    shd_assert_result("image", shd_bitmap_get_image(NULL, &image), SHD_ERROR_INVALID_ARGUMENT, "NULL");
     assert_null(image.pixels);
-    shd_assert_result("image out", shd_bitmap_image(NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_image: NULL");
+    shd_assert_result("image out", shd_bitmap_get_image(NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_image: NULL");
     shd_assert_result("info", shd_bitmap_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "NULL");
     shd_assert_result("info out", shd_bitmap_get_info(NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_info: NULL");
-    assert_string_equal(shd_bitmap_color_space(NULL), "");
+    assert_string_equal(shd_bitmap_get_color_space(NULL), "");
     shd_bitmap_retain(NULL);
     shd_bitmap_release(NULL);
 }
@@ -201,7 +201,7 @@ static void test_null_arguments(void **state)
  * load. */
 static void test_anonymous_path(void **state)
 {
-    static const shd_load_flags flags[] = {SHD_LOAD_DEFAULT, SHD_LOAD_IN_PROCESS};
+    static const shd_load_flags flags[] = {SHD_LOAD_NONE, SHD_LOAD_IN_PROCESS};
     char text[2][1024];
     int used[4], i;
     (void)state;
@@ -232,12 +232,13 @@ static void test_lifecycle(void **state)
     shd_bitmap_retain(bitmap);
     shd_bitmap_release(bitmap);
     shd_context_release(context); /* the bitmap keeps it */
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(((unsigned char *)image.pixels)[79], 7 + 3 * 79);
     shd_context_retain(context);
     shd_bitmap_release(bitmap);
-    assert_string_equal(shd_bitmap_color_space(bitmap), "");
-    shd_assert_result("released", shd_bitmap_image(bitmap, &image), SHD_ERROR_INVALID_ARGUMENT, "not a live handle");
+    assert_string_equal(shd_bitmap_get_color_space(bitmap), "");
+    shd_assert_result("released", shd_bitmap_get_image(bitmap, &image), SHD_ERROR_INVALID_ARGUMENT,
+                      "not a live handle");
     shd_context_release(context);
 }
 
@@ -340,13 +341,13 @@ static void test_format(void **state)
     shd_image image = shd_image_default();
     shd_bitmap_info info = shd_bitmap_info_default();
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
-    assert_string_equal(shd_bitmap_color_space(bitmap), c->color_space);
+    assert_string_equal(shd_bitmap_get_color_space(bitmap), c->color_space);
     assert_int_equal(image.format, c->format);
     assert_int_equal(image.width, c->width);
     assert_int_equal(image.height, c->height);
-    assert_int_equal(info.channels, c->channels);
+    assert_int_equal(info.channel_count, c->channels);
     assert_int_equal(info.file_format, sample->format);
     assert_int_equal(info.flags, sample->format == SHD_FILE_FORMAT_EXR ? SHD_BITMAP_PREMULTIPLIED : SHD_BITMAP_NONE);
     desc.flags = SHD_LOAD_IN_PROCESS;
@@ -381,11 +382,11 @@ static void test_color(void **state)
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
     shd_image image = shd_image_default();
-    desc.color_space = c->encoding;
+    desc.encoding = c->encoding;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.format, c->format);
-    assert_string_equal(shd_bitmap_color_space(bitmap), c->color_space);
+    assert_string_equal(shd_bitmap_get_color_space(bitmap), c->color_space);
     shd_bitmap_release(bitmap);
 }
 
@@ -399,7 +400,7 @@ static void test_flip(void **state)
     (void)state;
     desc.flags = SHD_LOAD_FLIP_V;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     for (y = 0; y < 4; ++y) {
         assert_int_equal(((unsigned char *)image.pixels)[y * image.row_stride], 7 + 3 * 20 * (3 - y));
     }
@@ -416,7 +417,7 @@ static void test_grey(void **state)
     size_t i;
     (void)state;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     for (i = 0; i < 24; ++i) {
         assert_int_equal(((unsigned char *)image.pixels)[i], i % 4 == 3 ? 255 : want[i / 4]);
     }
@@ -559,7 +560,7 @@ static void test_exr(void **state)
     int x, y;
     shd_assert_result(c->name, shd_bitmap_load_memory(g_context, bytes, size, NULL, &bitmap), c->expected, c->message);
     if (c->expected != SHD_OK) return;
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width, w[2] - w[0] + 1);
     assert_int_equal(image.height, w[3] - w[1] + 1);
     for (y = w[1]; y <= w[3]; ++y) {

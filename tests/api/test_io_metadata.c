@@ -351,7 +351,7 @@ static void test_parts(void **state)
         result = shd_bitmap_load_memory(g_context, bytes, size, &desc, &bitmap);
         shd_assert_result("part", result, part < 2 ? SHD_OK : SHD_ERROR_NOT_FOUND, "the file has no part 2");
         if (part == 2) break;
-        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
         for (x = 0; x < 2; ++x) {
             assert_true(((const float *)image.pixels)[4 * x] == (float)(10 * part + x));
         }

@@ -20,7 +20,7 @@ struct outcome {
     unsigned char *bytes;
 };
 
-static shd_result find_file(void *user, const char *name, shd_worker_file *out)
+static shd_result find_file(const char *name, shd_worker_file *out, void *user)
 {
     (void)user;
     if (strcmp(name, "large") == 0) {
@@ -44,7 +44,7 @@ static shd_result find_file(void *user, const char *name, shd_worker_file *out)
     return strcmp(name, "stop") == 0 ? SHD_ERROR_LIMIT : SHD_ERROR_NOT_FOUND;
 }
 
-static shd_result receive(void *user, shd_worker_stream *reply)
+static shd_result receive(shd_worker_stream *reply, void *user)
 {
     struct outcome *out = user;
     return shd_worker_read(reply, out->bytes, out->wanted);

@@ -25,7 +25,7 @@ static shd_result load_bitmap(const char *path, shd_load_flags flags)
     return result;
 }
 
-static shd_result bitmap_worker(const char *path) { return load_bitmap(path, SHD_LOAD_DEFAULT); }
+static shd_result bitmap_worker(const char *path) { return load_bitmap(path, SHD_LOAD_NONE); }
 static shd_result bitmap_in_process(const char *path) { return load_bitmap(path, SHD_LOAD_IN_PROCESS); }
 
 /* The functions that make a texture. Each gets a handle that is not NULL. */

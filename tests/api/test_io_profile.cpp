@@ -141,7 +141,7 @@ shd_texture *load_levels(shd_context *context, const Case &c, const std::string 
     desc.height = static_cast<uint32_t>(c.height);
     desc.texels = texels[0].data();
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels.data() + 1;
+    desc.level_images = levels.data() + 1;
     desc.level_count = static_cast<uint32_t>(levels.size() - 1);
     shd_texture *texture = nullptr;
     shd_assert_ok(shd_texture_create(context, &desc, &texture));

@@ -113,7 +113,7 @@ static void test_numbers(void **state)
                 shd_texture *texture = NULL;
                 const char *path = write_numbers(kind, COUNT * channels, (shd_byte_order)order, header);
                 desc.sample = kind->sample;
-                desc.channels = channels;
+                desc.channel_count = channels;
                 desc.byte_order = (shd_byte_order)order;
                 desc.header_bytes = flip ? SHD_RAW_HEADER_REST : header;
                 load.flags = flip ? SHD_LOAD_FLIP_V : 0;
@@ -160,7 +160,7 @@ struct bad_case {
     shd_result expected;
     const char *message;
     uint32_t width, height, depth; /* 0 = the default one; ~0 = 0 */
-    uint32_t sample, channels, order, flags;
+    uint32_t sample, channels, order;
     uint64_t header;
     uint32_t load_flags, tables;
     uint64_t max_pixels, max_bytes, max_file_bytes;
@@ -173,10 +173,9 @@ static const struct bad_case k_bad[] = {
     {"wide", ARGUMENT, "raw.width: 65537 is not in 1..65536", .width = 65537},
     {"deep", ARGUMENT, "raw.depth: 4294967294 is not in", .depth = ~1u},
     {"sample", ARGUMENT, "raw.sample: 8 is not a shd_raw_sample", .sample = 8},
-    {"channels", ARGUMENT, "raw.channels: 5 is not in 1..4", .channels = 5},
-    {"no_channels", ARGUMENT, "raw.channels: 0 is not in 1..4", .channels = ~0u},
+    {"channels", ARGUMENT, "raw.channel_count: 5 is not in 1..4", .channels = 5},
+    {"no_channels", ARGUMENT, "raw.channel_count: 0 is not in 1..4", .channels = ~0u},
     {"byte_order", ARGUMENT, "raw.byte_order: 2 is not a shd_byte_order", .order = 2},
-    {"flags", SHD_ERROR_UNSUPPORTED, "raw.flags: bits 0x4 are not known", .flags = 4},
     {"load_flags", SHD_ERROR_UNSUPPORTED, "load.flags: bits 0x2 have no meaning for a file of voxels",
      .load_flags = SHD_LOAD_PARTIAL},
     {"tables", SHD_ERROR_UNSUPPORTED, "load.tables: 0x4, but a 3D texture", .tables = SHD_TABLE_SUMMED_AREA},
@@ -206,16 +205,15 @@ static void test_bad(void **state)
     if (c->width) desc.width = c->width == ~0u ? 0 : c->width;
     if (c->height) desc.height = c->height == ~0u ? 0 : c->height;
     if (c->depth) desc.depth = c->depth == ~0u ? 0 : c->depth;
-    if (c->channels) desc.channels = c->channels == ~0u ? 0 : c->channels;
+    if (c->channels) desc.channel_count = c->channels == ~0u ? 0 : c->channels;
     desc.sample = (shd_raw_sample)c->sample;
     desc.byte_order = (shd_byte_order)c->order;
-    desc.flags = c->flags;
     desc.header_bytes = c->header;
     load.flags = c->load_flags;
     if (c->tables) load.tables = c->tables;
-    load.max_pixels = c->max_pixels;
-    load.max_bytes = c->max_bytes;
-    load.max_file_bytes = c->max_file_bytes;
+    if (c->max_pixels) load.max_pixels = c->max_pixels;
+    if (c->max_bytes) load.max_bytes = c->max_bytes;
+    if (c->max_file_bytes) load.max_file_bytes = c->max_file_bytes;
     shd_assert_result(c->name, load_raw(g_context, path, &desc, &load, &texture), c->expected, c->message);
     assert_true((texture != NULL) == (c->expected == SHD_OK));
     shd_texture_release(texture);

@@ -90,7 +90,7 @@ static void assert_pixels(const shd_bitmap *bitmap, int channels)
 {
     shd_image image = shd_image_default();
     int i, c;
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width * image.height, 20);
     for (i = 0; i < 20; ++i) {
         for (c = 0; c < 4; ++c) {
@@ -142,7 +142,7 @@ static void test_case(void **state)
     shd_assert_result(c->mode, result, c->expected, c->message);
     assert_true((bitmap != NULL) == (result == SHD_OK && !grid));
     if (strcmp(c->mode, "color_space") == 0) {
-        const char *text = shd_bitmap_color_space(bitmap);
+        const char *text = shd_bitmap_get_color_space(bitmap);
         assert_int_equal(strlen(text), 63);
         assert_int_equal(strspn(text, "?"), 63);
     }

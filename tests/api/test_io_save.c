@@ -102,7 +102,7 @@ static void test_image(void **state)
     shd_bitmap *bitmap = NULL;
     shd_image loaded = shd_image_default();
     int x, y, k;
-    desc.color_space = c->encoding;
+    desc.encoding = c->encoding;
     if (c->loaded == SHD_FORMAT_NONE) {
         shd_assert_result(c->file, shd_image_save(&image, io_path(c->file), &desc), SHD_ERROR_UNSUPPORTED,
                           c->color_space);
@@ -111,9 +111,9 @@ static void test_image(void **state)
     }
     shd_assert_ok(shd_image_save(&image, io_path(c->file), &desc));
     shd_assert_ok(shd_bitmap_load(g_context, io_path(c->file), NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &loaded));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &loaded));
     assert_int_equal(loaded.format, c->loaded);
-    assert_string_equal(shd_bitmap_color_space(bitmap), c->color_space);
+    assert_string_equal(shd_bitmap_get_color_space(bitmap), c->color_space);
     for (y = 0; y < HEIGHT; ++y) {
         for (x = 0; x < WIDTH; ++x) {
             double largest = 0;
@@ -156,9 +156,9 @@ static void test_arguments(void **state)
     desc.dither = (shd_dither)3;
     shd_assert_result("dither", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.dither: 3");
     desc = shd_save_desc_default();
-    desc.color_space = (shd_color_encoding)77;
+    desc.encoding = (shd_color_encoding)77;
     shd_assert_result("encoding", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "save.color_space: 77");
+                      "save.encoding: 77");
     shd_assert_result("framebuffer", shd_framebuffer_save(NULL, "a.png", NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "framebuffer: NULL");
 }
@@ -385,7 +385,7 @@ static void test_frame(void **state)
     int i, k;
     paint(framebuffer);
     desc.bit_depth = c->bit_depth;
-    desc.color_space = c->encoding;
+    desc.encoding = c->encoding;
     if (c->loaded == SHD_FORMAT_NONE) {
         const shd_result result = shd_framebuffer_save(framebuffer, io_path(c->file), &desc);
         shd_framebuffer_release(framebuffer);
@@ -396,12 +396,12 @@ static void test_frame(void **state)
     shd_assert_ok(shd_framebuffer_save(framebuffer, io_path(c->file), &desc));
     shd_framebuffer_release(framebuffer);
     shd_assert_ok(shd_bitmap_load(g_context, io_path(c->file), NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &loaded));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &loaded));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
     assert_int_equal(loaded.format, c->loaded);
     assert_int_equal((info.flags & SHD_BITMAP_PREMULTIPLIED) != 0,
                      strstr(c->file, ".exr") || strcmp(c->file, "f_default.tif") == 0);
-    if (strstr(c->file, ".exr")) assert_int_equal(info.channels, 11);
+    if (strstr(c->file, ".exr")) assert_int_equal(info.channel_count, 11);
     for (i = 0; i < PIXELS && !strstr(c->file, ".hdr") && loaded.format != SHD_FORMAT_RGBA16F; ++i) {
         for (k = 0; k < 4; ++k) {
             shd_assert_close(c->file, (size_t)(4 * i + k), stored_value(&loaded, i % WIDTH, i / WIDTH, k),
@@ -443,7 +443,7 @@ static void test_interleaved(void **state)
         shd_assert_ok(shd_framebuffer_save(framebuffer, io_path("interleaved.exr"), &save));
         shd_framebuffer_release(framebuffer);
         shd_assert_ok(shd_bitmap_load(g_context, io_path("interleaved.exr"), NULL, &bitmap));
-        shd_assert_ok(shd_bitmap_image(bitmap, &loaded));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &loaded));
         assert_int_equal(loaded.format, SHD_FORMAT_RGBA32F);
         for (i = 0; i < PIXELS; ++i) {
             for (k = 0; k < 4; ++k) {
@@ -466,7 +466,7 @@ static void test_all_planes(void **state)
     shd_framebuffer_release(framebuffer);
     shd_assert_ok(shd_bitmap_load(g_context, io_path("all_planes.exr"), NULL, &bitmap));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
-    assert_int_equal(info.channels, SHD_PLANE_TARGET3_A + 1);
+    assert_int_equal(info.channel_count, SHD_PLANE_TARGET3_A + 1);
     shd_bitmap_release(bitmap);
 }
 
@@ -486,7 +486,7 @@ static void test_half(void **state)
     shd_assert_ok(shd_framebuffer_save(framebuffer, io_path("half.exr"), NULL));
     shd_framebuffer_release(framebuffer);
     shd_assert_ok(shd_bitmap_load(g_context, io_path("half.exr"), NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &loaded));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &loaded));
     for (i = 0; i < sizeof want / sizeof want[0]; ++i) {
         assert_int_equal(((const uint16_t *)loaded.pixels)[want[i].k], want[i].bits);
     }
@@ -545,7 +545,7 @@ static void test_texture(void **state)
     static float level[PIXELS * 4];
     shd_image out = shd_image_default();
     int i, k;
-    desc.color_space = c->encoding;
+    desc.encoding = c->encoding;
     shd_assert_ok(shd_image_save(&image, io_path(c->file), NULL));
     shd_assert_ok(shd_texture_load(g_context, io_path(c->file), &desc, &texture));
     shd_assert_ok(shd_texture_get_info(texture, &info));

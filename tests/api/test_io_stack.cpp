@@ -453,7 +453,7 @@ const BadCase k_bad[] = {{"bad/nothing", SHD_OK, "", CHANGE{(void)desc, (void)lo
 , {"bad/enough", SHD_OK, "", CHANGE{(void)desc, load.max_pixels = load.max_bytes = 140;
 }
 }
-, {"bad/srgb", SHD_OK, "", CHANGE{(void)desc, load.color_space = SHD_COLOR_ENCODING_SRGB;
+, {"bad/srgb", SHD_OK, "", CHANGE{(void)desc, load.encoding = SHD_COLOR_ENCODING_SRGB;
 }
 }
 ,
@@ -474,7 +474,7 @@ void test_bad(void **state)
     c.change(desc, load);
     shd_assert_result(c.name, load_stack(g_context, &desc, &load, &texture), c.expected, c.message);
     assert_true((texture != nullptr) == (c.expected == SHD_OK));
-    if (texture && load.color_space == SHD_COLOR_ENCODING_SRGB) {
+    if (texture && load.encoding == SHD_COLOR_ENCODING_SRGB) {
         Stack encoded = stack;
         encoded.format = SHD_FORMAT_R8_SRGB;
         check_texture(encoded, 0, false, texture);
@@ -500,9 +500,9 @@ void test_others(void **)
     load.max_bytes = 280;
     shd_assert_ok(load_pages(path, &load, &texture));
     check_texture(stack, 0, false, texture);
-    load.color_space = SHD_COLOR_ENCODING_SRGB;
+    load.encoding = SHD_COLOR_ENCODING_SRGB;
     shd_assert_result("sRGB", load_pages(path, &load, &texture), SHD_ERROR_UNSUPPORTED,
-                      "load.color_space: SRGB, but the slices are not of 8 bits");
+                      "load.encoding: SRGB, but the slices are not of 8 bits");
     write_slice(io_path("% 9.tif"), stack, 0);
     write_slice(io_path("%10.tif"), stack, 1);
     desc.pattern = pattern.c_str();

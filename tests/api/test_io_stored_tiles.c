@@ -33,7 +33,7 @@ static shd_result open_tiles(const char *path, shd_tile_cache *cache, shd_color_
 {
     shd_tile_file_desc desc = shd_tile_file_desc_default();
     desc.cache = cache;
-    desc.color_space = encoding;
+    desc.encoding = encoding;
     return shd_texture_open(g_context, path, &desc, out, info);
 }
 
@@ -108,7 +108,7 @@ static void check_file(const char *name, io_bytes file, const file_texture *t, s
     shd_texture *memory = NULL, *tiles = NULL;
     int i;
     load.flags = SHD_LOAD_IN_PROCESS;
-    load.color_space = encoding;
+    load.encoding = encoding;
     if (t->level_count < 2) load.tables = 0;
     io_write(path, file.data, file.size);
     shd_assert_ok(load_file_memory(g_context, file.data, file.size, &load, NULL, &memory));
@@ -117,7 +117,7 @@ static void check_file(const char *name, io_bytes file, const file_texture *t, s
         shd_tile_file_info info = shd_tile_file_info_default();
         uint32_t l, k;
         shd_assert_ok(open_tiles(path, i ? g_small : g_large, encoding, &tiles, &info));
-        assert_int_equal(info.files * info.columns * info.rows, 1);
+        assert_int_equal(info.file_count * info.column_count * info.row_count, 1);
         assert_int_equal(info.tile_width, t->block_w);
         assert_int_equal(info.tile_height, t->block_h);
         shd_assert_ok(shd_texture_get_info(tiles, &got));
@@ -125,7 +125,7 @@ static void check_file(const char *name, io_bytes file, const file_texture *t, s
         if (memcmp(&got, &want, sizeof got) != 0) fail_msg("%s: format %d, flags %x", name, got.format, got.flags);
         expect_same(name, tiles, memory);
         for (l = 0; l < want.level_count; ++l) {
-            for (k = 0; k < want.layers; ++k) {
+            for (k = 0; k < want.layer_count; ++k) {
                 io_bytes a = read_image(tiles, k, l), b = read_image(memory, k, l);
                 if (memcmp(a.data, b.data, b.size) != 0) fail_msg("%s: image %u of level %u differs", name, k, l);
                 free(a.data), free(b.data);
@@ -261,11 +261,11 @@ static void expect_refused(const char *path, shd_result expected, const char *me
 {
     shd_texture *texture = (shd_texture *)&g_context;
     shd_tile_file_info info = shd_tile_file_info_default();
-    info.columns = 7;
+    info.column_count = 7;
     shd_assert_result(message, open_tiles(path, g_small, SHD_COLOR_ENCODING_AUTO, &texture, &info), expected, message);
     shd_assert_result(path, expected, expected, strrchr(path, '/') + 1); /* the text names the file */
     assert_null(texture);
-    assert_int_equal(info.columns, 0);
+    assert_int_equal(info.column_count, 0);
 }
 
 static void test_refused(void **state)
@@ -380,7 +380,7 @@ static void test_threads(void **state)
         assert_int_equal(workers[i].same, 8 * FILTERS);
     }
     shd_assert_ok(shd_tile_cache_get_stats(cache, &stats));
-    assert_true(stats.evicted_tiles > stats.tile_count); /* some were read again */
+    assert_true(stats.evicted_tile_count > stats.tile_count); /* some were read again */
     shd_texture_release(tiles);
     shd_texture_release(memory);
     shd_tile_cache_release(cache);

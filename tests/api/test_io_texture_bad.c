@@ -290,11 +290,11 @@ static void test_budget(void **state)
     const struct budget_case *c = (const struct budget_case *)*state;
     shd_load_desc desc = shd_load_desc_default();
     shd_texture *texture;
-    desc.max_file_bytes = c->max_file_bytes;
-    desc.max_pixels = c->max_pixels;
-    desc.max_bytes = c->max_bytes;
+    if (c->max_file_bytes) desc.max_file_bytes = c->max_file_bytes;
+    if (c->max_pixels) desc.max_pixels = c->max_pixels;
+    if (c->max_bytes) desc.max_bytes = c->max_bytes;
     desc.flags = c->flags;
-    desc.formats = c->formats;
+    if (c->formats) desc.formats = c->formats;
     desc.subimage = c->subimage;
     shd_assert_result(c->name, load(g_context, g_files[c->file].data, g_files[c->file].size, &desc, &texture),
                       c->expected, c->message);

@@ -171,7 +171,7 @@ static void test_mask(void **state)
     shd_dds_put(file.data + 88, c->bits);
     for (k = 0; k < 4; ++k) shd_dds_put(file.data + 92 + 4 * k, c->mask[k]);
     for (pixel = 0; pixel < 2; ++pixel) file_number(&file, c->pixel, c->bits / 8);
-    desc.color_space = SHD_COLOR_ENCODING_DATA;
+    desc.encoding = SHD_COLOR_ENCODING_DATA;
     texture = load(file, &desc, 0, &info);
     assert_int_equal(info.format, c->format);
     sample_texel(texture, 0.75f, 0.5f, texel);
@@ -249,7 +249,7 @@ static const struct curve_case k_curves[] = {
      "vkFormat 146, but transfer 1"},
     {"curve/contradiction_overruled", 145, 134, 16, 4, 2, SHD_COLOR_ENCODING_LINEAR, SHD_FORMAT_BC7, SHD_OK, ""},
     {"curve/bc5_as_srgb", 141, 132, 16, 4, 1, SHD_COLOR_ENCODING_SRGB, SHD_FORMAT_NONE, SHD_ERROR_UNSUPPORTED,
-     "load.color_space: SRGB, but format 31 of the KTX2 file has no _SRGB format"},
+     "load.encoding: SRGB, but format 31 of the KTX2 file has no _SRGB format"},
     {"curve/r16_declared_srgb", 70, 1, 2, 1, 2, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, SHD_ERROR_UNSUPPORTED,
      "the sRGB curve with format 12"},
     {"curve/bt709", 37, 1, 4, 1, 3, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, SHD_ERROR_UNSUPPORTED,
@@ -268,7 +268,7 @@ static void test_curve(void **state)
     shd_texture_file_info info = shd_texture_file_info_default();
     shd_texture *texture = NULL;
     io_bytes file = c->vulkan ? file_make_ktx2(&t, &k, NULL) : file_make_dds(&t, "DXT5", 0);
-    desc.color_space = c->encoding;
+    desc.encoding = c->encoding;
     shd_assert_result(c->name, load_file_memory(g_context, file.data, file.size, &desc, &info, &texture), c->result,
                       c->message);
     assert_int_equal(info.format, c->format);
@@ -317,7 +317,7 @@ static void test_code(void **state)
     shd_load_desc desc = shd_load_desc_default();
     shd_texture_file_info info = shd_texture_file_info_default();
     shd_texture *texture = NULL;
-    desc.color_space = SHD_COLOR_ENCODING_DATA;
+    desc.encoding = SHD_COLOR_ENCODING_DATA;
     shd_assert_ok(load_file_memory(g_context, file.data, file.size, &desc, &info, &texture));
     assert_int_equal(info.format, c->format);
     assert_int_equal(info.flags, c->flags);
@@ -345,7 +345,7 @@ static void test_stale_code(void **state)
         shd_dds_put(file.data + 92, 0xff0000), shd_dds_put(file.data + 96, 0xff00), shd_dds_put(file.data + 100, 0xff);
         shd_dds_put(file.data + 104, 0xff000000u);
         for (k = 0; k < 2; ++k) file_number(&file, 0x40302010, 4);
-        desc.color_space = SHD_COLOR_ENCODING_DATA;
+        desc.encoding = SHD_COLOR_ENCODING_DATA;
         texture = load(file, &desc, 0, &info);
         sample_texel(texture, 0.75f, 0.5f, texel);
         for (k = 0; k < 4; ++k)
@@ -446,7 +446,7 @@ static void test_astc(void **state)
                 file_put(&levels[c], i < 2 ? k_ldr : i == 2 ? k_hdr : none, 16);
         }
         file = file_make_ktx2(&t, &k, levels);
-        if (i == 1) desc.color_space = SHD_COLOR_ENCODING_DATA;
+        if (i == 1) desc.encoding = SHD_COLOR_ENCODING_DATA;
         result = load_file_memory(g_context, file.data, file.size, &desc, &info, &texture);
         free(levels[0].data), free(levels[1].data), free(file.data);
         if (file_is_absent(result)) skip();

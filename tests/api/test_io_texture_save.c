@@ -30,7 +30,7 @@ static void test_save(void **state)
             save.supercompression = (shd_supercompression)k_schemes[(row + kind) % 3];
             save.effort = (int32_t)(kind % 2) * 9;
             if (save.supercompression == 0) save.effort = 0;
-            if (f->format != stored_format(f->format)) save.channels = 3;
+            if (f->format != stored_format(f->format)) save.channel_count = 3;
             first = load(file_make_ktx2(&t, &k, NULL), &desc, 0, &info);
             result = shd_texture_save_ktx2(first, io_path("saved.ktx2"), &save);
             if (file_is_absent(result)) {
@@ -64,13 +64,13 @@ static void test_save_bad(void **state)
     shd_assert_result("path", shd_texture_save_ktx2(texture, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "path: NULL");
     shd_assert_result("folder", shd_texture_save_ktx2(texture, io_path("no/such"), NULL), SHD_ERROR_NOT_FOUND,
                       "no/such");
-    desc.channels = 3;
+    desc.channel_count = 3;
     shd_assert_result("blocks", shd_texture_save_ktx2(texture, path, &desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "ktx2.channels: 3, but format 35");
-    desc.channels = 2;
+                      "ktx2.channel_count: 3, but format 35");
+    desc.channel_count = 2;
     shd_assert_result("channels", shd_texture_save_ktx2(texture, path, &desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "ktx2.channels: 2 is not 0 or 3");
-    desc.channels = 0;
+                      "ktx2.channel_count: 2 is not 0 or 3");
+    desc.channel_count = 0;
     desc.supercompression = (shd_supercompression)4;
     shd_assert_result("scheme", shd_texture_save_ktx2(texture, path, &desc), SHD_ERROR_INVALID_ARGUMENT,
                       "ktx2.supercompression: 4");

@@ -141,7 +141,7 @@ static uint64_t load_twice(const char *name, const void *bytes, size_t size, shd
 static uint64_t load_all(const char *name, const void *bytes, size_t size, shd_result *result)
 {
     shd_result in_process;
-    const uint64_t hash = load_twice(name, bytes, size, SHD_LOAD_DEFAULT, result);
+    const uint64_t hash = load_twice(name, bytes, size, SHD_LOAD_NONE, result);
     if (load_twice(name, bytes, size, SHD_LOAD_IN_PROCESS, &in_process) != hash || in_process != *result) {
         fail_msg("%s: loads by the worker and in process differ", name);
     }
@@ -161,7 +161,7 @@ static void test_case(void **state)
     assert_int_equal(partial, result);
     if (result != SHD_OK) return;
     shd_assert_ok(shd_bitmap_load_memory(g_context, c->bytes, c->size, NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_int_equal(image.width * image.height, c->pixels);
     for (i = 0; i < c->pixels; ++i) {
         const unsigned char *pixel = (const unsigned char *)image.pixels + i / image.width * image.row_stride;
@@ -196,7 +196,7 @@ static void test_grey_alpha(void **state)
     with_alpha[17] |= 8; /* bits of alpha */
     load_all("grey_alpha", with_alpha, sizeof with_alpha, &result);
     shd_assert_ok(shd_bitmap_load_memory(g_context, with_alpha, sizeof with_alpha, NULL, &bitmap));
-    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
     assert_memory_equal(image.pixels, wanted, sizeof wanted);
     shd_bitmap_release(bitmap);
 }
@@ -242,7 +242,7 @@ static void test_extension(void **state)
     file[24 + 478] = 22; /* gamma 2.2 = 22 / 10 */
     file[24 + 480] = 10;
     shd_assert_ok(shd_bitmap_load_memory(g_context, file, sizeof file, NULL, &bitmap));
-    assert_string_not_equal(shd_bitmap_color_space(bitmap), "sRGB");
+    assert_string_not_equal(shd_bitmap_get_color_space(bitmap), "sRGB");
     shd_bitmap_release(bitmap);
     extended_file(file, 22, 0);
     file[22] = file[23] = 0xff; /* the last pixel is the size of the area */
@@ -279,7 +279,7 @@ static void test_random(void **state)
         if (io_random(&random) % 8) file[13] = file[15] = 0;
         file[16] = depths[io_random(&random) % 5];
         file[17] &= 0x3f;
-        load_twice("random", file, size, SHD_LOAD_IN_PROCESS | (n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_DEFAULT), &result);
+        load_twice("random", file, size, SHD_LOAD_IN_PROCESS | (n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_NONE), &result);
         if (n % 16 == 0) load_all("random", file, size, &result);
         loaded += result == SHD_OK;
     }

@@ -103,7 +103,7 @@ static void test_case(void **state)
     if (c->expected == SHD_OK) {
         shd_image image = shd_image_default();
         int i;
-        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        shd_assert_ok(shd_bitmap_get_image(bitmap, &image));
         assert_true(image.width == 2 && image.height == 2);
         for (i = 0; i < 4; ++i) {
             const unsigned char *row = (const unsigned char *)image.pixels + (size_t)(i / 2) * image.row_stride;

@@ -114,7 +114,7 @@ shd_texture *make_resident(Picture &picture, size_t count)
     desc.height = picture.height;
     desc.texels = picture.levels[0].data();
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels.data();
+    desc.level_images = levels.data();
     desc.level_count = static_cast<uint32_t>(levels.size());
     shd_texture *texture = nullptr;
     shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
@@ -142,7 +142,7 @@ shd_result open_texture(const std::string &path, shd_tile_cache *cache, shd_colo
 {
     shd_tile_file_desc desc = shd_tile_file_desc_default();
     desc.cache = cache;
-    desc.color_space = encoding;
+    desc.encoding = encoding;
     desc.max_readers = 3;
     desc.fill[0] = 0.25f;
     desc.fill[3] = 0.5f;
@@ -213,7 +213,7 @@ void gives_bits_of_memory(void **)
                     shd_tile_file_info info = shd_tile_file_info_default();
                     shd_assert_ok(open_texture(path, cache, encoding_of(kind), &texture, &info));
                     assert_int_equal(info.tile_width, size == 200 ? 48 : 64);
-                    assert_int_equal(info.files, 1);
+                    assert_int_equal(info.file_count, 1);
                     shd_texture_info flags = shd_texture_info_default();
                     const bool premultiplied = name[2] == 'e' && kind.channels == 4;
                     shd_assert_ok(shd_texture_get_info(texture, &flags));
@@ -357,9 +357,9 @@ void reads_sets(void **)
     shd_tile_cache *cache = make_cache(1024, 1 << 18);
     shd_tile_file_info info = shd_tile_file_info_default();
     shd_assert_ok(open_texture(in_folder("set.<UDIM>.tx"), cache, SHD_COLOR_ENCODING_LINEAR, &texture, &info));
-    assert_int_equal(info.columns, 2);
-    assert_int_equal(info.rows, 2);
-    assert_int_equal(info.files, 3);
+    assert_int_equal(info.column_count, 2);
+    assert_int_equal(info.row_count, 2);
+    assert_int_equal(info.file_count, 3);
     expect_same(texture, resident);
     shd_texture_release(texture);
     shd_texture_release(resident);
@@ -389,7 +389,7 @@ void reads_with_many_threads(void **)
     for (const int equal : same) assert_true(equal);
     shd_tile_cache_stats stats = shd_tile_cache_stats_default();
     shd_assert_ok(shd_tile_cache_get_stats(cache, &stats));
-    assert_true(stats.loaded_tiles > stats.tile_count);  // some were read again
+    assert_true(stats.loaded_tile_count > stats.tile_count);  // some were read again
     shd_texture_release(texture);
     shd_texture_release(resident);
     shd_tile_cache_release(cache);

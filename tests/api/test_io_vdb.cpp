@@ -137,7 +137,7 @@ void check_load(const std::string &path, const shd_vdb_desc &desc, const Grid &g
 {
     CoordBBox box;
     grid.tree().evalActiveVoxelBoundingBox(box);
-    if (desc.flags & SHD_VDB_BOX) box = CoordBBox(Coord(desc.box_min), Coord(desc.box_max));
+    if (desc.flags & SHD_VDB_BOX) box = CoordBBox(Coord(desc.bounds_min), Coord(desc.bounds_max));
     for (const uint32_t flags : {0u, uint32_t{SHD_LOAD_IN_PROCESS}}) {
         shd_load_desc load = shd_load_desc_default();
         shd_vdb_info info = shd_vdb_info_default();
@@ -150,7 +150,7 @@ void check_load(const std::string &path, const shd_vdb_desc &desc, const Grid &g
         assert_int_equal(info.grid_class, grid.getGridClass() == openvdb::GRID_LEVEL_SET    ? SHD_VDB_CLASS_LEVEL_SET
                                           : grid.getGridClass() == openvdb::GRID_FOG_VOLUME ? SHD_VDB_CLASS_FOG_VOLUME
                                                                                             : SHD_VDB_CLASS_UNKNOWN);
-        assert_int_equal(info.active_voxels, grid.activeVoxelCount());
+        assert_int_equal(info.active_voxel_count, grid.activeVoxelCount());
         assert_true(info.background == static_cast<float>(grid.background()));
         shd_texture_release(texture);
     }
@@ -214,7 +214,7 @@ void test_boxes(void **)
     for (const auto &box : boxes) {
         shd_vdb_desc desc = shd_vdb_desc_default();
         desc.flags = SHD_VDB_BOX;
-        for (int a = 0; a < 3; ++a) desc.box_min[a] = box[a], desc.box_max[a] = box[3 + a];
+        for (int a = 0; a < 3; ++a) desc.bounds_min[a] = box[a], desc.bounds_max[a] = box[3 + a];
         check_load(path, desc, *grid, "density");
     }
 }
@@ -238,7 +238,7 @@ void test_cut(void **)
                           : size < 8 ? "of no known image format"
                                      : "is cut off");
         assert_null(texture);
-        assert_true(info.active_voxels == 0 && info.object_to_world[0] == 0.0f);
+        assert_true(info.active_voxel_count == 0 && info.object_to_world[0] == 0.0f);
     }
     print_message("%zu truncations of %zu bytes are refused\n", count, whole.size);
     std::free(whole.data);
@@ -299,8 +299,8 @@ void far_voxels(FloatGrid &grid, int distance)
 void set_box(shd_vdb_desc &desc, int axis, int low, int high)
 {
     desc.flags = SHD_VDB_BOX;
-    desc.box_min[axis] = low;
-    desc.box_max[axis] = high;
+    desc.bounds_min[axis] = low;
+    desc.bounds_max[axis] = high;
 }
 
 const std::string k_long(256, 'x');
@@ -322,15 +322,15 @@ const BadCase k_bad[] = {{"bad/nothing", SHD_OK, "", CHANGE{(void)grid, (void)de
 , {"bad/flags", SHD_ERROR_UNSUPPORTED, "vdb.flags: bits 0x2", CHANGE{(void)grid, (void)load, desc.flags = 2;
 }
 }
-, {"bad/box_order", ARGUMENT, "vdb.box_max[1]: 4 is not in box_min..2^30, box_min is 5",
+, {"bad/box_order", ARGUMENT, "vdb.bounds_max[1]: 4 is not in bounds_min..2^30, bounds_min is 5",
    CHANGE{(void)grid, (void)load, set_box(desc, 1, 5, 4);
 }
 }
-, {"bad/box_low", ARGUMENT, "vdb.box_min[2]: -2147483648 is not in",
+, {"bad/box_low", ARGUMENT, "vdb.bounds_min[2]: -2147483648 is not in",
    CHANGE{(void)grid, (void)load, set_box(desc, 2, std::numeric_limits<int>::min(), 0);
 }
 }
-, {"bad/box_high", ARGUMENT, "vdb.box_max[0]: 2147483647 is not in",
+, {"bad/box_high", ARGUMENT, "vdb.bounds_max[0]: 2147483647 is not in",
    CHANGE{(void)grid, (void)load, set_box(desc, 0, 0, std::numeric_limits<int>::max());
 }
 }

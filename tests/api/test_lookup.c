@@ -499,14 +499,14 @@ static void test_simd_targets(void **state)
             shd_texture *texture;
             if (!context) continue; /* not this machine's */
             texture = make_texture(context, k_formats[f]);
-            if (sample_all(texture) != want) fail_msg("%s differs", shd_context_simd_target(context));
+            if (sample_all(texture) != want) fail_msg("%s differs", shd_context_get_simd_target(context));
             shd_texture_release(texture);
             shd_context_release(context);
         }
     }
 }
 
-static shd_result broken_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result broken_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     (void)user_data;
     (void)count;

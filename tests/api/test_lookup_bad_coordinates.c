@@ -84,7 +84,7 @@ static void test_nonfinite(void **state)
             for (target = 0; target < g_targets.count; ++target) {
                 char what[80];
                 snprintf(what, sizeof what, "%s, %s, %s", k_filters[filter].name, k_wraps[wrap],
-                         shd_context_simd_target(g_targets.context[target]));
+                         shd_context_get_simd_target(g_targets.context[target]));
                 check_lanes(c, what, target, sampler);
             }
             shd_sampler_release(sampler);
@@ -149,7 +149,7 @@ static void check_position(const struct position_case *c, const shd_filter_row *
                     const int is_twin = twin == 0 || shd_is_close((double)got, (double)first[k][i], 1e-5, 0);
                     if (got >= -row->slack && got <= 1.0f + row->slack && is_twin) continue;
                     fail_msg("%s, %s, axis %d, %s: %g, not %g", row->name, k_wraps[wrap], axis,
-                             shd_context_simd_target(g_targets.context[target]), (double)got, (double)first[k][i]);
+                             shd_context_get_simd_target(g_targets.context[target]), (double)got, (double)first[k][i]);
                 }
             }
         }

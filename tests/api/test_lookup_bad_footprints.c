@@ -96,7 +96,7 @@ static size_t look_up(const char *what, const shd_filter_row *row, const shd_sam
         nonfinite = texels.nonfinite_count;
         if (target == 0) memcpy(first, out, sizeof first);
         if (memcmp(first, out, sizeof first) != 0) {
-            fail_msg("%s: other bits on %s", what, shd_context_simd_target(g_targets.context[target]));
+            fail_msg("%s: other bits on %s", what, shd_context_get_simd_target(g_targets.context[target]));
         }
     }
     for (c = 0; c < 4; ++c) {

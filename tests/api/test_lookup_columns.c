@@ -114,7 +114,9 @@ static shd_texture *make_texture(int target, const struct kind *kind, const shd_
     desc.format = SHD_FORMAT_RGBA8;
     desc.width = 16;
     desc.height = 8;
-    desc.layers = kind->layers;
+    desc.layer_count = kind->layers;
+    if (kind->depth) desc.kind = SHD_TEXTURE_KIND_3D;
+    if (kind->projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
     desc.depth = kind->depth;
     desc.projection = kind->projection;
     desc.texels = texels;
@@ -137,7 +139,7 @@ static void test_columns(void **state)
             shd_texture *texture = make_texture(target, &k_kinds[kind], row);
             char what[96];
             snprintf(what, sizeof what, "%s, %s, %s", row->name, k_kinds[kind].name,
-                     shd_context_simd_target(g_targets.context[target]));
+                     shd_context_get_simd_target(g_targets.context[target]));
             for (m = 0; m < sizeof k_masks / sizeof k_masks[0]; ++m) check_mask(what, texture, sampler, k_masks[m]);
             shd_texture_release(texture);
         }

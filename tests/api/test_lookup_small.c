@@ -141,7 +141,7 @@ static void test_bits(void **state)
             uint64_t want = 0;
             for (target = 0; target < g_targets.count; ++target) {
                 shd_texture *texture = make_texture(target, k_formats[f]);
-                const char *name = shd_context_simd_target(g_targets.context[target]);
+                const char *name = shd_context_get_simd_target(g_targets.context[target]);
                 uint64_t hash;
                 size_t nonfinite;
                 char what[96];

@@ -139,10 +139,16 @@ static void edit_interpolation_beyond(shd_material_desc *d)
 }
 
 static shd_slot_list g_slots;
+static shd_slot constant(shd_slot_target target)
+{
+    shd_slot slot = shd_slot_default();
+    slot.target = target;
+    return slot;
+}
 static shd_slot *add_slot(shd_material_desc *d, shd_slot slot) { return shd_slot_list_add(&g_slots, d, slot); }
 static shd_slot *add_texture(shd_material_desc *d, shd_slot_target target)
 {
-    add_slot(d, shd_slot_default(SHD_SLOT_OPACITY));
+    add_slot(d, constant(SHD_SLOT_OPACITY));
     return add_slot(d, shd_slot_texture(target, g_texture, NULL));
 }
 static void edit_light_as_texture(shd_material_desc *d)
@@ -201,16 +207,16 @@ static void edit_parallax_steps_1(shd_material_desc *d) { d->parallax_steps = 1;
 static void edit_parallax_steps_257(shd_material_desc *d) { d->parallax_steps = 257; }
 static void edit_slot_source_5(shd_material_desc *d)
 {
-    add_slot(d, shd_slot_default(SHD_SLOT_EXPONENT))->source = (shd_slot_source)5;
+    add_slot(d, constant(SHD_SLOT_EXPONENT))->source = (shd_slot_source)5;
 }
 static void edit_slot_texture_missing(shd_material_desc *d) { add_texture(d, SHD_SLOT_NORMAL)->texture = NULL; }
 static void edit_slot_texture_of_constant(shd_material_desc *d)
 {
-    add_slot(d, shd_slot_default(SHD_SLOT_AMBIENT))->texture = g_texture;
+    add_slot(d, constant(SHD_SLOT_AMBIENT))->texture = g_texture;
 }
 static void edit_slot_sampler_of_constant(shd_material_desc *d)
 {
-    add_slot(d, shd_slot_default(SHD_SLOT_AMBIENT))->sampler = g_ripmap;
+    add_slot(d, constant(SHD_SLOT_AMBIENT))->sampler = g_ripmap;
 }
 static void edit_slot_sampler_of_vertex(shd_material_desc *d)
 {
@@ -274,7 +280,7 @@ static void edit_slots_missing(shd_material_desc *d) { d->slot_count = 1; }
 static void edit_slots_all(shd_material_desc *d)
 {
     int target;
-    for (target = SHD_SLOT_TINT; target >= 0; --target) add_slot(d, shd_slot_default((shd_slot_target)target));
+    for (target = SHD_SLOT_TINT; target >= 0; --target) add_slot(d, constant((shd_slot_target)target));
 }
 static void edit_clearcoat_2(shd_material_desc *d) { d->clearcoat = 2.0f; }
 static void edit_clearcoat_nan(shd_material_desc *d) { d->clearcoat = (float)NAN; }
@@ -288,9 +294,9 @@ static void edit_slot_target_17(shd_material_desc *d) { add_texture(d, (shd_slot
 static void edit_slot_target_twice(shd_material_desc *d)
 {
     add_texture(d, SHD_SLOT_DIFFUSE);
-    add_slot(d, shd_slot_default(SHD_SLOT_DIFFUSE));
+    add_slot(d, constant(SHD_SLOT_DIFFUSE));
 }
-static void edit_slot_size_0(shd_material_desc *d) { add_slot(d, shd_slot_default(SHD_SLOT_DIFFUSE))->struct_size = 0; }
+static void edit_slot_size_0(shd_material_desc *d) { add_slot(d, constant(SHD_SLOT_DIFFUSE))->struct_size = 0; }
 static void edit_slot_sizes_differ(shd_material_desc *d) { --add_texture(d, SHD_SLOT_DIFFUSE)->struct_size; }
 
 struct create_case {

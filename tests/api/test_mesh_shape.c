@@ -87,7 +87,7 @@ static void test_same(void **state)
             const shd_shape_desc *passed = shape < 0 ? NULL : &desc;
             shd_mesh *mesh = NULL, *expected;
             struct contents got, want;
-            desc.shape = shape < 0 ? SHD_SHAPE_SPHERE : (shd_shape)shape;
+            desc.kind = shape < 0 ? SHD_SHAPE_SPHERE : (shd_shape)shape;
             desc.segments[0] = shape < 0 ? 0 : 5;
             shd_assert_ok(shd_mesh_create_shape(context, passed, flags, &mesh));
             expected = from_columns(context, passed, flags);

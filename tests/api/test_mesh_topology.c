@@ -82,7 +82,7 @@ static uint64_t render(const shd_mesh_desc *desc, size_t triangles)
     f.desc.draw_count = 1;
     shd_frame_ambient(&f);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.triangles, triangles);
+    assert_int_equal(f.stats.triangle_count, triangles);
     for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) {
         hash = shd_hash(hash, f.plane[plane], 40 * 30 * sizeof(float));
     }

@@ -72,7 +72,7 @@ static shd_texture *make_normals(struct world *w)
     desc.width = desc.height = MAP;
     desc.texels = g_normals;
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = LEVELS;
     shd_assert_ok(shd_texture_create(w->context, &desc, &texture));
     return texture;
@@ -101,13 +101,13 @@ static void set_up(struct world *w, shd_shape shape, double bend, float lod_bias
     memset(w, 0, sizeof *w);
     shd_assert_ok(shd_context_create(NULL, &w->context));
     fill_normals(bend);
-    shd_assert_ok(shd_normal_moments(w->context, &normals, &moments, &mixed));
+    shd_assert_ok(shd_mip_build_moments(w->context, &normals, &moments, &mixed));
     w->normals = make_normals(w);
     w->moments = make_data(w, SHD_FORMAT_RGBA32F, g_moments);
     w->mixed = make_data(w, SHD_FORMAT_R32F, g_mixed);
     framebuffer.width = framebuffer.height = SIDE;
     shd_assert_ok(shd_framebuffer_create(w->context, &framebuffer, &w->framebuffer));
-    form.shape = shape;
+    form.kind = shape;
     form.segments[0] = form.segments[1] = shape == SHD_SHAPE_SPHERE ? 96 : 1;
     shd_assert_ok(shd_mesh_create_shape(w->context, &form, SHD_MESH_TANGENTS, &w->mesh));
     sampler.filter = SHD_FILTER_EWA;
@@ -239,7 +239,7 @@ static void test_sphere(void **state)
     scene.material.metallic = c->metallic;
     set_up(&w, SHD_SHAPE_SPHERE, 1, c->lod_bias);
     render(&w, &scene, g_truth);
-    scene.supersampling = 0;
+    scene.supersampling = 1;
     for (keep = 0; keep < KEEP_COUNT; ++keep) {
         scene.keep = (enum keep)keep;
         render(&w, &scene, g_picture);
@@ -275,7 +275,7 @@ static void find_extent(double out[2])
 static void test_grooves(void **state)
 {
     const shd_model model = *(const shd_model *)*state;
-    struct scene scene = {shd_material_desc_default(), KEEP_LEAN, 64, shd_camera_default(), {0, 1, 0}, 0};
+    struct scene scene = {shd_material_desc_default(), KEEP_LEAN, 64, shd_camera_default(), {0, 1, 0}, 1};
     struct world w;
     double extent[KEEP_COUNT][2];
     int keep, c;

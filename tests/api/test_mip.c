@@ -269,11 +269,11 @@ static void test_given_levels(void **state)
     desc.format = c->format;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.layers = c->layers;
+    desc.layer_count = c->layers;
     desc.layer_stride = sizeof base[0];
     desc.texels = base;
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = c->level_count;
     for (k = 0; k < 3; ++k) {
         memset(base[k], (int)(10 + k), sizeof base[k]);
@@ -329,7 +329,7 @@ static void test_given_lookup(void **state)
     desc.height = HEIGHT;
     desc.texels = a.pixels[0];
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = a.levels;
+    desc.level_images = a.levels;
     desc.level_count = 2;
     sampler_desc.filter = SHD_FILTER_TRILINEAR;
     lookups.count = 1;
@@ -358,7 +358,7 @@ static void refuse(const char *name, const struct arguments *a, uint32_t tables,
     desc.height = HEIGHT;
     desc.texels = a->pixels[0];
     desc.tables = tables;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = level_count;
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_assert_result(name, shd_texture_create(context, &desc, &texture), SHD_ERROR_INVALID_ARGUMENT, message);
@@ -373,13 +373,13 @@ static void test_given_refused(void **state)
     set_up(&a);
     refuse("table", &a, 0, 1, a.levels, "texture.level_count: 1 without SHD_TABLE_MIPMAP");
     refuse("many", &a, SHD_TABLE_MIPMAP, 4, a.levels, "texture.level_count: 4 is not in 0..3");
-    refuse("null", &a, SHD_TABLE_MIPMAP, 1, NULL, "texture.levels: NULL");
+    refuse("null", &a, SHD_TABLE_MIPMAP, 1, NULL, "texture.level_images: NULL");
     a.levels[2].width = 2;
-    refuse("width", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.levels[2].width: 2 is not in 1..1");
+    refuse("width", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.level_images[2].width: 2 is not in 1..1");
     a.levels[1].format = SHD_FORMAT_R8;
-    refuse("format", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.levels[1].format: 1 is not the base's 2");
+    refuse("format", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.level_images[1].format: 1 is not the base's 2");
     a.levels[0].pixels = NULL;
-    refuse("pixels", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.levels[0].pixels: NULL");
+    refuse("pixels", &a, SHD_TABLE_MIPMAP, 3, a.levels, "texture.level_images[0].pixels: NULL");
 }
 
 int main(void)

@@ -111,7 +111,7 @@ static void test_format(void **state)
             }
         }
     }
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments, &mixed));
+    shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, &mixed));
     for (y = 0; y < HEIGHT; ++y) {
         const unsigned char *row = out + 256 * y, *products = product + 64 * y;
         for (x = 0; x < WIDTH; ++x) {
@@ -155,7 +155,7 @@ static void test_special(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     for (i = 0; i < sizeof k_rows / sizeof k_rows[0]; ++i) {
         memcpy(n, k_rows[i].n, sizeof n);
-        shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
+        shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, NULL));
         for (k = 0; k < 2; ++k) {
             shd_assert_close("slope", i, (double)out[k], (double)k_rows[i].want[k], 0, 1e-6);
             assert_true(out[2 + k] == out[k] * out[k]);
@@ -164,7 +164,7 @@ static void test_special(void **state)
     for (i = 0; i < 3; ++i) {
         for (c = 0; c < 3; ++c) {
             for (k = 0; k < 3; ++k) n[k] = k == c ? bad[i] : 0.5f;
-            shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
+            shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, NULL));
             for (k = 0; k < 4; ++k) assert_true(out[k] == 0);
         }
     }
@@ -205,7 +205,7 @@ static shd_texture *with_levels(shd_context *context, float *base, shd_texel_con
     desc.width = desc.height = SIZE;
     desc.texels = base;
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = LEVELS;
     shd_assert_ok(shd_texture_create(context, &desc, &texture));
     return texture;
@@ -255,7 +255,7 @@ static void test_variance(void **state)
     uint32_t level, x, y;
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(height);
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
+    shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, NULL));
     texture = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
     for (level = 0; level <= LEVELS; level += 2) {
         const uint32_t edge = 1u << level, left = 16u % SIZE / edge * edge;
@@ -298,7 +298,7 @@ static void test_length(void **state)
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(0.1f);
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
+    shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, NULL));
     by_moments = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
     by_length = with_levels(context, g_normals, SHD_TEXEL_CONTENT_NORMAL);
     for (i = 0; i <= 4 * LEVELS; ++i) {
@@ -345,7 +345,7 @@ static void test_length_in_codes(void **state)
     desc.width = desc.height = SIZE;
     desc.texels = codes[0];
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = images + 1;
+    desc.level_images = images + 1;
     desc.level_count = LEVELS;
     shd_assert_ok(shd_texture_create(context, &desc, &by_codes));
     by_length = with_levels(context, g_normals, SHD_TEXEL_CONTENT_NORMAL);
@@ -381,7 +381,7 @@ static void test_workers(void **state)
         uint64_t hash;
         desc.worker_count = workers;
         shd_assert_ok(shd_context_create(&desc, &context));
-        shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
+        shd_assert_ok(shd_mip_build_moments(context, &normals, &moments, NULL));
         hash = shd_hash(SHD_HASH_START, out, sizeof out);
         if (workers > 1) assert_true(hash == want);
         want = hash;
@@ -417,7 +417,7 @@ static void test_bad(void **state)
     shd_context *context = NULL;
     shd_assert_ok(shd_context_create(NULL, &context));
     out[0] = 7;
-    shd_assert_result(c->name, shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result(c->name, shd_mip_build_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       c->message);
     assert_true(out[0] == 7);
     shd_context_release(context);
@@ -431,44 +431,44 @@ static void test_bad_arguments(void **state)
     shd_context *context = NULL;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
-    shd_assert_result("context", shd_normal_moments(NULL, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("context", shd_mip_build_moments(NULL, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "context: ");
-    shd_assert_result("normals", shd_normal_moments(context, NULL, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("normals", shd_mip_build_moments(context, NULL, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "normals: NULL");
-    shd_assert_result("out", shd_normal_moments(context, &normals, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("out", shd_mip_build_moments(context, &normals, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out: NULL");
     moments.pixels = NULL;
-    shd_assert_result("pixels", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("pixels", shd_mip_build_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: NULL");
     moments.pixels = (char *)out + 2;
-    shd_assert_result("aligned", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("aligned", shd_mip_build_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: ");
     moments.pixels = normals.pixels;
-    shd_assert_result("overlap", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("overlap", shd_mip_build_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: overlaps normals.pixels");
     moments.pixels = out;
     moments.row_stride = 60;
-    shd_assert_result("stride", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("stride", shd_mip_build_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.row_stride: 60 is below 64");
     moments.row_stride = 0;
     {
         shd_image mixed = shd_test_image(SHD_FORMAT_RGBA32F, 4, 4, product);
-        shd_assert_result("mixed.format", shd_normal_moments(context, &normals, &moments, &mixed),
+        shd_assert_result("mixed.format", shd_mip_build_moments(context, &normals, &moments, &mixed),
                           SHD_ERROR_INVALID_ARGUMENT, "mixed.format: 5 is neither R16F nor R32F");
         mixed.format = SHD_FORMAT_R32F;
         mixed.width = 3;
-        shd_assert_result("mixed.width", shd_normal_moments(context, &normals, &moments, &mixed),
+        shd_assert_result("mixed.width", shd_mip_build_moments(context, &normals, &moments, &mixed),
                           SHD_ERROR_INVALID_ARGUMENT, "mixed.width: 3 is not in 4..4");
         mixed.width = 4;
         mixed.pixels = out;
-        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
-                          "mixed.pixels: overlaps out.pixels");
+        shd_assert_result("mixed", shd_mip_build_moments(context, &normals, &moments, &mixed),
+                          SHD_ERROR_INVALID_ARGUMENT, "mixed.pixels: overlaps out.pixels");
         mixed.pixels = in;
-        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
-                          "mixed.pixels: overlaps normals.pixels");
+        shd_assert_result("mixed", shd_mip_build_moments(context, &normals, &moments, &mixed),
+                          SHD_ERROR_INVALID_ARGUMENT, "mixed.pixels: overlaps normals.pixels");
         mixed.pixels = NULL;
-        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
-                          "mixed.pixels: NULL");
+        shd_assert_result("mixed", shd_mip_build_moments(context, &normals, &moments, &mixed),
+                          SHD_ERROR_INVALID_ARGUMENT, "mixed.pixels: NULL");
     }
     shd_context_release(context);
 }

@@ -127,7 +127,7 @@ void test_teapot(void **state)
     const auto &c = *static_cast<const factor_case *>(*state);
     Solid solid;
     shd_shape_desc teapot = shd_shape_desc_default();
-    teapot.shape = SHD_SHAPE_TEAPOT;
+    teapot.kind = SHD_SHAPE_TEAPOT;
     teapot.segments[0] = 6;
     add_shape(&solid, teapot, {0, 0, 0});
     finish(&solid);

@@ -55,7 +55,7 @@ void test_rays(void **)
         one.worker_count = 1;
         shd_assert_ok(shd_context_create(&one, &context));
         std::swap(context, g_context);
-        desc.rays = rays;
+        desc.ray_count = rays;
         desc.radius = 2.5f;
         desc.tracer.trace = check_rays;
         g_checked = {};
@@ -78,7 +78,7 @@ void test_splits(void **state)
     Columns columns, part;
     Random random = {9};
     shd_shape_desc torus = shd_shape_desc_default();
-    torus.shape = SHD_SHAPE_TORUS;
+    torus.kind = SHD_SHAPE_TORUS;
     add_shape(&solid, torus, {0, 0, 0});
     finish(&solid);
     for (int i = 0; i < 1201; ++i) {
@@ -106,7 +106,7 @@ void test_vertices(void **)
 {
     Solid solid;
     shd_shape_desc torus = shd_shape_desc_default();
-    torus.shape = SHD_SHAPE_TORUS;
+    torus.kind = SHD_SHAPE_TORUS;
     add_shape(&solid, torus, {0, 0, 0});
     finish(&solid);
     const float matrix[16] = {-2, 0, 0, 0, 0.5f, 1, 0, 0, 0, 0, 0.75f, 0, 3, -1, 0.5f, 1};  // mirrors and shears
@@ -154,7 +154,7 @@ void test_atlas(void **)
     atlas.stats = &stats;
     desc.draws = &draw;
     desc.draw_count = 1;
-    desc.rays = 20;
+    desc.ray_count = 20;
     desc.map_size = 200;
     shd_assert_ok(shd_occlusion_bake(g_context, &desc, &atlas, &out));
 
@@ -178,7 +178,8 @@ void test_atlas(void **)
     shd_assert_ok(shd_bake(g_context, &frame, &bake));
     assert_memory_equal(&stats, &same, sizeof stats);
     assert_memory_equal(states.data(), bake_states.data(), kTexels * sizeof(uint32_t));
-    assert_true(stats.overlapping_texels > 0 && stats.zero_area_triangles > 0 && stats.dilated_texels > 0);
+    assert_true(stats.overlapping_texel_count > 0 && stats.zero_area_triangle_count > 0 &&
+                stats.dilated_texel_count > 0);
     Columns columns;
     for (size_t k = 0; k < 6; ++k) {
         columns[k].resize(kTexels);
@@ -205,8 +206,9 @@ struct bad_case {
     const char *message;
 };
 const bad_case k_bad[] = {
-    {"bad/rays_0", [](auto *d, auto *) { d->rays = 0; }, "occlusion.rays: 0 is not in 1..65536"},
-    {"bad/rays_huge", [](auto *d, auto *) { d->rays = 4000000000u; }, "occlusion.rays: 4000000000 is not in 1..65536"},
+    {"bad/rays_0", [](auto *d, auto *) { d->ray_count = 0; }, "occlusion.ray_count: 0 is not in 1..65536"},
+    {"bad/rays_huge", [](auto *d, auto *) { d->ray_count = 4000000000u; },
+     "occlusion.ray_count: 4000000000 is not in 1..65536"},
     {"bad/radius_0", [](auto *d, auto *) { d->radius = 0; }, "occlusion.radius: 0 is not above 0"},
     {"bad/radius_negative", [](auto *d, auto *) { d->radius = -1; }, "occlusion.radius: -1 is not above 0"},
     {"bad/radius_nan", [](auto *d, auto *) { d->radius = NAN; }, "occlusion.radius: nan"},
@@ -243,18 +245,18 @@ void test_bad(void **state)
     atlas.width = atlas.height = 8;
     atlas.stats = &stats;
     atlas.states.data = states;
-    stats.triangles = 9;
+    stats.triangle_count = 9;
     c.edit(&desc, &atlas);
     shd_assert_result(c.name, shd_occlusion_bake(g_context, &desc, &atlas, &out), SHD_ERROR_INVALID_ARGUMENT,
                       c.message);
-    assert_int_equal(stats.triangles, 0);
+    assert_int_equal(stats.triangle_count, 0);
     shd_mesh_release(mesh);
 }
 
 void test_bad_points(void **)
 {
     float value[4], column[4] = {0, 0, 0, 1};
-    shd_f32_out out = {value, 0};
+    shd_occlusion_values out = {sizeof out, {value, 0}, 0};
     const shd_occlusion_desc desc = shd_occlusion_desc_default();
     shd_occlusion_points points = shd_occlusion_points_default();
     const auto refused = [&](const char *message) {
@@ -267,33 +269,34 @@ void test_bad_points(void **)
     for (auto &c : points.position) c.data = column;
     refused("occlusion_points.normal[0].data: NULL");
     for (auto &c : points.normal) c.data = column;
-    out.data = nullptr;
-    refused("out.data: NULL");
-    out.data = column;
+    out.visibility.data = nullptr;
+    refused("occlusion_values.visibility.data: NULL");
+    out.visibility.data = column;
     refused("overlap");
-    out.data = value;
+    out.visibility.data = value;
     points.normal[1].stride = 3;
     refused("occlusion_points.normal[1].stride: 3");
     shd_assert_result("desc", shd_occlusion_compute(g_context, &desc, nullptr, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "occlusion_points: NULL");
     shd_assert_result("context", shd_occlusion_compute(nullptr, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "context: NULL");
+    shd_f32_out column_out = {value, 0};
     shd_draw draw = shd_draw_default();
-    shd_assert_result("mesh", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out), SHD_ERROR_INVALID_ARGUMENT,
-                      "draw.mesh: NULL");
+    shd_assert_result("mesh", shd_occlusion_compute_vertices(g_context, &desc, &draw, &column_out),
+                      SHD_ERROR_INVALID_ARGUMENT, "draw.mesh: NULL");
     draw.mesh = shd_bake_mesh(g_context, 1, 1);
     draw.instances = column;
     draw.instance_count = 1;
-    shd_assert_result("instances", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out),
+    shd_assert_result("instances", shd_occlusion_compute_vertices(g_context, &desc, &draw, &column_out),
                       SHD_ERROR_INVALID_ARGUMENT, "draw.instance_count: 1");
     draw.instance_count = 0;
     draw.object_to_world[0] = NAN;
-    shd_assert_result("matrix", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out),
+    shd_assert_result("matrix", shd_occlusion_compute_vertices(g_context, &desc, &draw, &column_out),
                       SHD_ERROR_INVALID_ARGUMENT, "draw.object_to_world[0]: nan");
     draw.object_to_world[0] = 1;
-    out.data = nullptr;
-    shd_assert_result("out", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out), SHD_ERROR_INVALID_ARGUMENT,
-                      "out.data: NULL");
+    column_out.data = nullptr;
+    shd_assert_result("out", shd_occlusion_compute_vertices(g_context, &desc, &draw, &column_out),
+                      SHD_ERROR_INVALID_ARGUMENT, "out.data: NULL");
     shd_mesh_release(const_cast<shd_mesh *>(draw.mesh));
 }
 
@@ -342,7 +345,7 @@ void test_odd_occluders(void **)
         shd_occlusion_desc desc = shd_occlusion_desc_default();
         desc.draws = &draw;
         desc.draw_count = 1;
-        desc.rays = 4;
+        desc.ray_count = 4;
         assert_true(compute(desc, columns)[0] == 1.0f);
         shd_assert_ok(shd_occlusion_compute_vertices(g_context, &desc, &draw, &out));
         for (uint32_t i = 0; i < count; ++i) assert_true(value[i] == 1.0f);
@@ -355,7 +358,7 @@ void throwing(const shd_rays *, uint32_t *, void *) { throw std::runtime_error("
 void test_throws(void **)
 {
     float column[3] = {0, 1, 2}, value[3];
-    const shd_f32_out out = {value, 0};
+    shd_occlusion_values out = {sizeof out, {value, 0}, 0};
     shd_occlusion_desc desc = shd_occlusion_desc_default();
     shd_occlusion_points points = shd_occlusion_points_default();
     points.count = 3;

@@ -2,6 +2,7 @@
 /* Generalised barycentric coordinates through the public function: checks, strides, contexts, points that are not
    finite or outside. */
 #include "support/fault_allocator.h"
+#include "support/group_context.h"
 #include "support/rows.h"
 
 #include <math.h>
@@ -55,7 +56,7 @@ static int is_unsupported(shd_barycentric kind)
     const shd_polygon_desc desc = pentagon(kind);
     const shd_polygon_points points = places(1);
     shd_polygon_weights out = weights();
-    return shd_polygon_evaluate(NULL, &desc, &points, &out) == SHD_ERROR_UNSUPPORTED;
+    return shd_polygon_evaluate(g_context, &desc, &points, &out) == SHD_ERROR_UNSUPPORTED;
 }
 
 struct bad_case {
@@ -93,7 +94,7 @@ static void test_bad(void **state)
     desc.segments = c->segments;
     out.weight_count = c->count;
     g_weight[0][0] = 7;
-    shd_assert_result(c->name, shd_polygon_evaluate(NULL, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result(c->name, shd_polygon_evaluate(g_context, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
                       c->message);
     assert_true(g_weight[0][0] == 7.0f);
 }
@@ -105,27 +106,28 @@ static void test_bad_columns(void **state)
     shd_polygon_points points = places(k_points);
     shd_polygon_weights out = weights();
     (void)state;
-    shd_assert_result("desc", shd_polygon_evaluate(NULL, NULL, &points, &out), bad, "polygon: NULL");
-    shd_assert_result("points", shd_polygon_evaluate(NULL, &desc, NULL, &out), bad, "points: NULL");
-    shd_assert_result("weights", shd_polygon_evaluate(NULL, &desc, &points, NULL), bad, "weights: NULL");
+    shd_assert_result("desc", shd_polygon_evaluate(g_context, NULL, &points, &out), bad, "polygon: NULL");
+    shd_assert_result("points", shd_polygon_evaluate(g_context, &desc, NULL, &out), bad, "points: NULL");
+    shd_assert_result("weights", shd_polygon_evaluate(g_context, &desc, &points, NULL), bad, "weights: NULL");
     desc.vertex[1].data = NULL;
-    shd_assert_result("vertex", shd_polygon_evaluate(NULL, &desc, &points, &out), bad, "polygon.vertex[1]: NULL");
+    shd_assert_result("vertex", shd_polygon_evaluate(g_context, &desc, &points, &out), bad, "polygon.vertex[1]: NULL");
     desc = pentagon(SHD_BARYCENTRIC_MEAN_VALUE);
     points.position[0].data = NULL;
-    shd_assert_result("x", shd_polygon_evaluate(NULL, &desc, &points, &out), bad, "points.position[0].data: NULL");
+    shd_assert_result("x", shd_polygon_evaluate(g_context, &desc, &points, &out), bad, "points.position[0].data: NULL");
     points = places(k_points);
     out.weight_count = 4;
-    shd_assert_result("count", shd_polygon_evaluate(NULL, &desc, &points, &out), bad,
+    shd_assert_result("count", shd_polygon_evaluate(g_context, &desc, &points, &out), bad,
                       "weights.weight_count: 4 is not in 5..5");
     out = weights();
     out.weight = NULL;
-    shd_assert_result("array", shd_polygon_evaluate(NULL, &desc, &points, &out), bad, "weights.weight: NULL");
+    shd_assert_result("array", shd_polygon_evaluate(g_context, &desc, &points, &out), bad, "weights.weight: NULL");
     out = weights();
     g_columns[3].data = g_y;
-    shd_assert_result("overlap", shd_polygon_evaluate(NULL, &desc, &points, &out), bad,
+    shd_assert_result("overlap", shd_polygon_evaluate(g_context, &desc, &points, &out), bad,
                       "weights.weight[3]: overlaps points.position[1]");
     memset(g_columns, 0, sizeof g_columns);
-    shd_assert_result("none", shd_polygon_evaluate(NULL, &desc, &points, &out), bad, "weights.weight: NULL for all");
+    shd_assert_result("none", shd_polygon_evaluate(g_context, &desc, &points, &out), bad,
+                      "weights.weight: NULL for all");
 }
 
 /** Sums of weights are 1 and positions are reproduced inside; outside points and bad ones are counted. */
@@ -143,7 +145,7 @@ static void test_kinds(void **state)
         points.count = k_points * 30;
         g_x[5] = NAN;
         g_y[6] = -INFINITY;
-        shd_assert_ok(shd_polygon_evaluate(NULL, &desc, &points, &out));
+        shd_assert_ok(shd_polygon_evaluate(g_context, &desc, &points, &out));
         assert_int_equal(out.nonfinite_count, 2);
         for (i = 0; i < points.count; ++i) {
             double sum = 0, x = 0, y = 0;
@@ -176,7 +178,7 @@ static void test_contexts(void **state)
     uint32_t workers;
     size_t i, v;
     (void)state;
-    shd_assert_ok(shd_polygon_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_polygon_evaluate(g_context, &desc, &points, &out));
     memcpy(want, g_weight, sizeof want);
     for (workers = 1; workers <= 3; ++workers) {
         shd_context_desc cd = shd_context_desc_default();
@@ -195,7 +197,7 @@ static void test_contexts(void **state)
     points.position[0] = shd_f32_column(&records[0][0], sizeof records[0]);
     points.position[1] = shd_f32_column(&records[0][1], sizeof records[0]);
     for (v = 0; v < k_vertices; ++v) g_columns[v] = shd_f32_out_column(&records[0][2 + v], sizeof records[0]);
-    shd_assert_ok(shd_polygon_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_polygon_evaluate(g_context, &desc, &points, &out));
     for (i = 0; i < k_many; ++i) {
         for (v = 0; v < k_vertices; ++v) assert_true(records[i][2 + v] == want[v][i]);
     }
@@ -263,7 +265,7 @@ static void test_reflex(void **state)
         for (int i = 0; i < VERTICES; ++i) g_columns[i] = shd_f32_out_column(weight[k][i], 0);
         out.weight = g_columns;
         out.weight_count = VERTICES;
-        shd_assert_ok(shd_polygon_evaluate(NULL, &desc, &points, &out));
+        shd_assert_ok(shd_polygon_evaluate(g_context, &desc, &points, &out));
         for (size_t i = 0; i < (size_t)VERTICES * POINTS; ++i) {
             const double e =
                 fabs((double)weight[k][i / POINTS][i % POINTS] - (double)weight[0][i / POINTS][i % POINTS]);
@@ -283,5 +285,5 @@ int main(void)
     add("contexts", test_contexts, NULL);
     add("reflex", test_reflex, NULL);
     add("faults", test_faults, NULL);
-    return _cmocka_run_group_tests("api.polygon", g_tests, g_count, NULL, NULL);
+    return _cmocka_run_group_tests("api.polygon", g_tests, g_count, set_up_context, tear_down_context);
 }

@@ -49,7 +49,7 @@ static void test_tie(void **state)
     for (i = 0; i < 6; ++i) quad[8 * i + 2] = quad[8 * i + 1] < 0 ? low : high;
     shd_frame_draw(&f, quad, 6, &m);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.clipped > 0, c->clipped);
+    assert_int_equal(f.stats.clipped_triangle_count > 0, c->clipped);
     for (i = 0; i < 4; i += 2) assert_int_equal(f.triangle[i] != 0xffffffffu, c->covered);
     shd_frame_close(&f);
 }

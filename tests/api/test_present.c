@@ -23,20 +23,21 @@ struct receiver {
     shd_result fail_with;
 };
 
-static shd_result receive(void *user_data, const shd_present_tile *tile)
+static shd_result receive(const shd_present_tile *tile, void *user_data)
 {
     struct receiver *r = (struct receiver *)user_data;
     uint32_t x, y, c;
     int call;
     pthread_mutex_lock(&r->mutex);
     call = ++r->calls;
-    r->mistakes += tile->struct_size != sizeof *tile || tile->worker >= WORKERS || tile->width - 1 > 63 ||
-                   tile->height - 1 > 63 || tile->x + tile->width > r->width || tile->y + tile->height > r->height;
+    r->mistakes += tile->struct_size != sizeof *tile || tile->worker >= WORKERS || tile->area.width - 1 > 63 ||
+                   tile->area.height - 1 > 63 || tile->area.x + tile->area.width > r->width ||
+                   tile->area.y + tile->area.height > r->height;
     r->mistakes += r->inside[tile->worker % WORKERS]++ != 0;
     pthread_mutex_unlock(&r->mutex);
-    for (y = 0; y < tile->height; ++y) {
-        for (x = 0; x < tile->width; ++x) {
-            const size_t at = (size_t)(tile->y + y) * r->width + tile->x + x;
+    for (y = 0; y < tile->area.height; ++y) {
+        for (x = 0; x < tile->area.width; ++x) {
+            const size_t at = (size_t)(tile->area.y + y) * r->width + tile->area.x + x;
             ++r->times[at];
             for (c = 0; c < 4; ++c) {
                 memcpy(&r->rgba[4 * at + c], (const char *)(tile->channel[c] + x) + y * tile->row_stride, 4);
@@ -89,7 +90,7 @@ static shd_framebuffer *make_framebuffer(shd_context *context, uint32_t samples,
     shd_framebuffer *framebuffer = NULL;
     desc.width = 130;
     desc.height = 91;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.color_format = color;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
     return framebuffer;
@@ -169,7 +170,7 @@ static void make_reference(shd_scene *s, const struct frame_case *c, uint32_t sa
 static void expect_rounded(const char *name, const shd_framebuffer *framebuffer, const struct receiver *r)
 {
     static unsigned char want[8 * MAX_PIXELS];
-    shd_framebuffer *planes = make_framebuffer(shd_framebuffer_context(framebuffer), 1, SHD_FORMAT_RGBA32F);
+    shd_framebuffer *planes = make_framebuffer(shd_framebuffer_get_context(framebuffer), 1, SHD_FORMAT_RGBA32F);
     shd_image view = shd_image_default(), image = shd_image_default();
     uint32_t x, y, c;
     for (c = 0; c < 4; ++c) {
@@ -276,7 +277,7 @@ static void test_fail(void **state)
         shd_scene_open(&s, SHD_SCENE_SMALL, context);
         s.desc.present.tile = receive;
         s.desc.present.user_data = &g_receiver;
-        for (supersampling = 0; supersampling <= 2; supersampling += 2) {
+        for (supersampling = 1; supersampling <= 2; ++supersampling) {
             for (at = 1; at <= 4; ++at) { /* tiles of 100 x 70 */
                 start(&g_receiver, s.framebuffer);
                 g_receiver.fail_at = at;
@@ -285,10 +286,10 @@ static void test_fail(void **state)
                 s.stats.struct_size = sizeof s.stats;
                 s.desc.supersampling = supersampling;
                 shd_assert_result(c->name, shd_render(context, &s.desc), c->expected, c->message);
-                assert_true(s.stats.triangles == 0 && s.stats.fragments == 0);
+                assert_true(s.stats.triangle_count == 0 && s.stats.fragment_count == 0);
                 assert_int_equal(g_receiver.mistakes, 0);
                 if (workers == 1) assert_int_equal(g_receiver.calls, at); /* no call after the failure */
-                s.desc.supersampling = 0;
+                s.desc.supersampling = 1;
                 start(&g_receiver, s.framebuffer);
                 assert_true(shd_scene_render(&s) == want);
                 assert_int_equal(g_receiver.calls, 4);
@@ -313,7 +314,7 @@ static void test_steady(void **state)
     (void)state;
     memset(&memory, 0, sizeof memory);
     desc = shd_fault_context_desc(&memory);
-    desc.flags = SHD_CONTEXT_DEFAULT;
+    desc.flags = SHD_CONTEXT_NONE;
     shd_assert_ok(shd_context_create(&desc, &context));
     shd_scene_open(&s, SHD_SCENE_SMALL, context);
     for (f = 0; f < 2; ++f) {

@@ -39,11 +39,11 @@ static void look_up(const shd_fragments *in, shd_radiance *out, void *user_data)
 }
 
 /* The executor of the texture's context: lookups of few rows must not call it. */
-static shd_result count_calls(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result count_calls(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     uint32_t i;
     ++*(size_t *)user_data;
-    for (i = 0; i < count; ++i) task(task_data, i, 0);
+    for (i = 0; i < count; ++i) task(i, 0, task_data);
     return SHD_OK;
 }
 

@@ -13,12 +13,12 @@ namespace
 
 std::atomic<long long> g_bytes{0};
 
-void *take(void *, size_t size, size_t alignment)
+void *take(size_t size, size_t alignment, void *)
 {
     g_bytes += static_cast<long long>(size);
     return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
-void give_back(void *, void *memory, size_t size, size_t)
+void give_back(void *memory, size_t size, size_t, void *)
 {
     g_bytes -= static_cast<long long>(size);
     free(memory);
@@ -123,12 +123,12 @@ void test_throw(void **state)
     const long long before = g_bytes;
     for (int run = 0; run < 3; ++run) {
         shd_assert_result(c.name, shd_render(f.context, &f.desc), SHD_ERROR_CALLBACK, c.message);
-        assert_int_equal(f.stats.triangles, 0);
+        assert_int_equal(f.stats.triangle_count, 0);
         assert_true(g_bytes == before);
     }
     plan = {Deed::kNothing, Deed::kNothing};
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, 150 * 150);
+    assert_int_equal(f.stats.fragment_count, 150 * 150);
     assert_true(g_bytes == before);
     shd_frame_close(&f);
     assert_true(g_bytes == 0);

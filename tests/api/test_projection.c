@@ -54,14 +54,14 @@ static void test_batches(void **state)
         int c;
         out.u = shd_f32_out_column(g_u, 0), out.v = shd_f32_out_column(g_v, 0);
         out.face = shd_u32_out_column(g_face, 0);
-        shd_assert_ok(shd_project_directions(g_context, &in, &out));
+        shd_assert_ok(shd_projection_project(g_context, &in, &out));
         assert_int_equal(0, out.nonfinite_count);
         for (i = 0; i < COUNT; i += 777) {
             const size_t part = COUNT - i < 777 ? COUNT - i : 777;
             shd_directions some = directions_at(i, part, (shd_projection)projection);
             out.u = shd_f32_out_column(g_part_u + i, 0), out.v = shd_f32_out_column(g_part_v + i, 0);
             out.face = shd_u32_out_column(NULL, 0);
-            shd_assert_ok(shd_project_directions(g_context, &some, &out));
+            shd_assert_ok(shd_projection_project(g_context, &some, &out));
         }
         assert_memory_equal(g_u, g_part_u, sizeof g_u);
         assert_memory_equal(g_v, g_part_v, sizeof g_v);
@@ -70,7 +70,7 @@ static void test_batches(void **state)
         points.u = shd_f32_column(g_u, 0), points.v = shd_f32_column(g_v, 0);
         points.face = shd_u32_column(g_face, 0);
         for (c = 0; c < 3; ++c) back.direction[c] = shd_f32_out_column(g_back[c], 0);
-        shd_assert_ok(shd_unproject_directions(g_context, &points, &back));
+        shd_assert_ok(shd_projection_unproject(g_context, &points, &back));
         for (i = 0; i < COUNT; ++i) {
             const double length = sqrt((double)g_n[0][i] * (double)g_n[0][i] + (double)g_n[1][i] * (double)g_n[1][i] +
                                        (double)g_n[2][i] * (double)g_n[2][i]);
@@ -128,7 +128,7 @@ static void test_axes(void **state)
         in.count = 1;
         for (c = 0; c < 3; ++c) in.direction[c] = shd_f32_column(rows[i].n + c, 0);
         out.u = shd_f32_out_column(&u, 0), out.v = shd_f32_out_column(&v, 0), out.face = shd_u32_out_column(&face, 0);
-        shd_assert_ok(shd_project_directions(g_context, &in, &out));
+        shd_assert_ok(shd_projection_project(g_context, &in, &out));
         shd_assert_close("u", i, (double)u, (double)rows[i].u, 1.2e-7, 0.0);
         shd_assert_close("v", i, (double)v, (double)rows[i].v, 1.2e-7, 0.0);
         assert_int_equal(rows[i].face, face);
@@ -154,7 +154,7 @@ static void test_bad_points(void **state)
         in.u = shd_f32_column(u, 0), in.v = shd_f32_column(v, 0), in.face = shd_u32_column(face, 0);
         for (c = 0; c < 3; ++c) out.direction[c] = shd_f32_out_column(n[c], 0);
         out.solid_angle = shd_f32_out_column(solid_angle, 0);
-        shd_assert_ok(shd_unproject_directions(g_context, &in, &out));
+        shd_assert_ok(shd_projection_unproject(g_context, &in, &out));
         assert_int_equal(4, out.nonfinite_count);
         for (i = 0; i < 8; ++i) {
             const double square = (double)n[0][i] * (double)n[0][i] + (double)n[1][i] * (double)n[1][i] +
@@ -174,34 +174,34 @@ static void test_errors(void **state)
     const shd_result bad = SHD_ERROR_INVALID_ARGUMENT;
     (void)state;
     out.u = shd_f32_out_column(g_u, 0);
-    shd_assert_result("context", shd_project_directions(NULL, &in, &out), bad, "context: NULL");
-    shd_assert_result("in", shd_project_directions(g_context, NULL, &out), bad, "directions: NULL");
-    shd_assert_result("out", shd_project_directions(g_context, &in, NULL), bad, "points: NULL");
+    shd_assert_result("context", shd_projection_project(NULL, &in, &out), bad, "context: NULL");
+    shd_assert_result("in", shd_projection_project(g_context, NULL, &out), bad, "directions: NULL");
+    shd_assert_result("out", shd_projection_project(g_context, &in, NULL), bad, "points: NULL");
     in.projection = SHD_PROJECTION_NONE;
-    shd_assert_result("none", shd_project_directions(g_context, &in, &out), bad,
+    shd_assert_result("none", shd_projection_project(g_context, &in, &out), bad,
                       "directions.projection: 0 is not in 1..5");
     in.projection = (shd_projection)6;
-    shd_assert_result("six", shd_project_directions(g_context, &in, &out), bad,
+    shd_assert_result("six", shd_projection_project(g_context, &in, &out), bad,
                       "directions.projection: 6 is not in 1..5");
     in.projection = SHD_PROJECTION_CUBE;
     in.direction[2].data = NULL;
-    shd_assert_result("column", shd_project_directions(g_context, &in, &out), bad, "directions.direction[2]");
+    shd_assert_result("column", shd_projection_project(g_context, &in, &out), bad, "directions.direction[2]");
     in.direction[2] = shd_f32_column(g_u, 0);
-    shd_assert_result("overlap", shd_project_directions(g_context, &in, &out), bad, "overlap");
+    shd_assert_result("overlap", shd_projection_project(g_context, &in, &out), bad, "overlap");
     points.projection = SHD_PROJECTION_CUBE;
     points.count = 4;
     points.u = shd_f32_column(g_u, 0);
     back.solid_angle = shd_f32_out_column(g_v, 0);
-    shd_assert_result("v", shd_unproject_directions(g_context, &points, &back), bad, "points.v");
+    shd_assert_result("v", shd_projection_unproject(g_context, &points, &back), bad, "points.v");
     points.v = shd_f32_column(g_u, 0);
     points.projection = SHD_PROJECTION_NONE;
-    shd_assert_result("none", shd_unproject_directions(g_context, &points, &back), bad,
+    shd_assert_result("none", shd_projection_unproject(g_context, &points, &back), bad,
                       "points.projection: 0 is not in 1..5");
-    shd_assert_result("context", shd_unproject_directions(NULL, &points, &back), bad, "context: NULL");
+    shd_assert_result("context", shd_projection_unproject(NULL, &points, &back), bad, "context: NULL");
     points.projection = SHD_PROJECTION_LAT_LONG;
     points.count = 0;
     points.u.data = points.v.data = NULL;
-    shd_assert_ok(shd_unproject_directions(g_context, &points, &back));
+    shd_assert_ok(shd_projection_unproject(g_context, &points, &back));
 }
 
 int main(void)

@@ -331,7 +331,7 @@ static void test_layers(void **state)
             assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][i], c->overdraw);
             if (!c->is_depth_alone) assert_int_equal(f.u32[SHD_PLANE_DRAW][i], c->draw);
         }
-        assert_int_equal(f.stats.hidden_samples, (uint64_t)WIDTH * HEIGHT * k_samples[k] / 2);
+        assert_int_equal(f.stats.hidden_sample_count, (uint64_t)WIDTH * HEIGHT * k_samples[k] / 2);
         shd_frame_close(&f);
     }
 }
@@ -372,15 +372,15 @@ static void test_statistics(void **state)
     open_layers(&f, 4, &plain);
     shd_frame_render(&f);
     memcpy(plain_color, f.plane[SHD_PLANE_G], sizeof plain_color);
-    assert_int_equal(f.stats.hidden_samples, 0);
-    fragments = f.stats.fragments;
+    assert_int_equal(f.stats.hidden_sample_count, 0);
+    fragments = f.stats.fragment_count;
     assert_true(f.stats.scratch_bytes > 64 * 64 * 4 * 8 && f.stats.scratch_bytes < 1 << 26);
     assert_true(f.stats.vertex_seconds >= 0 && f.stats.assembly_seconds >= 0);
     assert_true(f.stats.binning_seconds >= 0 && f.stats.tile_seconds > 0);
     f.desc.flags = SHD_RENDER_COUNT_HIDDEN;
     shd_frame_render(&f);
-    assert_int_equal(f.stats.hidden_samples, WIDTH * HEIGHT * 4 / 2);
-    assert_int_equal(f.stats.fragments, fragments);
+    assert_int_equal(f.stats.hidden_sample_count, WIDTH * HEIGHT * 4 / 2);
+    assert_int_equal(f.stats.fragment_count, fragments);
     assert_memory_equal(plain_color, f.plane[SHD_PLANE_G], sizeof plain_color);
     shd_frame_close(&f);
 }

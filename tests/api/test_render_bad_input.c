@@ -65,7 +65,9 @@ static void test_huge_fan(void **state)
                          (double)f.plane[SHD_PLANE_R][i]);
             }
         }
-        assert_int_equal(f.stats.rasterised + f.stats.outside + f.stats.empty + f.stats.culled, SPOKES);
+        assert_int_equal(f.stats.rasterized_triangle_count + f.stats.outside_triangle_count +
+                             f.stats.empty_triangle_count + f.stats.culled_triangle_count,
+                         SPOKES);
         shd_frame_close(&f);
     }
 }
@@ -100,7 +102,7 @@ static void test_fan_through_the_eye(void **state)
                 }
             }
         }
-        assert_true(f.stats.clipped > 0);
+        assert_true(f.stats.clipped_triangle_count > 0);
         shd_frame_close(&f);
     }
 }
@@ -173,8 +175,8 @@ static void test_planes(void **state)
                          i);
             }
         }
-        assert_int_equal(f.stats.nonfinite_fragments, 0);
-        fragments += f.stats.fragments;
+        assert_int_equal(f.stats.nonfinite_fragment_count, 0);
+        fragments += f.stats.fragment_count;
         shd_texture_release(texture);
         shd_frame_close(&f);
     }
@@ -186,18 +188,18 @@ struct budget {
     shd_fault_allocator allocator;
     size_t refused;
 };
-static void *budget_allocate(void *user_data, size_t size, size_t alignment)
+static void *budget_allocate(size_t size, size_t alignment, void *user_data)
 {
     struct budget *self = (struct budget *)user_data;
     if (size > ((size_t)64 << 20) - self->allocator.live_bytes) {
         ++self->refused;
         return NULL;
     }
-    return shd_fault_allocate(&self->allocator, size, alignment);
+    return shd_fault_allocate(size, alignment, &self->allocator);
 }
-static void budget_free(void *user_data, void *memory, size_t size, size_t alignment)
+static void budget_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
-    shd_fault_free(&((struct budget *)user_data)->allocator, memory, size, alignment);
+    shd_fault_free(memory, size, alignment, &((struct budget *)user_data)->allocator);
 }
 
 static void test_budget(void **state)

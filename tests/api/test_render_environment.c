@@ -226,7 +226,7 @@ static void test_desc(void **state)
     scene.desc.stats = &stats;
     row->edit(&scene.desc);
     shd_assert_result(row->name, shd_render(g_context, &scene.desc), row->expected, row->message);
-    assert_int_equal(stats.nonfinite_fragments, 0);
+    assert_int_equal(stats.nonfinite_fragment_count, 0);
     shd_framebuffer_release(scene.desc.framebuffer);
     close_scene(&scene);
     shd_material_release(material);

@@ -31,7 +31,7 @@ static void open_scene(shd_scene *s, shd_scene_kind kind, uint32_t workers, shd_
         shd_assert_ok(shd_framebuffer_get_info(s->framebuffer, &info));
         framebuffer.width = info.width;
         framebuffer.height = info.height;
-        framebuffer.samples = info.samples;
+        framebuffer.sample_count = info.sample_count;
         framebuffer.aovs = info.aovs & ~(uint32_t)SHD_AOV_DRAW;
         shd_framebuffer_release(s->framebuffer);
         shd_assert_ok(shd_framebuffer_create(*context, &framebuffer, &s->framebuffer));
@@ -145,7 +145,7 @@ static void test_program(void **state)
     draws[1].instances = matrices[0];
     draws[1].instance_count = 3;
     (void)shd_scene_render(&s);
-    assert_int_equal(s.stats.triangles, 4);
+    assert_int_equal(s.stats.triangle_count, 4);
     for (i = 0; i < 3; ++i) assert_true(seen.rows[1][i] > 0);
     assert_true(seen.rows[0][0] > 0 && seen.rows[0][1] == 0 && seen.rows[0][2] == 0);
     shd_material_release(material);

@@ -41,7 +41,7 @@ static void draw(const struct way *way, const shd_scene *scene, uint32_t top, ui
     desc.width = way->width;
     desc.height = height;
     desc.color_format = way->color;
-    desc.samples = way->samples;
+    desc.sample_count = way->samples;
     shd_assert_ok(shd_framebuffer_create(scene->context, &desc, &framebuffer));
     frame.framebuffer = framebuffer;
     frame.picture_width = way->width;

@@ -13,7 +13,7 @@ static shd_context *open_context(shd_fault_allocator *memory)
     shd_context *context = NULL;
     shd_context_desc desc = shd_fault_context_desc(memory);
     memset(memory, 0, sizeof *memory);
-    desc.flags = SHD_CONTEXT_DEFAULT;
+    desc.flags = SHD_CONTEXT_NONE;
     shd_assert_ok(shd_context_create(&desc, &context));
     return context;
 }
@@ -60,8 +60,8 @@ static void test_modes(void **state)
     (void)state;
     shd_scene_open(&s, SHD_SCENE_SMALL, context);
     for (i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
-        s.desc.supersampling = modes[i].supersampling;
-        s.desc.pass_triangles = modes[i].pass_triangles;
+        s.desc.supersampling = modes[i].supersampling ? modes[i].supersampling : 1;
+        s.desc.pass_triangles = modes[i].pass_triangles ? modes[i].pass_triangles : 1u << 21;
         s.desc.visibility = modes[i].visibility;
         shd_assert_ok(shd_render(context, &s.desc));
         memory.calls = 0;

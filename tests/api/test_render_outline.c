@@ -40,7 +40,7 @@ struct border_case {
     double box[4];
 };
 static const struct border_case k_borders[] = {
-    {"border/width_1", 1, 0, {16, 8, 48, 56}},
+    {"border/width_1", 1, 1, {16, 8, 48, 56}},
     {"border/width_2", 1, 2, {16, 8, 48, 56}},
     {"border/on_centres", 1, 1, {16.5, 8.5, 48.5, 56.5}},
     {"border/width_7", 1, 7, {20, 20, 44, 44}},
@@ -55,7 +55,7 @@ static const struct border_case k_borders[] = {
 static void test_border(void **state)
 {
     const struct border_case *c = (const struct border_case *)*state;
-    const double width = c->width == 0 ? 1 : (double)c->width, slack = 0.02;
+    const double width = (double)c->width, slack = 0.02;
     const shd_material_desc red = shd_frame_plain(1, 0, 0);
     uint32_t x, y, lit = 0, partial = 0;
     shd_draw *draw;
@@ -81,7 +81,7 @@ static void test_border(void **state)
     }
     assert_true(lit > 0);
     assert_true((partial > 0) == (c->samples > 1));
-    assert_int_equal(f.stats.rasterised, 2);
+    assert_int_equal(f.stats.rasterized_triangle_count, 2);
     shd_frame_close(&f);
 }
 
@@ -142,7 +142,7 @@ static void test_on_top(void **state)
 static void test_points(void **state)
 {
     enum { ACROSS = 5, COUNT = ACROSS * ACROSS };
-    static const float k_widths[] = {0, 1, 2, 3, 6};
+    static const float k_widths[] = {1, 2, 3, 6};
     const shd_material_desc white = shd_frame_plain(1, 1, 1);
     uint32_t seed = 3, i, w;
     float vertices[COUNT][3][8];
@@ -157,7 +157,7 @@ static void test_points(void **state)
     }
     (void)state;
     for (w = 0; w < sizeof k_widths / sizeof k_widths[0]; ++w) {
-        const uint32_t side = w ? (uint32_t)k_widths[w] : 1;
+        const uint32_t side = (uint32_t)k_widths[w];
         uint32_t of_triangle[COUNT] = {0}, lit = 0;
         shd_draw *draw;
         shd_frame f;
@@ -175,7 +175,7 @@ static void test_points(void **state)
         }
         assert_int_equal(lit, COUNT * side * side);
         for (i = 0; i < COUNT; ++i) assert_int_equal(of_triangle[i], side * side);
-        assert_int_equal(f.stats.rasterised, COUNT);
+        assert_int_equal(f.stats.rasterized_triangle_count, COUNT);
         shd_frame_close(&f);
     }
 }
@@ -282,7 +282,7 @@ static void test_shading(void **state)
         same += (size_t)both;
     }
     assert_true(same > 200 && same < 1200);
-    if (c->program) assert_int_equal(rows, f.stats.fragments);
+    if (c->program) assert_int_equal(rows, f.stats.fragment_count);
     shd_frame_close(&f);
 }
 
@@ -308,9 +308,11 @@ static uint64_t render_scene(shd_simd simd, uint32_t workers)
     shd_scene_open(&s, SHD_SCENE_GLASS, context);
     outline_scene(&s);
     hash = shd_scene_render(&s);
-    assert_int_equal(s.stats.nonfinite + s.stats.outside + s.stats.culled + s.stats.empty + s.stats.rasterised,
-                     s.stats.triangles);
-    assert_true(s.stats.clipped > 0 && s.stats.culled > 0 && s.stats.nonfinite > 0 && s.stats.fragments > 10000);
+    assert_int_equal(s.stats.nonfinite_triangle_count + s.stats.outside_triangle_count + s.stats.culled_triangle_count +
+                         s.stats.empty_triangle_count + s.stats.rasterized_triangle_count,
+                     s.stats.triangle_count);
+    assert_true(s.stats.clipped_triangle_count > 0 && s.stats.culled_triangle_count > 0 &&
+                s.stats.nonfinite_triangle_count > 0 && s.stats.fragment_count > 10000);
     shd_scene_close(&s);
     shd_context_release(context);
     return hash;
@@ -345,8 +347,8 @@ static void test_defaults(void **state)
     s.draw[1].fill_width = 17; /* solid: not used */
     assert_true(shd_scene_render(&s) == want);
     s.draw[1].fill = SHD_FILL_WIREFRAME;
-    s.draw[1].fill_width = 0;
-    assert_true(shd_draw_default().fill == SHD_FILL_SOLID && shd_draw_default().fill_width == 0);
+    s.draw[1].fill_width = 1;
+    assert_true(shd_draw_default().fill == SHD_FILL_SOLID && shd_draw_default().fill_width == 1);
     want = shd_scene_render(&s);
     s.draw[1].fill_width = 1;
     assert_true(shd_scene_render(&s) == want);
@@ -384,7 +386,7 @@ static void test_refused(void **state)
                           "render.draws[1]: draw.fill_width: ");
         assert_non_null(strstr(shd_last_error(), k_widths[i].message));
     }
-    s.draw[1].fill_width = 0;
+    s.draw[1].fill_width = 1;
     memcpy(&s.draw[1].fill, &bad, sizeof bad);
     shd_assert_result("fill", shd_render(context, &s.desc), SHD_ERROR_INVALID_ARGUMENT,
                       "render.draws[1]: draw.fill: 4 is not in 0..3");

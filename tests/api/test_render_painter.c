@@ -164,16 +164,16 @@ static void test_hard(void **state)
         render(&depth, &triangles, SHD_VISIBILITY_DEPTH, samples, c->reversed);
         render(&painter, &triangles, SHD_VISIBILITY_PAINTER, samples, c->reversed);
         render(&newell, &triangles, SHD_VISIBILITY_NEWELL, samples, c->reversed);
-        assert_true(depth.stats.order_conflicts == 0 && depth.stats.splits == 0);
-        assert_true(painter.stats.order_conflicts > 0 && painter.stats.splits == 0);
-        assert_true(newell.stats.order_conflicts == 0 && newell.stats.splits > 0);
-        assert_true(newell.stats.rasterised == depth.stats.rasterised);
+        assert_true(depth.stats.order_conflict_count == 0 && depth.stats.split_count == 0);
+        assert_true(painter.stats.order_conflict_count > 0 && painter.stats.split_count == 0);
+        assert_true(newell.stats.order_conflict_count == 0 && newell.stats.split_count > 0);
+        assert_true(newell.stats.rasterized_triangle_count == depth.stats.rasterized_triangle_count);
         wrong = count_differences(&painter, &depth);
         seam = count_differences(&newell, &depth);
         if (samples == 1 || samples == 16) {
             print_message("%s, %u samples: painter %llu conflicts, %zu pixels; newell %llu cuts, %zu pixels\n", c->name,
-                          samples, (unsigned long long)painter.stats.order_conflicts, wrong,
-                          (unsigned long long)newell.stats.splits, seam);
+                          samples, (unsigned long long)painter.stats.order_conflict_count, wrong,
+                          (unsigned long long)newell.stats.split_count, seam);
         }
         if (wrong < 20) fail_msg("%s, %u samples: painter wrong at only %zu pixels", c->name, samples, wrong);
         if (seam > PIXELS / 1000) fail_msg("%s, %u samples: %zu pixels at seams", c->name, samples, seam);
@@ -200,9 +200,10 @@ static void test_layers(void **state)
             render(&newell, &triangles, SHD_VISIBILITY_NEWELL, samples, reversed);
             expect_same_planes("painter", &painter, &depth);
             expect_same_planes("newell", &newell, &depth);
-            assert_int_equal(painter.stats.fragments, depth.stats.fragments);
-            assert_int_equal(newell.stats.fragments, depth.stats.fragments);
-            assert_int_equal(painter.stats.order_conflicts + newell.stats.order_conflicts + newell.stats.splits, 0);
+            assert_int_equal(painter.stats.fragment_count, depth.stats.fragment_count);
+            assert_int_equal(newell.stats.fragment_count, depth.stats.fragment_count);
+            assert_int_equal(
+                painter.stats.order_conflict_count + newell.stats.order_conflict_count + newell.stats.split_count, 0);
             shd_frame_close(&depth);
             shd_frame_close(&painter);
             shd_frame_close(&newell);
@@ -271,8 +272,8 @@ static void test_equal(void **state)
             assert_true(f.plane[SHD_PLANE_R][i] == (method == SHD_VISIBILITY_DEPTH ? 1.0f : 0.0f));
             assert_true(f.plane[SHD_PLANE_B][i] == (method == SHD_VISIBILITY_DEPTH ? 0.0f : 0.5f));
         }
-        assert_int_equal(f.stats.order_conflicts + f.stats.splits, 0);
-        assert_int_equal(f.stats.fragments, PIXELS);
+        assert_int_equal(f.stats.order_conflict_count + f.stats.split_count, 0);
+        assert_int_equal(f.stats.fragment_count, PIXELS);
         shd_frame_close(&f);
     }
 }
@@ -321,7 +322,7 @@ static void test_empty(void **state)
         const shd_region nothing = {0, 0, 0, 0};
         shd_frame f;
         render(&f, &triangles, (shd_visibility)method, 1, 0);
-        assert_int_equal(f.stats.outside, 4);
+        assert_int_equal(f.stats.outside_triangle_count, 4);
         f.desc.draw_count = 0;
         shd_frame_render(&f);
         for (i = 0; i < PIXELS; ++i) assert_true(f.plane[SHD_PLANE_DEPTH][i] == 1.0f);
@@ -343,9 +344,10 @@ static uint64_t render_scene(const shd_context_desc *desc, shd_scene_kind kind, 
     shd_scene_open(&scene, kind, context);
     scene.desc.visibility = visibility;
     hash = shd_scene_render(&scene);
-    hash = shd_hash(hash, &scene.stats.order_conflicts, sizeof scene.stats.order_conflicts);
-    hash = shd_hash(hash, &scene.stats.splits, sizeof scene.stats.splits);
-    assert_true((visibility == SHD_VISIBILITY_PAINTER ? scene.stats.order_conflicts : scene.stats.splits) > 0);
+    hash = shd_hash(hash, &scene.stats.order_conflict_count, sizeof scene.stats.order_conflict_count);
+    hash = shd_hash(hash, &scene.stats.split_count, sizeof scene.stats.split_count);
+    assert_true((visibility == SHD_VISIBILITY_PAINTER ? scene.stats.order_conflict_count : scene.stats.split_count) >
+                0);
     shd_scene_close(&scene);
     shd_context_release(context);
     return hash;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Progress increases to 1, and calls are never concurrent; a cancel at any point by any value but 0, and the render
- * after it. */
+/* Progress increases to 1, and calls are never concurrent; the end of a frame at any point by any result but SHD_OK,
+ * and the render after it. */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 
@@ -10,11 +10,11 @@
 struct watcher {
     pthread_mutex_t inside;
     int reports, mistakes, cancel_at; /* 0 = never */
-    int32_t cancel;                   /* value that cancels */
+    shd_result result;                /* result of call number cancel_at */
     float latest;
 };
 
-static int32_t report(void *user_data, float fraction)
+static shd_result report(float fraction, void *user_data)
 {
     struct watcher *w = (struct watcher *)user_data;
     const int alone = pthread_mutex_trylock(&w->inside) == 0;
@@ -22,7 +22,7 @@ static int32_t report(void *user_data, float fraction)
     w->latest = fraction;
     ++w->reports;
     if (alone) pthread_mutex_unlock(&w->inside);
-    return w->reports == w->cancel_at ? w->cancel : 0;
+    return w->reports == w->cancel_at ? w->result : SHD_OK;
 }
 
 struct worker_case {
@@ -35,8 +35,9 @@ static const struct worker_case k_cases[] = {
 
 static void start(struct watcher *w, int cancel_at)
 {
-    static const int32_t k_cancels[] = {1, -1, 5, INT32_MIN, INT32_MAX};
-    w->cancel = k_cancels[cancel_at % 5];
+    static const shd_result k_results[] = {SHD_ERROR_CANCELLED, SHD_ERROR_INVALID_ARGUMENT, SHD_ERROR_INTERNAL,
+                                           SHD_RESULT_MAX_ENUM, (shd_result)11};
+    w->result = k_results[cancel_at % 5];
     w->reports = w->mistakes = 0;
     w->latest = 0.0f;
     w->cancel_at = cancel_at;
@@ -75,10 +76,12 @@ static void test_progress(void **state)
         start(&watcher, at);
         memset(&s.stats, 0xee, sizeof s.stats);
         s.stats.struct_size = sizeof s.stats;
-        shd_assert_result("cancel", shd_render(context, &s.desc), SHD_ERROR_CANCELLED, "render.progress: cancelled");
+        shd_assert_result("cancel", shd_render(context, &s.desc),
+                          watcher.result > SHD_ERROR_INTERNAL ? SHD_ERROR_CALLBACK : watcher.result,
+                          "render.progress.report returned");
         assert_int_equal(watcher.mistakes, 0);
         assert_int_equal(watcher.reports, at); /* no call after the cancel */
-        assert_true(s.stats.triangles == 0 && s.stats.fragments == 0);
+        assert_true(s.stats.triangle_count == 0 && s.stats.fragment_count == 0);
         start(&watcher, 0);
         assert_true(shd_scene_render(&s) == want);
     }

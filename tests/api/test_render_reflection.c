@@ -52,13 +52,13 @@ static void test_glass(void **state)
     }
     for (int k = 0; k < 2; ++k) {
         shd_environment_lookups lookups = shd_environment_lookups_default();
-        shd_environment_light light = shd_environment_light_default();
+        shd_environment_values light = shd_environment_values_default();
         lookups.count = EDGE * EDGE;
         for (int c = 0; c < 3; ++c) {
             lookups.direction[c] = shd_f32_column(k ? mirrored[c] : through[c], 0);
-            light.rgb[c] = shd_f32_out_column(color[k][c], 0);
+            light.channel[c] = shd_f32_out_column(color[k][c], 0);
         }
-        shd_assert_ok(shd_environment_radiance(g_environment, &lookups, &light));
+        shd_assert_ok(shd_environment_sample_radiance(g_environment, &lookups, &light));
     }
     for (size_t i = 0; i < EDGE * EDGE; ++i) {
         if (!hit[i]) continue;
@@ -190,7 +190,8 @@ static void test_exponent_slot(void **state)
     shd_environment *noise = make_noise();
     shd_material_desc desc = shd_material_desc_default();
     shd_texture_desc texture_desc = shd_texture_desc_default();
-    shd_slot slot = shd_slot_default(SHD_SLOT_EXPONENT);
+    shd_slot slot = shd_slot_vertex(SHD_SLOT_EXPONENT, 0);
+    slot.source = SHD_SLOT_SOURCE_CONSTANT;
     (void)state;
     texture_desc.format = SHD_FORMAT_R32F;
     texture_desc.width = texture_desc.height = 1;
@@ -236,7 +237,7 @@ static void test_background(void **state)
     static struct picture got;
     static float direction[3][EDGE * EDGE], roughness[EDGE * EDGE], want[3][EDGE * EDGE];
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light light = shd_environment_light_default();
+    shd_environment_values light = shd_environment_values_default();
     struct scene scene;
     open_scene(&scene, NULL);
     scene.desc.background = SHD_BACKGROUND_ENVIRONMENT;
@@ -266,10 +267,10 @@ static void test_background(void **state)
     lookups.count = EDGE * EDGE;
     for (int c = 0; c < 3; ++c) {
         lookups.direction[c] = shd_f32_column(direction[c], 0);
-        light.rgb[c] = shd_f32_out_column(want[c], 0);
+        light.channel[c] = shd_f32_out_column(want[c], 0);
     }
     if (row->roughness > 0.0f) lookups.roughness = shd_f32_column(roughness, 0);
-    shd_assert_ok(shd_environment_radiance(g_environment, &lookups, &light));
+    shd_assert_ok(shd_environment_sample_radiance(g_environment, &lookups, &light));
     for (size_t i = 0; i < EDGE * EDGE; ++i) {
         for (int c = 0; c < 3; ++c) {
             shd_assert_close(row->name, i, (double)got.plane[c][i], 3.0 * (double)want[c][i], 1e-4, 1e-3);

@@ -140,7 +140,7 @@ static void test_program_nonfinite(void **state)
     open_program(&f, &record, SHD_FREQUENCY_PHONG);
     record.nan_at = 7;
     shd_frame_render(&f);
-    assert_int_equal(f.stats.nonfinite_fragments, 3);
+    assert_int_equal(f.stats.nonfinite_fragment_count, 3);
     for (i = 0; i < k_width * k_height; ++i) {
         nan += (size_t)isnan(f.plane[SHD_PLANE_R][i]);
         inf += f.plane[SHD_PLANE_G][i] == (float)INFINITY;

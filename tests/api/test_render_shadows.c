@@ -132,7 +132,7 @@ static void expect_product(const char *name, const shd_light *const *lights, con
         for (i = 0; i < k_pixels; ++i) visible[i] = 1;
         if (shadows[l]) {
             shd_shadow_lookups lookups = shd_shadow_lookups_default();
-            const shd_f32_out out = {visible, 0};
+            shd_shadow_values out = {sizeof out, {visible, 0}, 0};
             lookups.count = k_pixels;
             for (k = 0; k < 3; ++k) {
                 lookups.position[k].data = position[k];

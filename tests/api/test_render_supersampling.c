@@ -49,7 +49,7 @@ static shd_framebuffer *make_framebuffer(shd_context *context, uint32_t width, u
     shd_framebuffer *framebuffer = NULL;
     desc.width = width;
     desc.height = height;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = ALL_AOVS;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
     return framebuffer;
@@ -178,13 +178,13 @@ static void test_truth(void **state)
     s.desc.clear_color[0] = 0.1f;
     large = make_framebuffer(context, c->width * c->n, c->height * c->n, c->samples);
     small = make_framebuffer(context, c->width, c->height, c->samples);
-    draw(&s, c, large, c->n, 0);
+    draw(&s, c, large, c->n, 1);
     stats = s.stats;
     draw(&s, c, small, 1, c->n);
     if (!c->scissor.width) { /* a scissor moves the tiles, and blended draws are tested against stale depth by tile */
-        assert_true(s.stats.fragments == stats.fragments);
-        assert_true(s.stats.nonfinite_fragments == stats.nonfinite_fragments);
-        assert_true(s.stats.hidden_samples == stats.hidden_samples);
+        assert_true(s.stats.fragment_count == stats.fragment_count);
+        assert_true(s.stats.nonfinite_fragment_count == stats.nonfinite_fragment_count);
+        assert_true(s.stats.hidden_sample_count == stats.hidden_sample_count);
     }
     for (plane = 0; plane < PLANES; ++plane) {
         for (y = 0; y < c->height; ++y) {
@@ -313,8 +313,8 @@ static void test_hidden(void **state)
         f.desc.supersampling = n;
         f.desc.flags = SHD_RENDER_COUNT_HIDDEN;
         shd_frame_render(&f);
-        assert_int_equal(f.stats.hidden_samples, (uint64_t)width * height * n * n);
-        assert_int_equal(f.stats.fragments, (uint64_t)width * height * n * n);
+        assert_int_equal(f.stats.hidden_sample_count, (uint64_t)width * height * n * n);
+        assert_int_equal(f.stats.fragment_count, (uint64_t)width * height * n * n);
         shd_frame_close(&f);
     }
 }
@@ -377,7 +377,7 @@ static void test_progress(void **state)
         w.cancel_at = at;
         shd_assert_result("cancel", shd_render(context, &s.desc), SHD_ERROR_CANCELLED, "render.progress");
         assert_int_equal(w.reports, at);
-        assert_true(s.stats.triangles == 0 && s.stats.fragments == 0);
+        assert_true(s.stats.triangle_count == 0 && s.stats.fragment_count == 0);
     }
     shd_scene_close(&s);
     shd_context_release(context);

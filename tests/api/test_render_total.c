@@ -92,10 +92,11 @@ static void expect_sane(const char *what, const struct frame *f)
     uint32_t x, y;
     int plane;
     for (plane = 0; plane <= SHD_PLANE_TRIANGLE; ++plane) view[plane] = shd_plane_view_default();
-    if (s->triangles != s->nonfinite + s->outside + s->culled + s->empty + s->rasterised) {
+    if (s->triangle_count != s->nonfinite_triangle_count + s->outside_triangle_count + s->culled_triangle_count +
+                                 s->empty_triangle_count + s->rasterized_triangle_count) {
         fail_msg("%s: statistics do not add up", what);
     }
-    assert_int_equal(s->nonfinite_fragments, 0);
+    assert_int_equal(s->nonfinite_fragment_count, 0);
     for (plane = 0; plane <= SHD_PLANE_TRIANGLE; ++plane) {
         shd_assert_ok(shd_framebuffer_view_plane(f->framebuffer, (shd_plane)plane, &view[plane]));
     }
@@ -116,9 +117,9 @@ static void expect_sane(const char *what, const struct frame *f)
             covered += view[SHD_PLANE_TRIANGLE].u32[at] != 0xffffffffu;
         }
     }
-    if (covered != s->fragments) {
+    if (covered != s->fragment_count) {
         fail_msg("%s: %llu pixels covered, %llu fragments", what, (unsigned long long)covered,
-                 (unsigned long long)s->fragments);
+                 (unsigned long long)s->fragment_count);
     }
 }
 
@@ -134,7 +135,7 @@ static void expect_sane_outlines(const char *what, struct frame *f)
         expect_sane(what, f);
     }
     f->draw.fill = SHD_FILL_SOLID;
-    f->draw.fill_width = 0;
+    f->draw.fill_width = 1;
 }
 
 static const shd_frequency k_frequencies[] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};
@@ -184,16 +185,16 @@ static void test_triangle(void **state)
         f.draw.frequency = k_frequencies[i];
         shd_assert_ok(shd_render(f.context, &f.desc));
         expect_sane(c->name, &f);
-        assert_int_equal(f.stats.triangles, 1);
-        assert_int_equal(f.stats.nonfinite, c->outcome == DROPPED_NONFINITE);
-        assert_int_equal(f.stats.outside, c->outcome == DROPPED_OUTSIDE);
-        assert_int_equal(f.stats.culled, c->outcome == DROPPED_CULLED);
-        assert_int_equal(f.stats.empty, c->outcome == DROPPED_EMPTY);
-        assert_int_equal(f.stats.rasterised, c->outcome == DRAWN);
-        if (c->outcome == DRAWN) assert_true(f.stats.fragments > 0);
-        if (c->outcome != DRAWN) assert_int_equal(f.stats.fragments, 0);
+        assert_int_equal(f.stats.triangle_count, 1);
+        assert_int_equal(f.stats.nonfinite_triangle_count, c->outcome == DROPPED_NONFINITE);
+        assert_int_equal(f.stats.outside_triangle_count, c->outcome == DROPPED_OUTSIDE);
+        assert_int_equal(f.stats.culled_triangle_count, c->outcome == DROPPED_CULLED);
+        assert_int_equal(f.stats.empty_triangle_count, c->outcome == DROPPED_EMPTY);
+        assert_int_equal(f.stats.rasterized_triangle_count, c->outcome == DRAWN);
+        if (c->outcome == DRAWN) assert_true(f.stats.fragment_count > 0);
+        if (c->outcome != DRAWN) assert_int_equal(f.stats.fragment_count, 0);
         expect_sane_outlines(c->name, &f);
-        if (c->outcome == DROPPED_NONFINITE) assert_int_equal(f.stats.nonfinite, 1);
+        if (c->outcome == DROPPED_NONFINITE) assert_int_equal(f.stats.nonfinite_triangle_count, 1);
         close_frame(&f);
     }
 }
@@ -273,9 +274,9 @@ static void test_matrix(void **state)
         memcpy(m, c->m, sizeof c->m);
         shd_assert_ok(shd_render(f.context, &f.desc));
         expect_sane(c->name, &f);
-        if (c->draws_something) assert_true(f.stats.fragments > 0);
+        if (c->draws_something) assert_true(f.stats.fragment_count > 0);
         if (!c->draws_something && strcmp(c->name, "clip/max_float") != 0 && strcmp(c->name, "clip/w_tiny") != 0) {
-            assert_int_equal(f.stats.fragments, 0);
+            assert_int_equal(f.stats.fragment_count, 0);
         }
         expect_sane_outlines(c->name, &f);
         close_frame(&f);
@@ -303,7 +304,7 @@ static void test_lights_in_odd_places(void **state)
             f.draw.frequency = k_frequencies[k];
             shd_assert_ok(shd_render(f.context, &f.desc));
             expect_sane("light", &f);
-            assert_int_equal(f.stats.fragments, 65 * 65);
+            assert_int_equal(f.stats.fragment_count, 65 * 65);
             close_frame(&f);
         }
     }
@@ -325,7 +326,7 @@ static void test_size(void **state)
     open_frame(&f, k_p, 3, c->width, c->height);
     shd_assert_ok(shd_render(f.context, &f.desc));
     expect_sane(c->name, &f);
-    assert_int_equal(f.stats.fragments, (uint64_t)c->width * c->height);
+    assert_int_equal(f.stats.fragment_count, (uint64_t)c->width * c->height);
     close_frame(&f);
 }
 
@@ -342,7 +343,7 @@ static void test_empty_mesh(void **state)
     f.desc.draw_count = 1;
     shd_assert_ok(shd_render(f.context, &f.desc));
     expect_sane("empty mesh", &f);
-    assert_int_equal(f.stats.triangles, 0);
+    assert_int_equal(f.stats.triangle_count, 0);
     assert_true(shd_hash_framebuffer(f.framebuffer) == cleared);
     f.desc.light_count = 0;
     shd_assert_ok(shd_render(f.context, &f.desc));

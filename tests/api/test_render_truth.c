@@ -26,8 +26,8 @@ static void test_cover(void **state)
     shd_frame_draw(&f, quad, 6, &plain);
     shd_frame_ambient(&f);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, pixels);
-    assert_int_equal(f.stats.rasterised, 2);
+    assert_int_equal(f.stats.fragment_count, pixels);
+    assert_int_equal(f.stats.rasterized_triangle_count, 2);
     for (i = 0; i < pixels; ++i) {
         assert_true(f.triangle[i] < 2);
         lower += f.triangle[i] == 0;
@@ -57,11 +57,11 @@ static void test_shared_edge(void **state)
     shd_frame_draw(&f, quad + 24, 3, &plain);
     f.desc.draw_count = 1;
     shd_frame_render(&f);
-    sum = f.stats.fragments;
+    sum = f.stats.fragment_count;
     memcpy(first, f.triangle, sizeof first);
     f.desc.draws = &f.draw[1];
     shd_frame_render(&f);
-    sum += f.stats.fragments;
+    sum += f.stats.fragment_count;
     assert_int_equal(sum, 33 * 29);
     for (i = 0; i < 33 * 29; ++i) assert_true((first[i] == 0) != (f.triangle[i] == 0));
     shd_frame_close(&f);
@@ -121,7 +121,7 @@ static void test_order(void **state)
     f.desc.clear_depth = c->clear_depth;
     f.desc.clear_color[2] = 0.5f;
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, c->expected == 2 ? 0 : 210);
+    assert_int_equal(f.stats.fragment_count, c->expected == 2 ? 0 : 210);
     for (i = 0; i < 210; ++i) {
         shd_assert_close("r", i, (double)f.plane[SHD_PLANE_R][i], c->expected == 0, 0.0, 0.0);
         shd_assert_close("g", i, (double)f.plane[SHD_PLANE_G][i], c->expected == 1, 0.0, 0.0);
@@ -199,8 +199,8 @@ static void test_cull(void **state)
     draw->cull = c->cull;
     if (c->mirrored) draw->object_to_world[0] = -1.0f;
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, c->drawn ? 400 : 0);
-    assert_int_equal(f.stats.culled, c->drawn ? 0 : 2);
+    assert_int_equal(f.stats.fragment_count, c->drawn ? 400 : 0);
+    assert_int_equal(f.stats.culled_triangle_count, c->drawn ? 0 : 2);
     shd_frame_close(&f);
 }
 

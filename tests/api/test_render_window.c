@@ -32,7 +32,7 @@ static void make_framebuffer(shd_scene *s, uint32_t width, uint32_t height, uint
     shd_framebuffer_release(s->framebuffer);
     desc.width = width;
     desc.height = height;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
     shd_assert_ok(shd_framebuffer_create(s->context, &desc, &s->framebuffer));
     s->desc.framebuffer = s->framebuffer;
@@ -275,7 +275,7 @@ static void test_far_corner(void **state)
     for (y = 0; y < 10; ++y) {
         for (x = 0; x < 20; ++x) assert_true(view.f32[y * (view.row_stride / sizeof(float)) + x] == 0.0f);
     }
-    assert_int_equal(s.stats.rasterised, 2);
+    assert_int_equal(s.stats.rasterized_triangle_count, 2);
     shd_mesh_release(mesh);
     shd_scene_close(&s);
     shd_context_release(context);

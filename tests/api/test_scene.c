@@ -89,7 +89,7 @@ static void test_obj(void **state)
     assert_three("high", info.bounds_max, 2, 1, 0);
     shd_assert_ok(shd_scene_get_instance(scene, 0, &instance));
     shd_assert_ok(shd_scene_get_material_desc(scene, instance.material, &material));
-    assert_string_equal(shd_scene_name(scene, SHD_SCENE_PART_MATERIAL, instance.material), "red");
+    assert_string_equal(shd_scene_get_name(scene, SHD_SCENE_PART_MATERIAL, instance.material), "red");
     assert_int_equal(material.model, SHD_MODEL_BLINN_PHONG);
     assert_three("diffuse", material.diffuse, 0.5, 0.25, 0.125);
     assert_three("ambient", material.ambient, -1, -1, -1);
@@ -99,18 +99,18 @@ static void test_obj(void **state)
     for (i = 0; i < 3; ++i) {
         for (c = 0; c < 3; ++c) {
             const shd_f32_out column[3] = {{position[0], 0}, {position[1], 0}, {position[2], 0}};
-            if (c == 0 && i == 0) shd_assert_ok(shd_mesh_read_positions(shd_scene_mesh(scene, 0), column));
+            if (c == 0 && i == 0) shd_assert_ok(shd_mesh_read_positions(shd_scene_get_mesh(scene, 0), column));
         }
     }
     {
         const shd_f32_out column[2] = {{uv[0], 0}, {uv[1], 0}};
-        shd_assert_ok(shd_mesh_read_uv(shd_scene_mesh(scene, 0), column));
+        shd_assert_ok(shd_mesh_read_uv(shd_scene_get_mesh(scene, 0), column));
     }
     for (i = 0; i < 3; ++i) { /* v grows downwards: 0.75 in the file is 0.25 */
         shd_assert_close("v", (size_t)i, uv[1][i], position[1][i] == 1 ? 0.25 : 1, 0, 0);
         shd_assert_close("u", (size_t)i, uv[0][i], position[0][i] / 2, 0, 0);
     }
-    assert_non_null(strstr(shd_scene_name(scene, SHD_SCENE_PART_TEXTURE, 0), ".png"));
+    assert_non_null(strstr(shd_scene_get_name(scene, SHD_SCENE_PART_TEXTURE, 0), ".png"));
     shd_scene_release(scene);
 }
 
@@ -120,7 +120,7 @@ static void test_gltf_material(void **state)
     shd_material_desc material = shd_material_desc_default();
     (void)state;
     shd_assert_ok(shd_scene_get_material_desc(scene, 0, &material));
-    assert_string_equal(shd_scene_name(scene, SHD_SCENE_PART_MATERIAL, 0), "steel");
+    assert_string_equal(shd_scene_get_name(scene, SHD_SCENE_PART_MATERIAL, 0), "steel");
     assert_int_equal(material.model, SHD_MODEL_METALLIC_ROUGHNESS);
     assert_three("base colour", material.diffuse, 0.25, 0.5, 0.75);
     assert_three("emission", material.emission, 0, 0.5, 1);
@@ -161,9 +161,9 @@ static void test_gltf_lights(void **state)
     assert_int_equal(info_of(scene).light_count, 3);
     for (i = 0; i < 3; ++i) {
         shd_light_desc light = shd_light_desc_default();
-        const char *name = shd_scene_name(scene, SHD_SCENE_PART_LIGHT, i);
+        const char *name = shd_scene_get_name(scene, SHD_SCENE_PART_LIGHT, i);
         shd_assert_ok(shd_scene_get_light_desc(scene, i, &light));
-        assert_non_null(shd_scene_light(scene, i));
+        assert_non_null(shd_scene_get_light(scene, i));
         if (strcmp(name, "bulb") == 0) {
             assert_int_equal(light.kind, SHD_LIGHT_KIND_POINT);
             assert_three("bulb", light.intensity, 8, 4, 2);
@@ -194,7 +194,7 @@ static void test_gltf_camera(void **state)
     shd_camera camera = shd_camera_default();
     (void)state;
     assert_int_equal(info_of(scene).camera_count, 1);
-    assert_string_equal(shd_scene_name(scene, SHD_SCENE_PART_CAMERA, 0), "eye");
+    assert_string_equal(shd_scene_get_name(scene, SHD_SCENE_PART_CAMERA, 0), "eye");
     shd_assert_ok(shd_scene_get_camera(scene, 0, &camera));
     shd_assert_close("fov", 0, camera.fov_y, 0.75, 1e-5, 0);
     shd_assert_close("aspect", 0, camera.aspect, 2, 1e-6, 0);
@@ -219,8 +219,8 @@ static void test_missing_texture(void **state)
     scene = load("bare.obj");
     assert_int_equal(info_of(scene).warning_count, 1);
     assert_int_equal(info_of(scene).texture_count, 1); /* found in spite of the case of its letters */
-    assert_non_null(strstr(shd_scene_warning(scene, 0), "Missing.png"));
-    assert_null(shd_scene_warning(scene, 1));
+    assert_non_null(strstr(shd_scene_get_warning(scene, 0), "Missing.png"));
+    assert_null(shd_scene_get_warning(scene, 1));
     shd_scene_release(scene);
     desc.flags = SHD_SCENE_REQUIRE_TEXTURES;
     shd_assert_result("required", shd_scene_load(g_context, io_path("bare.obj"), &desc, &scene), SHD_ERROR_NOT_FOUND,
@@ -251,8 +251,8 @@ static void test_blended_textures(void **state)
     scene = load("blended.obj");
     for (i = 0; i < info_of(scene).texture_count; ++i) {
         shd_texture_info info = shd_texture_info_default();
-        const char *name = shd_scene_name(scene, SHD_SCENE_PART_TEXTURE, i);
-        shd_assert_ok(shd_texture_get_info(shd_scene_texture(scene, i), &info));
+        const char *name = shd_scene_get_name(scene, SHD_SCENE_PART_TEXTURE, i);
+        shd_assert_ok(shd_texture_get_info(shd_scene_get_texture(scene, i), &info));
         assert_int_equal(info.flags, strstr(name, "blended.png") ? SHD_TEXTURE_PREMULTIPLIED : SHD_TEXTURE_NONE);
     }
     assert_true(i >= 3);
@@ -269,7 +269,7 @@ static void test_render(void **state)
     shd_render_stats stats = shd_render_stats_default();
     shd_framebuffer *framebuffer = NULL;
     shd_plane_view green = shd_plane_view_default();
-    shd_mesh *mesh = shd_scene_mesh(scene, 0);
+    shd_mesh *mesh = shd_scene_get_mesh(scene, 0);
     shd_mesh_info info = shd_mesh_info_default();
     (void)state;
     made.width = 48;
@@ -285,7 +285,7 @@ static void test_render(void **state)
     render.framebuffer = framebuffer;
     render.stats = &stats;
     shd_assert_ok(shd_render(g_context, &render));
-    assert_true(stats.triangles == 2 && stats.fragments > 100 && stats.nonfinite_fragments == 0);
+    assert_true(stats.triangle_count == 2 && stats.fragment_count > 100 && stats.nonfinite_fragment_count == 0);
     shd_assert_ok(shd_framebuffer_view_plane(framebuffer, SHD_PLANE_G, &green));
     assert_true(green.f32[16 * (green.row_stride / sizeof(float)) + 24] > 0);
     shd_mesh_retain(mesh);
@@ -394,7 +394,8 @@ static void test_null(void **state)
     shd_assert_result("info", shd_scene_get_info(scene, NULL), BAD, "info: NULL");
     info.struct_size = 4;
     shd_assert_result("info", shd_scene_get_info(scene, &info), BAD, "out_info.struct_size: 4");
-    shd_assert_result("handle", shd_scene_fill_render((shd_scene *)(void *)shd_scene_mesh(scene, 0), &render), BAD, "");
+    shd_assert_result("handle", shd_scene_fill_render((shd_scene *)(void *)shd_scene_get_mesh(scene, 0), &render), BAD,
+                      "");
     shd_assert_result("material", shd_scene_get_material_desc(scene, 99, &material), SHD_ERROR_NOT_FOUND, "index: 99");
     shd_assert_result("light", shd_scene_get_light_desc(scene, 0, &light), SHD_ERROR_NOT_FOUND, "0 lights");
     shd_assert_result("camera", shd_scene_get_camera(scene, 0, &camera), SHD_ERROR_NOT_FOUND, "0 cameras");
@@ -402,14 +403,14 @@ static void test_null(void **state)
     shd_assert_result("render", shd_scene_fill_render(scene, NULL), BAD, "render: NULL");
     render.struct_size = 16;
     shd_assert_result("render", shd_scene_fill_render(scene, &render), BAD, "render.struct_size: 16");
-    assert_null(shd_scene_mesh(scene, 1));
-    assert_null(shd_scene_mesh(NULL, 0));
-    assert_null(shd_scene_material(scene, 77));
-    assert_null(shd_scene_texture(scene, 2));
-    assert_null(shd_scene_light(scene, 0));
-    assert_null(shd_scene_warning(scene, 0));
-    assert_null(shd_scene_name(scene, SHD_SCENE_PART_CAMERA, 0));
-    assert_null(shd_scene_name(scene, (shd_scene_part)9, 0));
+    assert_null(shd_scene_get_mesh(scene, 1));
+    assert_null(shd_scene_get_mesh(NULL, 0));
+    assert_null(shd_scene_get_material(scene, 77));
+    assert_null(shd_scene_get_texture(scene, 2));
+    assert_null(shd_scene_get_light(scene, 0));
+    assert_null(shd_scene_get_warning(scene, 0));
+    assert_null(shd_scene_get_name(scene, SHD_SCENE_PART_CAMERA, 0));
+    assert_null(shd_scene_get_name(scene, (shd_scene_part)9, 0));
     shd_scene_retain(NULL);
     shd_scene_release(NULL);
     shd_scene_release(scene);

@@ -94,7 +94,7 @@ static void test_paths(void **state)
         snprintf(text, sizeof text, "newmtl a\nKd 1 1 1\nmap_Kd %s\n", p->name);
         scene_write_text("odd.mtl", text);
         shd_assert_ok(shd_scene_load(g_context, io_path("odd.obj"), NULL, &scene));
-        assert_non_null(shd_scene_warning(scene, 0));
+        assert_non_null(shd_scene_get_warning(scene, 0));
         shd_scene_release(scene);
         snprintf(text, sizeof text,
                  "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
@@ -164,7 +164,7 @@ static void test_bad_triangles(void **state)
     shd_assert_ok(shd_scene_get_info(scene, &info));
     assert_int_equal(info.triangle_count, 1);
     assert_int_equal(info.warning_count, 1);
-    assert_non_null(strstr(shd_scene_warning(scene, 0), "1 faces with indices out of range or positions"));
+    assert_non_null(strstr(shd_scene_get_warning(scene, 0), "1 faces with indices out of range or positions"));
     shd_scene_release(scene);
 }
 
@@ -245,9 +245,10 @@ static void test_names(void **state)
                      "f 1/1 2/1 3/1\n");
     scene_write_text("names.mtl", "newmtl \x1b[31mred\nKd 1 1 1\nmap_Kd \x1b[2J\xff.png\n");
     shd_assert_ok(shd_scene_load(g_context, io_path("names.obj"), NULL, &scene));
-    for (c = shd_scene_name(scene, SHD_SCENE_PART_MATERIAL, 0); *c; ++c) assert_true(*c >= 0x20);
-    assert_non_null(shd_scene_warning(scene, 0));
-    for (c = shd_scene_warning(scene, 0); *c; ++c) assert_true((unsigned char)*c >= 0x20 && (unsigned char)*c < 0x7f);
+    for (c = shd_scene_get_name(scene, SHD_SCENE_PART_MATERIAL, 0); *c; ++c) assert_true(*c >= 0x20);
+    assert_non_null(shd_scene_get_warning(scene, 0));
+    for (c = shd_scene_get_warning(scene, 0); *c; ++c)
+        assert_true((unsigned char)*c >= 0x20 && (unsigned char)*c < 0x7f);
     shd_scene_release(scene);
 }
 

@@ -70,10 +70,10 @@ float top_of(const shd_scene *scene, uint32_t index)
     float positions[3][6];
     shd_f32_out columns[3];
     shd_mesh_info info = shd_mesh_info_default();
-    shd_assert_ok(shd_mesh_get_info(shd_scene_mesh(scene, instance.mesh), &info));
+    shd_assert_ok(shd_mesh_get_info(shd_scene_get_mesh(scene, instance.mesh), &info));
     assert_in_range(info.vertex_count, 4, 6);
     for (size_t c = 0; c < 3; ++c) columns[c] = {positions[c], sizeof(float)};
-    shd_assert_ok(shd_mesh_read_positions(shd_scene_mesh(scene, instance.mesh), columns));
+    shd_assert_ok(shd_mesh_read_positions(shd_scene_get_mesh(scene, instance.mesh), columns));
     float top = positions[1][0];
     for (uint32_t i = 1; i < info.vertex_count; ++i) top = std::fmax(top, positions[1][i]);
     return top;
@@ -88,7 +88,7 @@ void test_info(void **)
     assert_int_equal(info.deformed_mesh_count, 1);
     assert_int_equal(info.instance_count, 3);
     assert_int_equal(info.warning_count, 0);
-    assert_string_equal(shd_scene_name(g_scene, SHD_SCENE_PART_ANIMATION, 0), "walk");
+    assert_string_equal(shd_scene_get_name(g_scene, SHD_SCENE_PART_ANIMATION, 0), "walk");
     shd_assert_ok(shd_scene_get_animation_times(g_scene, 0, &first, &last));
     assert_true(first == 1 && last == 3);
 }
@@ -128,9 +128,9 @@ void test_shared(void **)
     shd_assert_ok(shd_scene_pose(g_scene, 0, 2, &pose));
     shd_assert_ok(shd_scene_get_instance(pose, 1, &moved));
     shd_assert_ok(shd_scene_get_instance(pose, 2, &rigid));
-    assert_ptr_equal(shd_scene_mesh(pose, rigid.mesh), shd_scene_mesh(g_scene, rigid.mesh));
-    assert_ptr_not_equal(shd_scene_mesh(pose, moved.mesh), shd_scene_mesh(g_scene, moved.mesh));
-    assert_ptr_equal(shd_scene_material(pose, rigid.material), shd_scene_material(g_scene, rigid.material));
+    assert_ptr_equal(shd_scene_get_mesh(pose, rigid.mesh), shd_scene_get_mesh(g_scene, rigid.mesh));
+    assert_ptr_not_equal(shd_scene_get_mesh(pose, moved.mesh), shd_scene_get_mesh(g_scene, moved.mesh));
+    assert_ptr_equal(shd_scene_get_material(pose, rigid.material), shd_scene_get_material(g_scene, rigid.material));
     shd_scene_release(pose);
 }
 

@@ -43,10 +43,10 @@ static uint64_t hash_of(const shd_scene *scene)
     uint64_t hash = mix(14695981039346656037u, &info, sizeof info);
     for (uint32_t i = 0; i < info.mesh_count; ++i) {
         shd_mesh_info mesh = shd_mesh_info_default();
-        shd_assert_ok(shd_mesh_get_info(shd_scene_mesh(scene, i), &mesh));
+        shd_assert_ok(shd_mesh_get_info(shd_scene_get_mesh(scene, i), &mesh));
         float *p = malloc(sizeof *p * 3 * (mesh.vertex_count + 1));
         shd_f32_out columns[3] = {{p, 12}, {p + 1, 12}, {p + 2, 12}};
-        shd_assert_ok(shd_mesh_read_positions(shd_scene_mesh(scene, i), columns));
+        shd_assert_ok(shd_mesh_read_positions(shd_scene_get_mesh(scene, i), columns));
         hash = mix(hash, p, sizeof *p * 3 * mesh.vertex_count);
         free(p);
     }
@@ -61,7 +61,7 @@ static uint64_t hash_of(const shd_scene *scene)
         hash = mix(hash, light.position, 6 * sizeof(float));
     }
     for (uint32_t i = 0; i < info.warning_count; ++i) {
-        const char *text = shd_scene_warning(scene, i);
+        const char *text = shd_scene_get_warning(scene, i);
         hash = mix(hash, text, strlen(text));
     }
     return hash;
@@ -76,7 +76,7 @@ struct lent {
     size_t count;
 };
 
-static shd_result find_in_folder(void *user, const char *name, const void **out_bytes, size_t *out_size)
+static shd_result find_in_folder(const char *name, const void **out_bytes, size_t *out_size, void *user)
 {
     struct lent *lent = user;
     if (lent->count == sizeof lent->file / sizeof lent->file[0]) return SHD_ERROR_LIMIT;
@@ -104,7 +104,7 @@ static void test_one_scene(void **state)
         for (size_t k = 0; k < 3; ++k) {
             desc.flags = k == 1 ? SHD_SCENE_IN_PROCESS : SHD_SCENE_NONE;
             desc.find = k == 2 ? find_in_folder : NULL;
-            desc.find_user_data = &lent;
+            desc.user_data = &lent;
             shd_assert_ok(k == 2 ? shd_scene_load_memory(g_context, file.data, file.size, k_models[i], &desc, &scene)
                                  : shd_scene_load(g_context, io_path(k_models[i]), &desc, &scene));
             hashes[k] = hash_of(scene);
@@ -155,7 +155,7 @@ static void test_one_worker(void **state)
     unlink(program);
 }
 
-static shd_result find_nothing_more(void *user, const char *name, const void **out_bytes, size_t *out_size)
+static shd_result find_nothing_more(const char *name, const void **out_bytes, size_t *out_size, void *user)
 {
     (void)user, (void)name, (void)out_bytes, (void)out_size;
     return SHD_ERROR_LIMIT;
@@ -186,7 +186,7 @@ static const struct name_case k_names[] = {
 static int has_warning(const shd_scene *scene, const char *text)
 {
     for (uint32_t i = 0; i < info_of(scene).warning_count; ++i) {
-        if (strstr(shd_scene_warning(scene, i), text)) return 1;
+        if (strstr(shd_scene_get_warning(scene, i), text)) return 1;
     }
     return 0;
 }
@@ -266,7 +266,7 @@ static void test_mutants(void **state)
     desc.time_limit = 20;
     desc.max_reader_bytes = (uint64_t)1 << 28;
     desc.find = find_in_folder;
-    desc.find_user_data = &lent;
+    desc.user_data = &lent;
     g_random = 1;
     for (int i = count ? atoi(count) : 12; i > 0; --i) {
         const size_t size = mutate(seed->text, text);

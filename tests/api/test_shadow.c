@@ -222,11 +222,11 @@ static void test_lookups(void **state)
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
     shd_shadow *shadow = NULL;
     float value = -5;
-    shd_f32_out out = {NULL, 0};
+    shd_shadow_values out = {sizeof out, {NULL, 0}, 0};
     int k;
     (void)state;
     shd_assert_ok(shd_shadow_create(g.context, NULL, &shadow));
-    out.data = &value;
+    out.visibility.data = &value;
     shd_assert_result("not_rendered", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow: it was not rendered");
     shd_shadow_release(shadow);
     shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, g.light);
@@ -242,12 +242,12 @@ static void test_lookups(void **state)
     lookups.position[2].stride = 7;
     shd_assert_result("stride", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.position[2].stride: 7");
     lookups.position[2].stride = 0;
-    shd_assert_result("out", shd_shadow_sample(shadow, &lookups, NULL), BAD, "out: NULL");
+    shd_assert_result("out", shd_shadow_sample(shadow, &lookups, NULL), BAD, "shadow_values: NULL");
     lookups.struct_size = 4;
     shd_assert_result("struct_size", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.struct_size");
     lookups.struct_size = sizeof lookups;
-    out.data = NULL;
-    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, &out), BAD, "out.data: NULL");
+    out.visibility.data = NULL;
+    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_values.visibility.data: NULL");
     assert_true(value == -5.0f);
     shd_shadow_release(shadow);
 }
@@ -262,10 +262,10 @@ struct overlap_case {
 };
 static const struct overlap_case k_overlaps[] = {
     {"overlaps/apart", 6, 8, ""},
-    {"overlaps/position", 0, 8, "out: overlaps shadow_lookups.position[0]"},
-    {"overlaps/normal", 4, 8, "out: overlaps shadow_lookups.normal[1]"},
-    {"overlaps/a_row_later", 10, 8, "out: overlaps shadow_lookups.position[2]"},
-    {"overlaps/packed", 11, 1, "out: overlaps shadow_lookups.normal[0]"},
+    {"overlaps/position", 0, 8, "shadow_values.visibility: overlaps shadow_lookups.position[0]"},
+    {"overlaps/normal", 4, 8, "shadow_values.visibility: overlaps shadow_lookups.normal[1]"},
+    {"overlaps/a_row_later", 10, 8, "shadow_values.visibility: overlaps shadow_lookups.position[2]"},
+    {"overlaps/packed", 11, 1, "shadow_values.visibility: overlaps shadow_lookups.normal[0]"},
 };
 
 static void test_overlaps(void **state)
@@ -273,7 +273,7 @@ static void test_overlaps(void **state)
     const struct overlap_case *c = (const struct overlap_case *)*state;
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
     shd_shadow *shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, g.light);
-    shd_f32_out out;
+    shd_shadow_values out = {sizeof out, {NULL, 0}, 0};
     int k;
     lookups.count = 4;
     for (k = 0; k < 3; ++k) {
@@ -281,8 +281,8 @@ static void test_overlaps(void **state)
         lookups.normal[k].data = &g_rows[0][3 + k];
         lookups.position[k].stride = lookups.normal[k].stride = sizeof g_rows[0];
     }
-    out.data = &g_rows[0][0] + c->first;
-    out.stride = c->stride * sizeof(float);
+    out.visibility.data = &g_rows[0][0] + c->first;
+    out.visibility.stride = c->stride * sizeof(float);
     shd_assert_result(c->name, shd_shadow_sample(shadow, &lookups, &out), c->message[0] ? BAD : SHD_OK, c->message);
     shd_shadow_release(shadow);
 }
@@ -293,7 +293,7 @@ static void test_strides(void **state)
     enum { k_count = 40000 };
     static float points[k_count][7], packed[6][k_count], want[k_count], got[2 * k_count];
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    shd_f32_out out = {want, 0};
+    shd_shadow_values out = {sizeof out, {want, 0}, 0};
     shd_shadow_desc desc = shd_shadow_desc_default();
     shd_shadow *shadow;
     uint32_t seed = 1;
@@ -318,8 +318,8 @@ static void test_strides(void **state)
         column->data = &points[0][k];
         column->stride = sizeof points[0];
     }
-    out.data = got;
-    out.stride = 2 * sizeof(float);
+    out.visibility.data = got;
+    out.visibility.stride = 2 * sizeof(float);
     shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out));
     for (i = 0; i < k_count; ++i) assert_true(got[2 * i] == want[i] && got[2 * i + 1] == 0.0f);
     shd_shadow_release(shadow);

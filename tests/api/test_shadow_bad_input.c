@@ -57,7 +57,7 @@ static void sample_wild(const char *name, int filter, const shd_shadow *shadow)
 {
     static float points[6][k_points], out[k_points];
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    const shd_f32_out column = {out, 0};
+    shd_shadow_values column = {sizeof column, {out, 0}, 0};
     int i, k;
     for (i = 0; i < k_points; ++i) {
         points[0][i] = k_wild[i % k_wild_count];

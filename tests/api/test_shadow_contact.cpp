@@ -83,7 +83,7 @@ Triangles triangles_of(const shd_shape_desc &desc)
 Triangles teapot_on_floor()
 {
     shd_shape_desc desc = shd_shape_desc_default();
-    desc.shape = SHD_SHAPE_TEAPOT;
+    desc.kind = SHD_SHAPE_TEAPOT;
     desc.segments[0] = 32;
     Triangles out = triangles_of(desc);
     add_quad(&out, {-12, 0, -12}, {0, 0, 24}, {24, 0, 0});
@@ -155,7 +155,7 @@ class Scene
             lookups.position[c].data = columns + c;
             lookups.normal[c].data = columns + 3 + c;
         }
-        const shd_f32_out out = {&value, 0};
+        shd_shadow_values out = {sizeof out, {&value, 0}, 0};
         shd_assert_ok(shd_shadow_sample(shadow_, &lookups, &out));
         return value;
     }

@@ -25,7 +25,7 @@ static void sample(const shd_shadow *shadow, float out[k_points])
 {
     static float points[3][k_points];
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    const shd_f32_out column = {out, 0};
+    shd_shadow_values column = {sizeof column, {out, 0}, 0};
     int i, k;
     lookups.count = k_points;
     for (k = 0; k < 3; ++k) {

@@ -20,7 +20,7 @@ static uint64_t hash_of(const shd_shadow *shadow)
 {
     float points[3][k_points], out[k_points];
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
-    const shd_f32_out column = {out, 0};
+    shd_shadow_values column = {sizeof column, {out, 0}, 0};
     int i, k;
     lookups.count = k_points;
     for (k = 0; k < 3; ++k) {

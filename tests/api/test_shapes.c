@@ -14,8 +14,7 @@
 
 /* A shape in allocated memory, interleaved: position, normal, uv. Free with drop(). */
 struct filled {
-    uint32_t vertex_count;
-    size_t index_count;
+    size_t vertex_count, index_count;
     float *position, *normal, *uv;
     uint32_t *index;
 };
@@ -57,7 +56,7 @@ static void drop(struct filled *f)
 static shd_shape_desc shape_of(shd_shape shape, uint32_t a, uint32_t b, uint32_t c)
 {
     shd_shape_desc desc = shd_shape_desc_default();
-    desc.shape = shape;
+    desc.kind = shape;
     desc.segments[0] = a;
     desc.segments[1] = b;
     desc.segments[2] = c;
@@ -432,8 +431,7 @@ static void test_columns(void **state)
 static void test_large(void **state)
 {
     shd_shape_desc desc = shape_of(SHD_SHAPE_BOX, 4096, 4096, 4096);
-    uint32_t vertices;
-    size_t indices;
+    size_t vertices, indices;
     struct filled f;
     (void)state;
     shd_assert_ok(shd_shape_count(&desc, &vertices, &indices));
@@ -454,7 +452,7 @@ static void edit_size(shd_shape_desc *d) { d->struct_size = 4; }
 static void edit_shape(shd_shape_desc *d)
 {
     const uint32_t unknown = 5;
-    memcpy(&d->shape, &unknown, sizeof unknown);
+    memcpy(&d->kind, &unknown, sizeof unknown);
 }
 static void edit_radius_0(shd_shape_desc *d) { d->radius = 0; }
 static void edit_radius_nan(shd_shape_desc *d) { d->radius = (float)NAN; }
@@ -464,42 +462,42 @@ static void edit_down(shd_shape_desc *d) { d->segments[1] = 1; }
 static void edit_many(shd_shape_desc *d) { d->segments[1] = 4097; }
 static void edit_tube(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_TORUS;
+    d->kind = SHD_SHAPE_TORUS;
     d->tube_radius = 1;
 }
 static void edit_tube_negative(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_TORUS;
+    d->kind = SHD_SHAPE_TORUS;
     d->tube_radius = -0.5f;
 }
 static void edit_torus_tube_2(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_TORUS;
+    d->kind = SHD_SHAPE_TORUS;
     d->segments[1] = 2;
 }
 static void edit_box(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_BOX;
+    d->kind = SHD_SHAPE_BOX;
     d->size[1] = -1;
 }
 static void edit_box_many(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_BOX;
+    d->kind = SHD_SHAPE_BOX;
     d->segments[2] = 5000;
 }
 static void edit_plane(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_PLANE;
+    d->kind = SHD_SHAPE_PLANE;
     d->size[2] = 0;
 }
 static void edit_teapot_1(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_TEAPOT;
+    d->kind = SHD_SHAPE_TEAPOT;
     d->segments[0] = 1;
 }
 static void edit_teapot(shd_shape_desc *d)
 {
-    d->shape = SHD_SHAPE_TEAPOT;
+    d->kind = SHD_SHAPE_TEAPOT;
     d->segments[0] = 257;
 }
 
@@ -511,7 +509,7 @@ struct refusal {
 
 static const struct refusal k_refusals[] = {
     {"refused/struct_size", edit_size, "shape.struct_size: 4"},
-    {"refused/shape_5", edit_shape, "shape.shape: 5 is not in 0..4"},
+    {"refused/shape_5", edit_shape, "shape.kind: 5 is not in 0..4"},
     {"refused/radius_0", edit_radius_0, "shape.radius: 0 is not in 1e-30..1e+30"},
     {"refused/radius_nan", edit_radius_nan, "shape.radius: "},
     {"refused/radius_inf", edit_radius_inf, "shape.radius: inf"},
@@ -533,8 +531,7 @@ static void test_refusal(void **state)
     const struct refusal *r = (const struct refusal *)*state;
     shd_shape_desc desc = shd_shape_desc_default();
     shd_shape_columns columns = shd_shape_columns_default();
-    uint32_t vertices = 7;
-    size_t indices = 7;
+    size_t vertices = 7, indices = 7;
     r->edit(&desc);
     shd_assert_result(r->name, shd_shape_count(&desc, &vertices, &indices), BAD, r->message);
     assert_true(vertices == 0 && indices == 0);
@@ -546,8 +543,7 @@ static void test_refused_columns(void **state)
     float room[600];
     uint32_t index[3000];
     shd_shape_columns columns = shd_shape_columns_default();
-    uint32_t vertices;
-    size_t indices;
+    size_t vertices, indices;
     (void)state;
     shd_assert_result("count", shd_shape_count(NULL, NULL, &indices), BAD, "out_vertex_count: NULL");
     shd_assert_result("count", shd_shape_count(NULL, &vertices, NULL), BAD, "out_index_count: NULL");

@@ -451,7 +451,7 @@ static void render_wild(const struct wild_case *c, float value, float *out, uint
     s.f.desc.view.eye[2] = 3;
     render(&s);
     shd_texture_release(texture);
-    *nonfinite = s.f.stats.nonfinite_fragments;
+    *nonfinite = s.f.stats.nonfinite_fragment_count;
     for (k = 0; k < 3; ++k) memcpy(out + k * k_pixels, s.f.plane[k], k_pixels * sizeof(float));
     close_scene(&s);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Solid textures through the public function: checks, columns of any stride, contexts, colours, and large batches. */
+#include "support/group_context.h"
 #include "support/rows.h"
 #include "support/simd.h"
 
@@ -44,7 +45,7 @@ static shd_solid_values values(void)
     memset(g.color, 0, sizeof g.color);
     out.value.data = g.value;
     for (c = 0; c < 3; ++c) out.gradient[c].data = g.gradient[c];
-    for (c = 0; c < 4; ++c) out.color[c].data = g.color[c];
+    for (c = 0; c < 4; ++c) out.channel[c].data = g.color[c];
     return out;
 }
 
@@ -108,7 +109,8 @@ static void test_bad_desc(void **state)
     const uint32_t whole = c->is_float ? 0 : (uint32_t)c->value;
     memcpy((char *)&desc + c->offset, c->is_float ? (const void *)&real : (const void *)&whole, 4);
     g.value[0] = 7;
-    shd_assert_result(c->name, shd_solid_evaluate(NULL, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT, c->message);
+    shd_assert_result(c->name, shd_solid_evaluate(g_context, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
+                      c->message);
     assert_true(g.value[0] == 7.0f);
 }
 
@@ -120,22 +122,23 @@ static void test_bad_columns(void **state)
     shd_solid_points points = places(8);
     shd_solid_values out = values();
     (void)state;
-    shd_assert_result("desc", shd_solid_evaluate(NULL, NULL, &points, &out), bad, "solid: NULL");
-    shd_assert_result("points", shd_solid_evaluate(NULL, &desc, NULL, &out), bad, "points: NULL");
-    shd_assert_result("values", shd_solid_evaluate(NULL, &desc, &points, NULL), bad, "values: NULL");
+    shd_assert_result("desc", shd_solid_evaluate(g_context, NULL, &points, &out), bad, "solid: NULL");
+    shd_assert_result("points", shd_solid_evaluate(g_context, &desc, NULL, &out), bad, "points: NULL");
+    shd_assert_result("values", shd_solid_evaluate(g_context, &desc, &points, NULL), bad, "values: NULL");
     points.position[1].data = NULL;
-    shd_assert_result("y", shd_solid_evaluate(NULL, &desc, &points, &out), bad, "points.position[1].data: NULL");
+    shd_assert_result("y", shd_solid_evaluate(g_context, &desc, &points, &out), bad, "points.position[1].data: NULL");
     points = places(8);
     points.position[2].stride = 6;
-    shd_assert_result("stride", shd_solid_evaluate(NULL, &desc, &points, &out), bad, "points.position[2].stride: 6");
+    shd_assert_result("stride", shd_solid_evaluate(g_context, &desc, &points, &out), bad,
+                      "points.position[2].stride: 6");
     points = places(8);
-    out.color[3].data = g.width;
-    shd_assert_result("overlap", shd_solid_evaluate(NULL, &desc, &points, &out), bad,
-                      "values.color[3]: overlaps points.width");
+    out.channel[3].data = g.width;
+    shd_assert_result("overlap", shd_solid_evaluate(g_context, &desc, &points, &out), bad,
+                      "values.channel[3]: overlaps points.width");
     out = shd_solid_values_default();
-    shd_assert_result("none", shd_solid_evaluate(NULL, &desc, &points, &out), bad, "values.value: NULL");
+    shd_assert_result("none", shd_solid_evaluate(g_context, &desc, &points, &out), bad, "values.value: NULL");
     points.count = 0;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
 }
 
 static void test_bad_context(void **state)
@@ -145,7 +148,7 @@ static void test_bad_context(void **state)
     const shd_solid_points points = places(1);
     shd_solid_values out = values();
     (void)state;
-    shd_assert_result("context", shd_solid_evaluate((const shd_context *)k_zeros, &desc, &points, &out),
+    shd_assert_result("context", shd_solid_evaluate((shd_context *)(uintptr_t)k_zeros, &desc, &points, &out),
                       SHD_ERROR_INVALID_ARGUMENT, "context: not a live handle");
 }
 
@@ -158,7 +161,7 @@ static void test_columns(void **state)
     shd_solid_values out = values();
     int c, i;
     (void)state;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     memcpy(want[0], g.value, sizeof g.value);
     memcpy(want[1], g.gradient, sizeof g.gradient);
     memcpy(want[4], g.color, sizeof g.color);
@@ -166,12 +169,12 @@ static void test_columns(void **state)
         const shd_f32_out nothing = {NULL, 0};
         shd_f32_out column;
         out = values();
-        column = c == 0 ? out.value : c < 4 ? out.gradient[c - 1] : out.color[c - 4];
+        column = c == 0 ? out.value : c < 4 ? out.gradient[c - 1] : out.channel[c - 4];
         out = shd_solid_values_default();
         out.value = c == 0 ? column : nothing;
         if (c > 0 && c < 4) out.gradient[c - 1] = column;
-        if (c >= 4) out.color[c - 4] = column;
-        shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+        if (c >= 4) out.channel[c - 4] = column;
+        shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
         assert_memory_equal(column.data, want[c], sizeof want[c]);
     }
     for (i = 0; i < k_points; ++i) {
@@ -183,8 +186,8 @@ static void test_columns(void **state)
     out = shd_solid_values_default();
     out.value = shd_f32_out_column(&records[0][4], sizeof records[0]);
     for (c = 0; c < 3; ++c) out.gradient[c] = shd_f32_out_column(&records[0][5 + c], sizeof records[0]);
-    for (c = 0; c < 4; ++c) out.color[c] = shd_f32_out_column(&records[0][8 + c], sizeof records[0]);
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    for (c = 0; c < 4; ++c) out.channel[c] = shd_f32_out_column(&records[0][8 + c], sizeof records[0]);
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     for (i = 0; i < k_points; ++i) {
         for (c = 0; c < 8; ++c) assert_true(records[i][4 + c] == want[c][i]);
     }
@@ -199,14 +202,14 @@ static void test_ramp(void **state)
     int i;
     (void)state;
     desc.kind = SHD_SOLID_SIMPLEX;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     for (i = 0; i < k_points; ++i) {
         shd_assert_close("default", (size_t)i, (double)g.color[1][i], 0.5 + 0.5 * (double)g.value[i], 1e-6, 0);
         assert_true(g.color[3][i] == 1.0f);
     }
     desc.range[0] = 0.25f;
     desc.range[1] = -0.25f;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     for (i = 0; i < k_points; ++i) {
         const double want = fmin(fmax(0.5 - 2 * (double)g.value[i], 0), 1);
         shd_assert_close("falling", (size_t)i, (double)g.color[0][i], want, 1e-6, 0);
@@ -214,7 +217,7 @@ static void test_ramp(void **state)
     desc.kind = SHD_SOLID_STRIPES;
     desc.range[0] = 0.0f;
     desc.range[1] = 2e-39f; /* colours change all but at once */
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     for (i = 0; i < k_points; ++i) {
         if (g.value[i] == 0.0f) assert_true(g.color[0][i] == desc.colors[0][0]);
         if (g.value[i] == 1.0f) assert_true(g.color[0][i] == desc.colors[1][0]);
@@ -232,10 +235,10 @@ static void test_nonfinite(void **state)
     g.position[1][700] = INFINITY;
     g.position[2][700] = NAN;
     g.width[1002] = -INFINITY;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     assert_int_equal(out.nonfinite_count, 3);
     fill_places();
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     assert_int_equal(out.nonfinite_count, 0);
 }
 
@@ -256,7 +259,7 @@ static void test_contexts(void **state)
     points.position[0].data = x;
     points.position[1].data = points.position[2].data = y;
     out.value.data = want;
-    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
     out.value.data = got;
     for (simd = SHD_SIMD_BEST; simd <= SHD_SIMD_WASM; ++simd) {
         uint32_t workers;
@@ -276,7 +279,7 @@ static void test_contexts(void **state)
 }
 
 /** An executor that fails makes the call fail. */
-static shd_result refuse(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result refuse(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     (void)user_data, (void)count, (void)task, (void)task_data;
     return SHD_ERROR_INTERNAL;
@@ -315,10 +318,10 @@ static void test_seeds(void **state)
         shd_solid_desc desc = shd_solid_desc_default();
         shd_solid_values out = values();
         desc.kind = (shd_solid)kind;
-        shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+        shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
         memcpy(first, g.value, sizeof first);
         desc.seed = 1;
-        shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+        shd_assert_ok(shd_solid_evaluate(g_context, &desc, &points, &out));
         assert_int_equal(memcmp(first, g.value, sizeof first) == 0, kind <= SHD_SOLID_CHECKER);
     }
 }
@@ -335,5 +338,5 @@ int main(void)
     add("contexts", test_contexts, NULL);
     add("executor_fails", test_executor_fails, NULL);
     add("seeds", test_seeds, NULL);
-    return _cmocka_run_group_tests("api.solid", g_tests, g_count, NULL, NULL);
+    return _cmocka_run_group_tests("api.solid", g_tests, g_count, set_up_context, tear_down_context);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Solid textures in slots: the colours of frames are those of shd_solid_evaluate() at the places of the pixels. */
 #include "support/frame.h"
+#include "support/group_context.h"
 #include "support/slots.h"
 
 enum { k_size = 24, k_pixels = k_size * k_size };
@@ -54,8 +55,8 @@ static void evaluate(const shd_solid_desc *solid)
     points.count = k_pixels;
     for (c = 0; c < 3; ++c) points.position[c].data = g.place[c];
     points.width.data = g.width;
-    for (c = 0; c < 4; ++c) values.color[c].data = g.color[c];
-    shd_assert_ok(shd_solid_evaluate(NULL, solid, &points, &values));
+    for (c = 0; c < 4; ++c) values.channel[c].data = g.color[c];
+    shd_assert_ok(shd_solid_evaluate(g_context, solid, &points, &values));
 }
 
 /* World positions of the pixels of the quad under the identity view, and the length of a pixel step: to the right in x
@@ -241,8 +242,8 @@ static void color_of(const shd_solid_desc *solid, const shd_fragments *in, float
     points.position[0].data = in->px;
     points.position[1].data = in->py;
     points.position[2].data = in->pz;
-    for (c = 0; c < 3; ++c) values.color[c].data = out[c];
-    if (shd_solid_evaluate(NULL, solid, &points, &values) != SHD_OK) memset(out[0], 0, in->count * sizeof(float));
+    for (c = 0; c < 3; ++c) values.channel[c].data = out[c];
+    if (shd_solid_evaluate(g_context, solid, &points, &values) != SHD_OK) memset(out[0], 0, in->count * sizeof(float));
 }
 static void procedure(const shd_fragments *in, float *const out[4], void *user_data)
 {
@@ -290,5 +291,5 @@ int main(void)
         {"singular", test_singular, NULL, NULL, NULL}, {"perspective", test_perspective, NULL, NULL, NULL},
         {"channels", test_channels, NULL, NULL, NULL}, {"programs", test_programs, NULL, NULL, NULL},
     };
-    return cmocka_run_group_tests_name("api.solid_slots", k_tests, NULL, NULL);
+    return cmocka_run_group_tests_name("api.solid_slots", k_tests, set_up_context, tear_down_context);
 }

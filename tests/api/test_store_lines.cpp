@@ -107,14 +107,14 @@ struct Textures {
         const size_t layer = base.size();
         base.insert(base.end(), base.begin(), base.begin() + static_cast<std::ptrdiff_t>(layer));
         desc.texels = base.data();
-        desc.levels = levels.data();
+        desc.level_images = levels.data();
         shd_assert_ok(shd_texture_create(context, &desc, &one));
-        desc.layers = 2;
+        desc.layer_count = 2;
         const std::vector<shd_image> second = levels;
         levels.insert(levels.end(), second.begin(), second.end());
-        desc.levels = levels.data();
+        desc.level_images = levels.data();
         shd_assert_ok(shd_texture_create(context, &desc, &two));
-        desc.levels = nullptr;
+        desc.level_images = nullptr;
     }
     Textures(const Textures &) = delete;
     ~Textures()
@@ -205,7 +205,7 @@ void check_store(shd_context *context, const Shape &shape, const shd_texture *ex
         for_each_line(shape, [&](const TileLookups &lookups, size_t number) {
             char what[128];
             std::snprintf(what, sizeof what, "%s, %s, filter %d, wrap %d, line %zu", shape.name,
-                          shd_context_simd_target(context), filter, wrap, number);
+                          shd_context_get_simd_target(context), filter, wrap, number);
             compare(lookups, expected, texture, sampler, what);
         });
     });
@@ -221,7 +221,7 @@ void test_shape(void **state)
         shd_texture *tiled = nullptr;
         shd_tile_cache *const cache = make_tile_cache(context, kTileBytes, 1 << 20);
         shd_texture_desc desc = textures.desc;
-        desc.layers = 1;
+        desc.layer_count = 1;
         desc = source.desc(desc, textures.one, cache);
         shd_assert_ok(shd_texture_create(context, &desc, &tiled));
         check_store(context, shape, textures.two, tiled);
@@ -245,23 +245,23 @@ void test_missing(void **)
                 for (size_t k = 0; k < 2; ++k) {
                     caches[k] = make_tile_cache(context, kTileBytes, 1 << 20);
                     shd_texture_desc desc = textures.desc;
-                    desc.layers = k == 0 ? 1 : 2;
+                    desc.layer_count = k == 0 ? 1 : 2;
                     desc = sources[k]->desc(desc, k == 0 ? textures.one : textures.two, caches[k]);
                     shd_assert_ok(shd_texture_create(context, &desc, &tiled[k]));
                     for (uint32_t level = 0; level < 4; ++level) {
                         shd_tile_region region = shd_tile_region_default();
                         region.level = level;
-                        region.x = level == 0 ? 30 : 0;
-                        region.width = std::max(1u, level == 0 ? 70 : 100u >> level);
-                        region.height = 60u >> level;
+                        region.area.x = level == 0 ? 30 : 0;
+                        region.area.width = std::max(1u, level == 0 ? 70 : 100u >> level);
+                        region.area.height = 60u >> level;
                         if (number % 4 != 3 || level != 1) shd_assert_ok(shd_texture_load_tiles(tiled[k], &region));
                     }
                 }
                 char what[128];
-                std::snprintf(what, sizeof what, "%s, filter %d, wrap %d, line %zu", shd_context_simd_target(context),
-                              filter, wrap, number);
+                std::snprintf(what, sizeof what, "%s, filter %d, wrap %d, line %zu",
+                              shd_context_get_simd_target(context), filter, wrap, number);
                 compare(lookups, tiled[1], tiled[0], sampler, what);
-                assert_int_equal(stats_of(caches[0]).requested_tiles, stats_of(caches[1]).requested_tiles);
+                assert_int_equal(stats_of(caches[0]).requested_tile_count, stats_of(caches[1]).requested_tile_count);
                 for (size_t k = 0; k < 2; ++k) {
                     shd_texture_release(tiled[k]);
                     shd_tile_cache_release(caches[k]);

@@ -171,7 +171,7 @@ std::vector<float> render_volume(shd_context *context, shd_texture *texture)
     desc.texture = texture;
     desc.point_count = 2;
     desc.density = shd_f32_column(density, 0), desc.extinction = shd_f32_column(extinction, 0);
-    desc.box_min[0] = desc.box_min[1] = desc.box_min[2] = -1.0f;
+    desc.bounds_min[0] = desc.bounds_min[1] = desc.bounds_min[2] = -1.0f;
     desc.step = 0.05f;
     shd_volume_draw draw = shd_volume_draw_default();
     shd_volume *volume = nullptr;

@@ -173,8 +173,12 @@ static void max_segments_1025(shd_tessellation_desc *d) { d->max_segments = 1025
 static void edge_length_0(shd_tessellation_desc *d) { d->edge_length = 0; }
 static void edge_length_nan(shd_tessellation_desc *d) { d->edge_length = (float)NAN; }
 static void edge_length_inf(shd_tessellation_desc *d) { d->edge_length = (float)INFINITY; }
-static void width_0(shd_tessellation_desc *d) { d->width = 0; }
-static void height_65537(shd_tessellation_desc *d) { d->height = 65537; }
+static void height_0(shd_tessellation_desc *d) { d->picture_width = 1; }
+static void height_65537(shd_tessellation_desc *d)
+{
+    d->picture_width = 1;
+    d->picture_height = 65537;
+}
 static void normals_3(shd_tessellation_desc *d) { d->normals = (shd_displaced_normals)3; }
 static void max_triangles_0(shd_tessellation_desc *d) { d->max_triangles = 0; }
 static void max_triangles_max(shd_tessellation_desc *d) { d->max_triangles = UINT32_MAX; }
@@ -187,12 +191,12 @@ static void lod_33(shd_tessellation_desc *d) { d->lod = 33; }
 static void view_nan(shd_tessellation_desc *d)
 {
     g_view.view_to_clip[7] = (float)NAN;
-    d->view = &g_view;
+    d->view = g_view;
 }
 static void matrix_inf(shd_tessellation_desc *d)
 {
     g_matrix[3] = (float)INFINITY;
-    d->object_to_world = g_matrix;
+    memcpy(d->object_to_world, g_matrix, sizeof d->object_to_world);
 }
 static void foreign_texture(shd_tessellation_desc *d) { d->displacement = (const shd_texture *)g_matrix; }
 static void foreign_sampler(shd_tessellation_desc *d) { d->sampler = (const shd_sampler *)g_matrix; }
@@ -229,8 +233,8 @@ static const struct refusal {
     {"refused/edge_length_0", edge_length_0, "tessellation.edge_length: 0 is not above 0"},
     {"refused/edge_length_nan", edge_length_nan, "tessellation.edge_length: nan is not above 0"},
     {"refused/edge_length_inf", edge_length_inf, "tessellation.edge_length: inf is not above 0"},
-    {"refused/width_0", width_0, "tessellation.width: 0 is not in 1..65536"},
-    {"refused/height_65537", height_65537, "tessellation.height: 65537 is not in 1..65536"},
+    {"refused/height_0", height_0, "tessellation.picture_height: 0 is not in 1..65536"},
+    {"refused/height_65537", height_65537, "tessellation.picture_height: 65537 is not in 1..65536"},
     {"refused/normals_3", normals_3, "tessellation.normals: 3 is not in 0..2"},
     {"refused/max_triangles_0", max_triangles_0, "tessellation.max_triangles: 0 is not in 1..268435456"},
     {"refused/max_triangles_uint32_max", max_triangles_max, "tessellation.max_triangles: 4294967295 is not in"},
@@ -545,9 +549,9 @@ static void test_closed(void **state)
     shd_assert_ok(shd_view_from_camera(&camera, &view));
     if (c->adaptive) {
         desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
-        desc.view = &view;
+        desc.view = view;
         desc.edge_length = 20;
-        desc.width = desc.height = 400;
+        desc.picture_width = desc.picture_height = 400;
     }
     desc.displacement = heights;
     desc.amplitude = 0.3f;

@@ -76,8 +76,8 @@ static void test_same_picture(void **state)
     desc.mode = c->mode;
     desc.segments = c->segments;
     desc.edge_length = c->edge_length;
-    desc.view = &f.desc.view;
-    desc.width = desc.height = SIZE;
+    desc.view = f.desc.view;
+    desc.picture_width = desc.picture_height = SIZE;
     shd_assert_ok(shd_mesh_tessellate(f.context, f.mesh[0], &desc, &cut));
     draw->mesh = cut;
     render(&f, after);

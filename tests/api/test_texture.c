@@ -27,13 +27,13 @@ static void edit_size_small(shd_texture_desc *d) { d->struct_size = 8; }
 static void edit_format_none(shd_texture_desc *d) { d->format = SHD_FORMAT_NONE; }
 static void edit_format_unknown(shd_texture_desc *d) { d->format = (shd_format)99; }
 static void edit_format_negative(shd_texture_desc *d) { d->format = (shd_format)-1; }
-static void edit_layers(shd_texture_desc *d) { d->layers = 3; }
-static void edit_layers_0(shd_texture_desc *d) { d->layers = 0; }
-static void edit_layers_2049(shd_texture_desc *d) { d->layers = 2049; }
+static void edit_layers(shd_texture_desc *d) { d->layer_count = 3; }
+static void edit_layers_0(shd_texture_desc *d) { d->layer_count = 0; }
+static void edit_layers_2049(shd_texture_desc *d) { d->layer_count = 2049; }
 static void edit_layers_too_many(shd_texture_desc *d)
 {
     d->width = d->height = 1024;
-    d->layers = 257;
+    d->layer_count = 257;
 }
 static void edit_layer_stride_small(shd_texture_desc *d) { d->layer_stride = 63; }
 static void edit_layer_stride_odd(shd_texture_desc *d)
@@ -43,7 +43,7 @@ static void edit_layer_stride_odd(shd_texture_desc *d)
 }
 static void edit_layer_stride_huge(shd_texture_desc *d)
 {
-    d->layers = 3;
+    d->layer_count = 3;
     d->layer_stride = SIZE_MAX / 2;
 }
 static void edit_swizzle(shd_texture_desc *d)
@@ -53,13 +53,16 @@ static void edit_swizzle(shd_texture_desc *d)
 }
 static void edit_swizzle_unknown(shd_texture_desc *d) { d->swizzle[2] = (shd_channel)6; }
 static void edit_fill_infinite(shd_texture_desc *d) { d->fill[1] = INFINITY; }
-static void edit_depth(shd_texture_desc *d) { d->depth = 65537; }
-static void edit_projection(shd_texture_desc *d) { d->projection = SHD_PROJECTION_OCTAHEDRAL + 1; }
-static void edit_depth_and_projection(shd_texture_desc *d)
+static void edit_kind(shd_texture_desc *d) { d->kind = (shd_texture_kind)3; }
+static void edit_depth(shd_texture_desc *d) { d->kind = SHD_TEXTURE_KIND_3D, d->depth = 65537; }
+static void edit_depth_0(shd_texture_desc *d) { d->kind = SHD_TEXTURE_KIND_3D; }
+static void edit_projection(shd_texture_desc *d)
 {
-    d->depth = 1;
-    d->projection = SHD_PROJECTION_CUBE;
+    d->kind = SHD_TEXTURE_KIND_DIRECTIONS;
+    d->projection = SHD_PROJECTION_OCTAHEDRAL + 1;
 }
+static void edit_depth_of_2d(shd_texture_desc *d) { d->depth = 1; }
+static void edit_projection_of_2d(shd_texture_desc *d) { d->projection = SHD_PROJECTION_OCTAHEDRAL; }
 static void edit_width_zero(shd_texture_desc *d) { d->width = 0; }
 static void edit_height_zero(shd_texture_desc *d) { d->height = 0; }
 static void edit_width_65537(shd_texture_desc *d) { d->width = 65537; }
@@ -114,10 +117,10 @@ static const struct create_case k_create[] = {
     {"create/negative_format", edit_format_negative, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 4294967295"},
     {"create/3_layers", edit_layers, SHD_OK, ""},
     {"create/swizzle", edit_swizzle, SHD_OK, ""},
-    {"create/zero_layers", edit_layers_0, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 0 is not in 1..2048"},
-    {"create/2049_layers", edit_layers_2049, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 2049"},
+    {"create/zero_layers", edit_layers_0, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_count: 0 is not in 1..2048"},
+    {"create/2049_layers", edit_layers_2049, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_count: 2049"},
     {"create/2^28_and_a_layer", edit_layers_too_many, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.width * texture.height * texture.layers: 269484032"},
+     "texture.width * texture.height * texture.layer_count: 269484032"},
     {"create/layer_stride_below_layer", edit_layer_stride_small, SHD_ERROR_INVALID_ARGUMENT,
      "texture.layer_stride: 63 is below 64"},
     {"create/layer_stride_odd_for_16_bits", edit_layer_stride_odd, SHD_ERROR_INVALID_ARGUMENT,
@@ -125,20 +128,24 @@ static const struct create_case k_create[] = {
     {"create/layer_stride_overflow", edit_layer_stride_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
     {"create/unknown_swizzle", edit_swizzle_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.swizzle: 6 is not in 0..5"},
     {"create/infinite_fill", edit_fill_infinite, SHD_ERROR_INVALID_ARGUMENT, "texture.fill[1]: inf is not finite"},
-    {"create/depth_65537", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.depth: 65537 is not in 0..65536"},
-    {"create/projection_unknown", edit_projection, SHD_ERROR_INVALID_ARGUMENT, "texture.projection: 6 is not in 0..5"},
-    {"create/depth_and_projection", edit_depth_and_projection, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.projection: 4, but texture.depth is 1, not 0"},
+    {"create/depth_65537", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.depth: 65537 is not in 1..65536"},
+    {"create/depth_0", edit_depth_0, SHD_ERROR_INVALID_ARGUMENT, "texture.depth: 0 is not in 1..65536"},
+    {"create/kind_unknown", edit_kind, SHD_ERROR_INVALID_ARGUMENT, "texture.kind: 3 is not in 0..2"},
+    {"create/projection_unknown", edit_projection, SHD_ERROR_INVALID_ARGUMENT, "texture.projection: 6 is not in 1..5"},
+    {"create/depth_of_2d", edit_depth_of_2d, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.depth: 1, but texture.kind is not SHD_TEXTURE_KIND_3D"},
+    {"create/projection_of_2d", edit_projection_of_2d, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.projection: 5, but texture.kind is not SHD_TEXTURE_KIND_DIRECTIONS"},
     {"create/zero_width", edit_width_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 0 is not in 1..65536"},
     {"create/zero_height", edit_height_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 0 is not in 1..65536"},
     {"create/width_65537", edit_width_65537, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 65537"},
     {"create/negative_height", edit_height_negative, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 4294967292"},
     {"create/2^28_and_a_row", edit_too_many, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.width * texture.height * texture.layers: 268500992 is not in 1..268435456"},
+     "texture.width * texture.height * texture.layer_count: 268500992 is not in 1..268435456"},
     {"create/ripmap_of_2^26_and_a_row", edit_too_many_for_ripmap, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.width * texture.height * texture.layers: 67117056 is not in 1..67108864"},
+     "texture.width * texture.height * texture.layer_count: 67117056 is not in 1..67108864"},
     {"create/32_bit_overflow", edit_overflow, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.width * texture.height * texture.layers: 4294967296"},
+     "texture.width * texture.height * texture.layer_count: 4294967296"},
     {"create/null_texels", edit_texels_null, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: NULL"},
     {"create/misaligned_floats", edit_texels_misaligned, SHD_ERROR_INVALID_ARGUMENT,
      "texture.texels: not aligned to 4"},

@@ -50,7 +50,7 @@ static unsigned char g_texels[4096 * 4 + SHD_TEXTURE_PADDING];
 
 static void edit_nothing(shd_texture_desc *d) { (void)d; }
 static void edit_thin(shd_texture_desc *d) { d->depth = 1; }
-static void edit_layers(shd_texture_desc *d) { d->layers = 2; }
+static void edit_layers(shd_texture_desc *d) { d->layer_count = 2; }
 static void edit_ripmap(shd_texture_desc *d) { d->tables = SHD_TABLE_RIPMAP; }
 static void edit_summed(shd_texture_desc *d) { d->tables = SHD_TABLE_MIPMAP | SHD_TABLE_SUMMED_AREA; }
 static void edit_too_many(shd_texture_desc *d)
@@ -73,7 +73,7 @@ static const struct create_case k_create[] = {
     {"create/16x16x16", edit_nothing, SHD_OK, ""},
     {"create/one_slice", edit_thin, SHD_OK, ""},
     {"create/borrowed", edit_borrow, SHD_OK, ""},
-    {"create/layers", edit_layers, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 2, but texture.depth is 16, not 0"},
+    {"create/layers", edit_layers, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_count: 2 is not in 1..1"},
     {"create/ripmap", edit_ripmap, SHD_ERROR_UNSUPPORTED, "texture.tables: 0x2, but a 3D texture"},
     {"create/summed_area", edit_summed, SHD_ERROR_UNSUPPORTED, "texture.tables: 0x5, but a 3D texture"},
     {"create/2^28_and_a_slice", edit_too_many, SHD_ERROR_INVALID_ARGUMENT,
@@ -94,6 +94,7 @@ static void test_create(void **state)
     shd_texture_desc desc = shd_texture_desc_default();
     shd_texture *texture = NULL;
     desc.format = SHD_FORMAT_RGBA8;
+    desc.kind = SHD_TEXTURE_KIND_3D;
     desc.width = desc.height = desc.depth = 16;
     desc.texels = g_texels;
     desc.tables = SHD_TABLE_MIPMAP;
@@ -304,7 +305,8 @@ static void test_other_uses(void **state)
 {
     shd_light_desc light = shd_light_desc_default();
     shd_material_desc material = shd_material_desc_default();
-    shd_slot slot = shd_slot_default(SHD_SLOT_HEIGHT);
+    shd_slot slot = shd_slot_vertex(SHD_SLOT_HEIGHT, 0);
+    slot.source = SHD_SLOT_SOURCE_CONSTANT;
     shd_light *made_light = NULL;
     shd_material *made_material = NULL;
     (void)state;

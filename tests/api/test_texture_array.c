@@ -121,7 +121,7 @@ static void test_format(void **state)
     desc.format = c->format;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.layers = LAYERS;
+    desc.layer_count = LAYERS;
     desc.row_stride = row;
     desc.layer_stride = layer;
     desc.texels = texels;
@@ -130,7 +130,7 @@ static void test_format(void **state)
     free(texels);
     shd_assert_ok(shd_texture_get_info(texture, &info));
     assert_int_equal(info.format, c->stored);
-    assert_int_equal(info.layers, LAYERS);
+    assert_int_equal(info.layer_count, LAYERS);
     assert_int_equal(info.byte_size, TEXELS * LAYERS * shd_format_size(c->stored));
     sample(texture, g_layer);
     for (i = 0; i < TEXELS * LAYERS; ++i) {
@@ -155,7 +155,7 @@ static void test_layers(void **state)
     desc.format = SHD_FORMAT_R8;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.layers = LAYERS;
+    desc.layer_count = LAYERS;
     desc.texels = texels;
     desc.tables = SHD_TABLE_MIPMAP;
     shd_assert_ok(shd_texture_create(g_context, &desc, &texture));

@@ -64,7 +64,7 @@ static void edit_nothing(shd_texture_desc *d) { (void)d; }
 static void edit_levels(shd_texture_desc *d)
 {
     d->tables = SHD_TABLE_MIPMAP;
-    d->levels = g_levels;
+    d->level_images = g_levels;
     d->level_count = 2;
 }
 static void edit_odd_address(shd_texture_desc *d) { d->texels = g_blocks + 7; }
@@ -72,8 +72,8 @@ static void edit_gaps(shd_texture_desc *d) { d->row_stride = ACROSS * 16 + 3; }
 static void edit_cube(shd_texture_desc *d)
 {
     d->width = d->height = 12;
-    d->layers = 6;
-    d->projection = SHD_PROJECTION_CUBE;
+    d->layer_count = 6;
+    d->kind = SHD_TEXTURE_KIND_DIRECTIONS, d->projection = SHD_PROJECTION_CUBE;
 }
 static void edit_borrow(shd_texture_desc *d) { d->flags = SHD_TEXTURE_BORROW; }
 static void edit_borrow_gaps(shd_texture_desc *d)
@@ -85,10 +85,10 @@ static void edit_unknown(shd_texture_desc *d) { d->format = (shd_format)38; }
 static void edit_narrow(shd_texture_desc *d) { d->row_stride = ACROSS * 16 - 1; }
 static void edit_low_layers(shd_texture_desc *d)
 {
-    d->layers = 2;
+    d->layer_count = 2;
     d->layer_stride = ACROSS * DOWN * 16 - 1;
 }
-static void edit_depth(shd_texture_desc *d) { d->depth = 2, d->layer_stride = 1; }
+static void edit_depth(shd_texture_desc *d) { d->kind = SHD_TEXTURE_KIND_3D, d->depth = 2, d->layer_stride = 1; }
 static void edit_no_levels(shd_texture_desc *d) { d->tables = SHD_TABLE_MIPMAP; }
 static void edit_other_levels(shd_texture_desc *d)
 {
@@ -126,12 +126,12 @@ static const struct create_case {
     {"create/low_layers", edit_low_layers, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 239 is below 240"},
     {"create/no_slices", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 1 is below 240"},
     {"create/no_levels", edit_no_levels, SHD_ERROR_UNSUPPORTED,
-     "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.levels"},
+     "texture.level_count: 0, but mip levels of compressed blocks must be given in texture.level_images"},
     {"create/other_levels", edit_other_levels, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.levels[1].format: 27 is not the base's 35"},
-    {"create/large_level", edit_large_level, SHD_ERROR_INVALID_ARGUMENT, "texture.levels[0].width: 12"},
+     "texture.level_images[1].format: 27 is not the base's 35"},
+    {"create/large_level", edit_large_level, SHD_ERROR_INVALID_ARGUMENT, "texture.level_images[0].width: 12"},
     {"create/truncated_level", edit_truncated_level, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.levels[0].row_stride: 47 is below 48"},
+     "texture.level_images[0].row_stride: 47 is below 48"},
     {"create/null", edit_null, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: NULL"},
 };
 
@@ -207,7 +207,7 @@ static void test_pixels_only(void **state)
     const char *const message = "has compressed blocks, which only textures take";
     (void)state;
     shd_assert_result("mip", shd_mip_build(g_context, &blocks, NULL, 1, &level), SHD_ERROR_INVALID_ARGUMENT, message);
-    shd_assert_result("moments", shd_normal_moments(g_context, &blocks, &level, NULL), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("moments", shd_mip_build_moments(g_context, &blocks, &level, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       message);
     ed.image = &blocks;
     shd_assert_result("environment", shd_environment_create(g_context, &ed, &environment), SHD_ERROR_INVALID_ARGUMENT,
@@ -329,7 +329,7 @@ static void render_normals(shd_texture *normals, float *out)
     shd_slot slot;
     fd.width = fd.height = SIDE;
     shd_assert_ok(shd_framebuffer_create(g_context, &fd, &framebuffer));
-    form.shape = SHD_SHAPE_SPHERE;
+    form.kind = SHD_SHAPE_SPHERE;
     form.segments[0] = form.segments[1] = 24;
     shd_assert_ok(shd_mesh_create_shape(g_context, &form, SHD_MESH_TANGENTS, &mesh));
     sd.filter = SHD_FILTER_BILINEAR;

@@ -46,7 +46,7 @@ static void edit_packed(shd_texture_desc *d) { d->row_stride = WIDTH * 4; }
 static void edit_stride(shd_texture_desc *d) { d->row_stride = WIDTH * 4 + 4; }
 static void edit_layers(shd_texture_desc *d)
 {
-    d->layers = 2;
+    d->layer_count = 2;
     d->height = 2;
 }
 static void edit_three(shd_texture_desc *d) { d->format = SHD_FORMAT_RGB8; }

@@ -19,7 +19,7 @@ static shd_texture_desc base_desc(void)
     desc.format = SHD_FORMAT_RGBA8;
     desc.width = WIDTH;
     desc.height = HEIGHT;
-    desc.layers = LAYERS;
+    desc.layer_count = LAYERS;
     desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
     desc.texels = g_base;
     return desc;
@@ -42,7 +42,7 @@ static size_t read_all(const shd_texture *texture, unsigned char *out)
     unsigned char *at = out;
     uint32_t layer, level;
     shd_assert_ok(shd_texture_get_info(texture, &info));
-    for (layer = 0; layer < info.layers; ++layer) {
+    for (layer = 0; layer < info.layer_count; ++layer) {
         for (level = 0; level < info.level_count; ++level) {
             shd_image image = shd_image_default();
             image.format = info.format;
@@ -184,7 +184,7 @@ static void test_faults(void **state)
         cd.allocator.user_data = &memory;
         shd_assert_ok(shd_context_create(&cd, &context));
         desc.width = desc.height = EDGE;
-        desc.layers = 1;
+        desc.layer_count = 1;
         desc.texels = texels;
         shd_assert_ok(shd_texture_create(context, &desc, &texture));
         size = read_all(texture, before);
@@ -217,12 +217,12 @@ static void test_faults(void **state)
 struct lazy {
     uint32_t calls, fail_at;
 };
-static shd_result lazy_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result lazy_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     struct lazy *self = (struct lazy *)user_data;
     uint32_t i;
     if (++self->calls == self->fail_at) return SHD_ERROR_INTERNAL;
-    for (i = 0; i < count; ++i) task(task_data, i, 0);
+    for (i = 0; i < count; ++i) task(i, 0, task_data);
     return SHD_OK;
 }
 

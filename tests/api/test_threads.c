@@ -73,7 +73,7 @@ static uint64_t render_as(const shd_scene *scene, shd_render_desc frame, shd_con
     shd_framebuffer *framebuffer = NULL;
     uint64_t hash = 0;
     if (shd_framebuffer_get_info(scene->framebuffer, &info) != SHD_OK) return 0;
-    desc.samples = info.samples;
+    desc.sample_count = info.sample_count;
     desc.width = 100;
     desc.height = 70;
     desc.aovs = info.aovs;
@@ -135,7 +135,7 @@ static void open_stage(struct stage *stage, uint32_t threads, int use_pool, uint
     assert_true(stage->want_frame == shd_scene_reference(SHD_SCENE_SMALL));
     stage->scene.desc.flags |= SHD_RENDER_COUNT_HIDDEN; /* one more count to compare */
     stage->want_frame = shd_scene_render(&stage->scene);
-    assert_true(stage->scene.stats.hidden_samples > 0);
+    assert_true(stage->scene.stats.hidden_sample_count > 0);
     stage->want_lookups = sample(stage->scene.texture[0], stage->scene.sampler[0]);
     assert_true(stage->want_lookups != 0); /* 0 = a call failed */
     for (i = 0; i < k_variants; ++i) {

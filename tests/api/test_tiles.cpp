@@ -53,7 +53,7 @@ struct Original {
             for (size_t i = 1; i < bytes; i += 2) texels[i] &= 0xbf;
         }
         desc.format = format;
-        desc.width = size.width, desc.height = size.height, desc.layers = size.layers;
+        desc.width = size.width, desc.height = size.height, desc.layer_count = size.layers;
         desc.texels = texels.data();
         desc.tables = tables;
         shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
@@ -158,9 +158,9 @@ void test_bits(void **)
                 compare_filters(original, size, tiled);
                 const shd_tile_cache_stats stats = stats_of(cache);
                 assert_true(stats.allocated_bytes <= stats.budget_bytes);
-                assert_true(stats.loaded_tiles > 0);
+                assert_true(stats.loaded_tile_count > 0);
                 shd_texture_release(tiled);
-                assert_int_equal(stats_of(cache).resident_tiles, 0);
+                assert_int_equal(stats_of(cache).resident_tile_count, 0);
                 shd_tile_cache_release(cache);
             }
             assert_int_equal(source.released.load(), std::size(budgets));

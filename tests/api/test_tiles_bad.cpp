@@ -101,16 +101,14 @@ void test_texture_desc(void **)
          SHD_ERROR_INVALID_ARGUMENT, "texture.tiles.cache: not a live handle"},
         {[](shd_texture_desc *d) { d->tiles.load = nullptr; }, SHD_ERROR_INVALID_ARGUMENT, "texture.tiles.load: NULL"},
         {[](shd_texture_desc *d) { d->texels = g_texels.data(); }, SHD_ERROR_INVALID_ARGUMENT, "texture.texels"},
-        {[](shd_texture_desc *d) { d->row_stride = 4; }, SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: 4"},
-        {[](shd_texture_desc *d) { d->layer_stride = 4; }, SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: 4"},
         {[](shd_texture_desc *d) { d->flags = SHD_TEXTURE_BORROW; }, SHD_ERROR_INVALID_ARGUMENT,
          "texture.flags: 0x1, but"},
         {[](shd_texture_desc *d) { d->format = SHD_FORMAT_RGB8; }, SHD_ERROR_UNSUPPORTED, "three channels"},
-        {[](shd_texture_desc *d) { d->depth = 2, d->layers = 2; }, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 2"},
+        {[](shd_texture_desc *d) { d->kind = SHD_TEXTURE_KIND_3D; }, SHD_ERROR_INVALID_ARGUMENT, "texture.depth: 0"},
         {[](shd_texture_desc *d) { d->width = (1u << 20) + 1; }, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 1048577"},
         {[](shd_texture_desc *d) { d->level_count = 8; }, SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: 8"},
         {[](shd_texture_desc *d) { d->tables = 0; }, SHD_ERROR_INVALID_ARGUMENT, "without SHD_TABLE_MIPMAP"},
-        {[](shd_texture_desc *d) { d->width = d->height = 1u << 20, d->layers = 2048, d->level_count = 0; },
+        {[](shd_texture_desc *d) { d->width = d->height = 1u << 20, d->layer_count = 2048, d->level_count = 0; },
          SHD_ERROR_INVALID_ARGUMENT, "number of tiles"},
     };
     for (const Case &c : cases) {
@@ -148,13 +146,15 @@ void test_unsupported(void **)
     image.format = SHD_FORMAT_RGBA8, image.width = image.height = 1, image.pixels = g_texels.data();
     shd_assert_result("update", shd_texture_update(tiled, 0, 0, 0, &image), SHD_ERROR_UNSUPPORTED, "in tiles");
     shd_tile_region region = shd_tile_region_default();
-    region.width = region.height = 1;
+    region.area.width = region.area.height = 1;
     shd_assert_result("region", shd_texture_load_tiles(g_original, &region), SHD_ERROR_INVALID_ARGUMENT,
                       "texture: not in tiles");
-    region.x = kSide;
-    shd_assert_result("region", shd_texture_load_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT, "region.x: 200");
-    region.x = 1, region.width = kSide;
-    shd_assert_result("region", shd_texture_pin_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT, "region.width: 200");
+    region.area.x = kSide;
+    shd_assert_result("region", shd_texture_load_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT,
+                      "region.area.x: 200");
+    region.area.x = 1, region.area.width = kSide;
+    shd_assert_result("region", shd_texture_pin_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT,
+                      "region.area.width: 200");
     for (shd_sampler *each : {exact, sums, sampler}) shd_sampler_release(each);
     shd_texture_release(tiled);
     shd_tile_cache_release(cache);
@@ -182,7 +182,7 @@ void test_failures(void **)
             shd_assert_result("load", result, fail_at % 3 == 2 ? SHD_ERROR_CANCELLED : SHD_ERROR_CALLBACK,
                               fail_at % 3 == 2 ? "texture.tiles.load returned SHD_ERROR_CANCELLED for"
                                                : "texture.tiles.load returned SHD_ERROR_IO for");
-            assert_true(stats_of(cache).failed_tiles > 0);
+            assert_true(stats_of(cache).failed_tile_count > 0);
         }
         source.fail_at = -1;
         shd_assert_ok(got.sample(tiled, sampler));
@@ -202,14 +202,14 @@ struct Nested {
     shd_sampler *sampler;
     shd_result result = SHD_OK;
 
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         auto &self = *static_cast<Nested *>(user_data);
         TileLookups at = diagonal();
         if (self.other) self.result = at.sample(self.other, self.sampler);
         if (self.own) self.result = at.sample(self.own, self.sampler);
         if (self.result != SHD_OK) return self.result;
-        return TileSource::load(self.source, tiles, count);
+        return TileSource::load(tiles, count, self.source);
     }
 };
 
@@ -230,7 +230,7 @@ void test_nested(void **)
     shd_assert_ok(got.sample(tiled, nested.sampler));
     for (int c = 0; c < 4; ++c) assert_memory_equal(want.out[c].data(), got.out[c].data(), 4 * want.count());
     shd_tile_region all = shd_tile_region_default();
-    all.width = all.height = kSide;
+    all.area.width = all.area.height = kSide;
     shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
     nested.own = tiled;
     shd_assert_result("own", got.sample(tiled, nested.sampler), SHD_ERROR_CALLBACK, "texture.tiles.load");
@@ -254,7 +254,7 @@ struct Chain {
     shd_result innermost = SHD_OK;
     char reason[80] = {};
 
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         const auto &link = *static_cast<std::pair<Chain *, size_t> *>(user_data);
         Chain &self = *link.first;
@@ -267,7 +267,7 @@ struct Chain {
                 return result;
             }
         }
-        return TileSource::load(self.source, tiles, count);
+        return TileSource::load(tiles, count, self.source);
     }
 };
 
@@ -291,7 +291,7 @@ void test_long_chain(void **)
     assert_int_equal(chain.innermost, SHD_ERROR_LIMIT);
     assert_non_null(strstr(chain.reason, "tile_cache.budget_bytes: 69632 is too small: callbacks"));
     shd_assert_ok(at.sample(chain.texture[1], chain.sampler));
-    assert_int_equal(stats_of(cache).resident_tiles, slots);
+    assert_int_equal(stats_of(cache).resident_tile_count, slots);
     for (shd_texture *each : chain.texture) shd_texture_release(each);
     shd_sampler_release(chain.sampler);
     shd_tile_cache_release(cache);

@@ -108,13 +108,13 @@ struct Tiled {
         desc.tiles = {cache, load, release, this};
         shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
     }
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         auto &self = *static_cast<Tiled *>(user_data);
         for (size_t i = 0; self.before && i < count; ++i) {
             if (const shd_result result = self.before(tiles[i])) return result;
         }
-        return TileSource::load(&self.source, tiles, count);
+        return TileSource::load(tiles, count, &self.source);
     }
     static void release(void *user_data) { ++static_cast<Tiled *>(user_data)->source.released; }
 };
@@ -140,9 +140,9 @@ void test_dependent_tiles(void **)
             Tiled tiled(cache);
             tiled.before = [&](const shd_tile &tile) {
                 const bool finer = tile.level > 0;
-                if (!finer && (tile.x / 16 % 2 == 0 || round % 2)) return SHD_OK;
+                if (!finer && (tile.area.x / 16 % 2 == 0 || round % 2)) return SHD_OK;
                 const uint32_t level = finer ? tile.level - 1 : 0;
-                const uint32_t x = finer ? 2 * tile.x : tile.x - 1, y = finer ? 2 * tile.y : tile.y;
+                const uint32_t x = finer ? 2 * tile.area.x : tile.area.x - 1, y = finer ? 2 * tile.area.y : tile.area.y;
                 return right(tiled.texture, nearest[level], one_texel(level, x, y)) ? SHD_OK : SHD_ERROR_INTERNAL;
             };
             std::atomic<int> wrong{0};
@@ -151,7 +151,7 @@ void test_dependent_tiles(void **)
             });
             assert_int_equal(wrong.load(), 0);
             shd_texture_release(tiled.texture);
-            assert_int_equal(stats_of(cache).resident_tiles, 0);
+            assert_int_equal(stats_of(cache).resident_tile_count, 0);
             shd_tile_cache_release(cache);
         }
     }
@@ -203,7 +203,7 @@ void test_release(void **)
             return SHD_OK;
         };
         shd_tile_region region = shd_tile_region_default();
-        region.width = region.height = 40;
+        region.area.width = region.area.height = 40;
         std::vector<unsigned char> texels(g_texels.size());
         shd_image image = shd_image_default();
         image.format = SHD_FORMAT_RGBA8, image.width = image.height = kSide, image.pixels = texels.data();
@@ -220,8 +220,8 @@ void test_release(void **)
         assert_true(calls.load() > 0);
         assert_int_equal(tiled.source.released.load(), 1);
         const shd_tile_cache_stats stats = stats_of(tiled.cache);
-        assert_int_equal(stats.resident_tiles, 0);
-        assert_int_equal(stats.pinned_tiles, 0);
+        assert_int_equal(stats.resident_tile_count, 0);
+        assert_int_equal(stats.pinned_tile_count, 0);
         shd_tile_cache_release(tiled.cache);
         if (call == kReadLevel) assert_memory_equal(texels.data(), g_texels.data(), texels.size());
     }
@@ -235,13 +235,14 @@ struct BlockSource {
     int depth = 0, released = 0;
 
     static unsigned char byte(uint32_t x, uint32_t y, size_t i) { return static_cast<unsigned char>(x * 5 + y + i); }
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         auto &self = *static_cast<BlockSource *>(user_data);
         for (size_t t = 0; t < count; ++t) {
-            for (uint32_t y = 0; y < tiles[t].height; y += 4) {
+            for (uint32_t y = 0; y < tiles[t].area.height; y += 4) {
                 auto *to = static_cast<unsigned char *>(tiles[t].texels) + y / 4 * tiles[t].row_stride;
-                for (size_t i = 0; i < tiles[t].width * 4; ++i) to[i] = byte(tiles[t].x, tiles[t].y + y, i);
+                for (size_t i = 0; i < tiles[t].area.width * 4; ++i)
+                    to[i] = byte(tiles[t].area.x, tiles[t].area.y + y, i);
             }
         }
         if (self.depth != 0 && !self.endless) return SHD_OK;
@@ -296,12 +297,12 @@ void test_pins(void **)
     std::atomic<int> failed{0};
     std::thread dropper([&] {
         shd_tile_region all = shd_tile_region_default();
-        all.width = all.height = kSide;
+        all.area.width = all.area.height = kSide;
         while (!stop) failed += shd_texture_drop_tiles(tiled.texture, &all) != SHD_OK;
     });
     run_threads(4, [&](uint32_t t) {
         shd_tile_region region = shd_tile_region_default();
-        region.x = 16 * (t / 2), region.width = region.height = 20;
+        region.area.x = 16 * (t / 2), region.area.width = region.area.height = 20;
         for (int round = 0; round < 300; ++round) {
             failed += shd_texture_pin_tiles(tiled.texture, &region) != SHD_OK;
             failed += shd_texture_unpin_tiles(tiled.texture, &region) != SHD_OK;
@@ -310,7 +311,7 @@ void test_pins(void **)
     stop = true;
     dropper.join();
     assert_int_equal(failed.load(), 0);
-    assert_int_equal(stats_of(cache).pinned_tiles, 0);
+    assert_int_equal(stats_of(cache).pinned_tile_count, 0);
     shd_texture_release(tiled.texture);
     shd_tile_cache_release(cache);
 }
@@ -366,7 +367,7 @@ void test_own_threads(void **)
         const int number = inside.fetch_add(1);
         if (number >= 2) return SHD_OK;
         while (inside < 2) std::this_thread::yield();
-        std::thread own([&, tile] { wrong += !right(tiled.texture, sampler, one_texel(0, tile.x ? 0 : 100, 0)); });
+        std::thread own([&, tile] { wrong += !right(tiled.texture, sampler, one_texel(0, tile.area.x ? 0 : 100, 0)); });
         own.join();
         return SHD_OK;
     };
@@ -384,15 +385,15 @@ void test_own_threads(void **)
     bool all = was_right;
     for (uint64_t seed = 100; seed < 104; ++seed) all = all && right(tiled.texture, sampler, random_lookups(60, seed));
     shd_tile_region region = shd_tile_region_default();
-    region.width = region.height = 64;
+    region.area.width = region.area.height = 64;
     all = all && shd_texture_pin_tiles(tiled.texture, &region) == SHD_OK;
     all = all && shd_texture_drop_tiles(tiled.texture, &region) == SHD_OK;
     all = all && shd_texture_unpin_tiles(tiled.texture, &region) == SHD_OK;
     all = all && shd_tile_cache_load_requested(tiled.cache, 0, nullptr) == SHD_OK;
     shd_texture_release(tiled.texture);
     shd_tile_cache_stats stats = shd_tile_cache_stats_default();
-    all = all && shd_tile_cache_get_stats(tiled.cache, &stats) == SHD_OK && stats.resident_tiles == 0;
-    all = all && stats.pinned_tiles == 0 && tiled.source.released == 1;
+    all = all && shd_tile_cache_get_stats(tiled.cache, &stats) == SHD_OK && stats.resident_tile_count == 0;
+    all = all && stats.pinned_tile_count == 0 && tiled.source.released == 1;
     _exit(all ? 0 : 1);
 }
 
@@ -420,7 +421,7 @@ void test_fork(void **)
         std::thread busy([&] {
             run_threads(4, [&](uint32_t t) {
                 shd_tile_region region = shd_tile_region_default();
-                region.width = region.height = kSide;
+                region.area.width = region.area.height = kSide;
                 for (uint64_t seed = t; !stop; ++seed) {
                     right(tiled.texture, sampler, random_lookups(30, seed % 8));
                     if (t == 3) (void)!shd_texture_drop_tiles(tiled.texture, &region);

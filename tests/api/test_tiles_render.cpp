@@ -79,7 +79,7 @@ struct Frame {
         shd_framebuffer_desc framebuffer_desc = shd_framebuffer_desc_default();
         framebuffer_desc.width = kWidth;
         framebuffer_desc.height = kHeight;
-        framebuffer_desc.samples = of.samples;
+        framebuffer_desc.sample_count = of.samples;
         framebuffer_desc.color_format = of.color;
         shd_framebuffer *framebuffer = nullptr;
         shd_assert_ok(shd_framebuffer_create(context, &framebuffer_desc, &framebuffer));
@@ -161,7 +161,7 @@ struct Pyramid {
         desc.texels = memory.data();
         desc.tables = SHD_TABLE_MIPMAP;
         desc.level_count = source.levels - 1;
-        desc.levels = levels.data();
+        desc.level_images = levels.data();
         desc.flags = SHD_TEXTURE_BORROW | SHD_TEXTURE_BORROW_LEVELS;
     }
 };
@@ -201,9 +201,9 @@ void test_bad_levels(void **)
          "texture.flags: SHD_TEXTURE_BORROW_LEVELS without SHD_TEXTURE_BORROW"},
         {[](Pyramid *p) { p->desc.level_count = 0; }, SHD_ERROR_INVALID_ARGUMENT, "texture.level_count 0"},
         {[](Pyramid *p) { p->levels[2].pixels = p->memory.data(); }, SHD_ERROR_INVALID_ARGUMENT,
-         "texture.levels[2].pixels: not behind the finer level"},
+         "texture.level_images[2].pixels: not behind the finer level"},
         {[](Pyramid *p) { p->levels[1].row_stride = 65 * 4; }, SHD_ERROR_INVALID_ARGUMENT,
-         "texture.levels[1].row_stride: not packed"},
+         "texture.level_images[1].row_stride: not packed"},
         {[](Pyramid *p) { p->desc.tables |= SHD_TABLE_RIPMAP; }, SHD_ERROR_INVALID_ARGUMENT, "SHD_TABLE_MIPMAP alone"},
     };
     for (const auto &each : cases) {

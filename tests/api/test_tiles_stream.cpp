@@ -71,7 +71,7 @@ shd_tile_region level_region(uint32_t level)
 {
     shd_tile_region region = shd_tile_region_default();
     region.level = level;
-    region.width = region.height = std::max(1u, kSide >> level);
+    region.area.width = region.area.height = std::max(1u, kSide >> level);
     return region;
 }
 
@@ -128,9 +128,9 @@ void test_coarser(void **)
         compare_coarser(at, filter, source.levels);
         for (uint32_t level : at.coarser) assert_true(level <= 5);
         assert_true(count_coarser(at) > 0);
-        assert_true(stats_of(cache).requested_tiles > 0);
+        assert_true(stats_of(cache).requested_tile_count > 0);
 
-        uint32_t loaded = 0;
+        size_t loaded = 0;
         shd_assert_ok(shd_tile_cache_load_requested(cache, 3, &loaded));
         assert_true(loaded > 0 && loaded <= 3);
         const size_t before = count_coarser(at);
@@ -179,27 +179,27 @@ void test_pins(void **)
     const shd_tile_region region = level_region(4), all = level_region(0);
     shd_assert_ok(shd_texture_pin_tiles(tiled, &region));
     shd_assert_ok(shd_texture_pin_tiles(tiled, &region));
-    const uint32_t pinned = stats_of(cache).pinned_tiles;
+    const uint32_t pinned = stats_of(cache).pinned_tile_count;
     assert_int_equal(pinned, 1);
     TileLookups at = random_lookups(500, 3);
     shd_assert_ok(at.sample(tiled, sampler));
-    assert_true(stats_of(cache).evicted_tiles > 0);
+    assert_true(stats_of(cache).evicted_tile_count > 0);
     int tiles = source.tiles;
     shd_assert_ok(shd_texture_load_tiles(tiled, &region));  // still there
     assert_int_equal(source.tiles.load(), tiles);
     shd_assert_result("too many", shd_texture_pin_tiles(tiled, &all), SHD_ERROR_LIMIT, "half of the cache");
-    assert_int_equal(stats_of(cache).pinned_tiles, pinned);
+    assert_int_equal(stats_of(cache).pinned_tile_count, pinned);
     shd_assert_result("not pinned", shd_texture_unpin_tiles(tiled, &all), SHD_ERROR_INVALID_ARGUMENT, "not pinned");
 
     // A pinned tile whose source changes is loaded again, and stays pinned.
     tiles = source.tiles;
     shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
     assert_int_equal(source.tiles.load(), tiles + 1);
-    assert_int_equal(stats_of(cache).pinned_tiles, pinned);
+    assert_int_equal(stats_of(cache).pinned_tile_count, pinned);
     shd_assert_ok(shd_texture_unpin_tiles(tiled, &region));
     shd_assert_ok(shd_texture_unpin_tiles(tiled, &region));
     shd_assert_result("unpinned", shd_texture_unpin_tiles(tiled, &region), SHD_ERROR_INVALID_ARGUMENT, "not pinned");
-    assert_int_equal(stats_of(cache).pinned_tiles, 0);
+    assert_int_equal(stats_of(cache).pinned_tile_count, 0);
 
     // If it cannot be loaded again, it stays pinned, and the next lookup loads it.
     shd_assert_ok(shd_texture_pin_tiles(tiled, &region));
@@ -207,13 +207,13 @@ void test_pins(void **)
     source.fail_at = 0;
     shd_assert_result("drop", shd_texture_drop_tiles(tiled, &all), SHD_ERROR_CALLBACK, "texture.tiles.load");
     source.fail_at = -1;
-    assert_int_equal(stats_of(cache).pinned_tiles, pinned);
-    assert_int_equal(stats_of(cache).resident_tiles, 0);
+    assert_int_equal(stats_of(cache).pinned_tile_count, pinned);
+    assert_int_equal(stats_of(cache).resident_tile_count, 0);
     shd_assert_ok(shd_texture_load_tiles(tiled, &region));
-    assert_int_equal(stats_of(cache).resident_tiles, 1);
+    assert_int_equal(stats_of(cache).resident_tile_count, 1);
     shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
     shd_assert_ok(shd_texture_unpin_tiles(tiled, &region));
-    assert_int_equal(stats_of(cache).pinned_tiles, 0);
+    assert_int_equal(stats_of(cache).pinned_tile_count, 0);
 
     // A pin that fails leaves nothing.
     shd_assert_ok(shd_texture_drop_tiles(tiled, &all));
@@ -221,7 +221,7 @@ void test_pins(void **)
     source.fail_at = 0;
     shd_assert_result("pin", shd_texture_pin_tiles(tiled, &region), SHD_ERROR_CALLBACK, "texture.tiles.load");
     source.fail_at = -1;
-    assert_int_equal(stats_of(cache).pinned_tiles, 0);
+    assert_int_equal(stats_of(cache).pinned_tile_count, 0);
     shd_sampler_release(sampler);
     shd_texture_release(tiled);
     shd_tile_cache_release(cache);
@@ -245,10 +245,10 @@ void test_drop(void **)
     const TileSource after(changed);
     source.level = after.level;
     shd_tile_region region = shd_tile_region_default();
-    region.x = 100, region.y = 30, region.width = 50, region.height = 20;
-    const uint32_t resident = stats_of(cache).resident_tiles;
+    region.area.x = 100, region.area.y = 30, region.area.width = 50, region.area.height = 20;
+    const uint32_t resident = stats_of(cache).resident_tile_count;
     shd_assert_ok(shd_texture_drop_tiles(tiled, &region));
-    const uint32_t kept = stats_of(cache).resident_tiles;
+    const uint32_t kept = stats_of(cache).resident_tile_count;
     assert_true(kept < resident && kept > resident / 2);
 
     TileLookups want = at;
@@ -267,14 +267,14 @@ struct CountingSource {
     std::mutex mutex;
     std::map<uint64_t, int> loads;
 
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         auto &self = *static_cast<CountingSource *>(user_data);
         for (size_t i = 0; i < count; ++i) {
             const std::lock_guard<std::mutex> lock(self.mutex);
-            ++self.loads[uint64_t{tiles[i].level} << 40 | uint64_t{tiles[i].y} << 20 | tiles[i].x];
+            ++self.loads[uint64_t{tiles[i].level} << 40 | uint64_t{tiles[i].area.y} << 20 | tiles[i].area.x];
         }
-        return TileSource::load(self.source, tiles, count);
+        return TileSource::load(tiles, count, self.source);
     }
 };
 
@@ -311,14 +311,14 @@ void test_threads(void **)
         sample_from_threads(tiled, 64);
         const shd_tile_cache_stats stats = stats_of(cache);
         if (budget == 1 << 23) {
-            assert_int_equal(stats.evicted_tiles, 0);
+            assert_int_equal(stats.evicted_tile_count, 0);
             for (const auto &tile : counting.loads) assert_int_equal(tile.second, 1);
             assert_true(counting.loads.size() > 100);
         } else {
-            assert_true(stats.evicted_tiles > 0);
+            assert_true(stats.evicted_tile_count > 0);
         }
         shd_texture_release(tiled);
-        assert_int_equal(stats_of(cache).resident_tiles, 0);
+        assert_int_equal(stats_of(cache).resident_tile_count, 0);
         shd_tile_cache_release(cache);
     }
 }
@@ -353,13 +353,13 @@ unsigned char huge_texel(uint32_t level, uint32_t x, uint32_t y, uint32_t channe
     return static_cast<unsigned char>(h >> 24);
 }
 
-shd_result load_huge(void *, const shd_tile *tiles, size_t count)
+shd_result load_huge(const shd_tile *tiles, size_t count, void *)
 {
     for (size_t i = 0; i < count; ++i) {
-        for (uint32_t y = 0; y < tiles[i].height; ++y) {
+        for (uint32_t y = 0; y < tiles[i].area.height; ++y) {
             auto *row = static_cast<unsigned char *>(tiles[i].texels) + y * tiles[i].row_stride;
-            for (uint32_t x = 0; x < 4 * tiles[i].width; ++x) {
-                row[x] = huge_texel(tiles[i].level, tiles[i].x + x / 4, tiles[i].y + y, x % 4);
+            for (uint32_t x = 0; x < 4 * tiles[i].area.width; ++x) {
+                row[x] = huge_texel(tiles[i].level, tiles[i].area.x + x / 4, tiles[i].area.y + y, x % 4);
             }
         }
     }
@@ -419,7 +419,7 @@ void test_tebibyte(void **)
         }
     }
     const shd_tile_cache_stats stats = stats_of(cache);
-    assert_true(stats.evicted_tiles > 0);
+    assert_true(stats.evicted_tile_count > 0);
     assert_true(stats.allocated_bytes <= uint64_t{1} << 28);
     assert_int_equal(memory.peak_bytes, before);
     shd_sampler_release(sampler);

@@ -184,7 +184,7 @@ static void test_interpolation(void **state)
     shd_frame_render(&f);
     print_message("  %s: %zu rows, errors %.3g (perspective) %.3g (affine)\n", c->name, s.rows, s.worst[0], s.worst[1]);
     assert_int_equal(s.mistakes, 0);
-    assert_int_equal(f.stats.nonfinite_fragments, 0);
+    assert_int_equal(f.stats.nonfinite_fragment_count, 0);
     assert_true(s.rows > 2000 && s.rest > 10);
     assert_true(s.worst[SHD_INTERPOLATION_PERSPECTIVE] <= c->perspective);
     assert_true(s.worst[SHD_INTERPOLATION_AFFINE] <= c->affine);
@@ -350,7 +350,7 @@ static void test_extremes(void **state)
     open_scene(&f, &s, k_width, k_height, 1);
     shd_frame_render(&f);
     assert_int_equal(s.mistakes, 0);
-    assert_int_equal(f.stats.nonfinite_fragments, 0);
+    assert_int_equal(f.stats.nonfinite_fragment_count, 0);
     for (i = 0; i < k_width * k_height; ++i) {
         for (c = 0; c < 3; ++c) assert_true(f.triangle[i] == 0xffffffffu || f.plane[c][i] == 0.1f);
     }

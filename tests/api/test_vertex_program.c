@@ -90,7 +90,7 @@ static void test_full_screen(void **state)
     shd_frame_draw(&f, vertices, 6, &m);
     shd_frame_ambient(&f);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, 50 * 30);
+    assert_int_equal(f.stats.fragment_count, 50 * 30);
     for (i = 0; i < 50 * 30; ++i) {
         shd_assert_close("depth", i, (double)f.plane[SHD_PLANE_DEPTH][i], 0.25, 1e-6, 0);
         shd_assert_close("r", i, (double)f.plane[SHD_PLANE_R][i], 0.5, 1e-6, 0);
@@ -129,7 +129,7 @@ static void test_viewport(void **state)
     shd_frame_draw(&f, quad, 6, &m);
     shd_frame_ambient(&f);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.fragments, 16 * 12);
+    assert_int_equal(f.stats.fragment_count, 16 * 12);
     for (i = 0; i < 64 * 64; ++i) {
         const uint32_t x = i % 64, y = i / 64;
         assert_int_equal(f.triangle[i] != 0xffffffffu, x >= 16 && x < 32 && y >= 22 && y < 34);
@@ -206,8 +206,8 @@ static void test_displacement(void **state)
             shd_frame built, programmed;
             render_patch(&built, 0, (shd_model)model, (shd_frequency)frequency);
             render_patch(&programmed, 1, (shd_model)model, (shd_frequency)frequency);
-            assert_true(built.stats.rasterised > 500);
-            assert_int_equal(built.stats.rasterised, programmed.stats.rasterised);
+            assert_true(built.stats.rasterized_triangle_count > 500);
+            assert_int_equal(built.stats.rasterized_triangle_count, programmed.stats.rasterized_triangle_count);
             for (plane = SHD_PLANE_R; plane <= SHD_PLANE_NZ; ++plane) {
                 if (!built.plane[plane]) continue;
                 if (memcmp(built.plane[plane], programmed.plane[plane], 64 * 64 * sizeof(float)) != 0) {
@@ -261,9 +261,9 @@ static void test_nonfinite(void **state)
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
     shd_frame_draw(&f, quad, 6, &m);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.nonfinite, 1);
-    assert_int_equal(f.stats.rasterised, 1);
-    assert_int_equal(f.stats.nonfinite_fragments, 0);
+    assert_int_equal(f.stats.nonfinite_triangle_count, 1);
+    assert_int_equal(f.stats.rasterized_triangle_count, 1);
+    assert_int_equal(f.stats.nonfinite_fragment_count, 0);
     for (i = 0; i < 256; ++i) assert_true(f.triangle[i] == 0 || f.triangle[i] == 0xffffffffu);
     shd_frame_close(&f);
 }
@@ -294,10 +294,10 @@ static void test_behind(void **state)
     shd_frame_draw(&f, quad, 6, &m);
     shd_frame_ambient(&f);
     shd_frame_render(&f);
-    assert_int_equal(f.stats.clipped, 2);
-    assert_int_equal(f.stats.nonfinite, 0);
-    assert_int_equal(f.stats.nonfinite_fragments, 0);
-    assert_true(f.stats.fragments > 100);
+    assert_int_equal(f.stats.clipped_triangle_count, 2);
+    assert_int_equal(f.stats.nonfinite_triangle_count, 0);
+    assert_int_equal(f.stats.nonfinite_fragment_count, 0);
+    assert_true(f.stats.fragment_count > 100);
     for (i = 0; i < 1600; ++i) {
         assert_true(isfinite(f.plane[SHD_PLANE_DEPTH][i]) && isfinite(f.plane[SHD_PLANE_U][i]));
     }
@@ -443,7 +443,7 @@ static void test_not_called(void **state)
     shd_frame_draw(&f, quad, 6, &m)->material = NULL;
     shd_frame_render(&f);
     assert_int_equal(called, 0);
-    assert_int_equal(f.stats.rasterised, 2);
+    assert_int_equal(f.stats.rasterized_triangle_count, 2);
     shd_frame_close(&f);
 }
 

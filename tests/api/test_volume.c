@@ -61,14 +61,13 @@ static void edit_color_negative(shd_volume_desc *d) { (void)d, g_red[2] = -0.5f;
 static void edit_stride(shd_volume_desc *d) { d->density.stride = 3; }
 static void edit_no_texture(shd_volume_desc *d) { d->texture = NULL; }
 static void edit_flat_texture(shd_volume_desc *d) { d->texture = g_flat; }
-static void edit_box_inverted(shd_volume_desc *d) { d->box_min[1] = 2; }
-static void edit_box_empty(shd_volume_desc *d) { d->box_max[2] = d->box_min[2]; }
-static void edit_box_nan(shd_volume_desc *d) { d->box_max[0] = NAN; }
+static void edit_box_inverted(shd_volume_desc *d) { d->bounds_min[1] = 2; }
+static void edit_box_empty(shd_volume_desc *d) { d->bounds_max[2] = d->bounds_min[2]; }
+static void edit_box_nan(shd_volume_desc *d) { d->bounds_max[0] = NAN; }
 static void edit_step_zero(shd_volume_desc *d) { d->step = 0; }
 static void edit_step_negative(shd_volume_desc *d) { d->step = -0.5f; }
 static void edit_step_nan(shd_volume_desc *d) { d->step = NAN; }
 static void edit_jitter(shd_volume_desc *d) { d->jitter = 1.5f; }
-static void edit_flags(shd_volume_desc *d) { d->flags = 1; }
 static void edit_unlit(shd_volume_desc *d) { make_material(material_unlit, d); }
 static void edit_blended(shd_volume_desc *d) { make_material(material_blended, d); }
 
@@ -94,14 +93,13 @@ static const struct desc_case k_descs[] = {
     {"create/no_texture", edit_no_texture, SHD_ERROR_INVALID_ARGUMENT, "volume.texture: NULL"},
     {"create/flat_texture", edit_flat_texture, SHD_ERROR_INVALID_ARGUMENT, "volume.texture: its depth is 0"},
     {"create/box_inverted", edit_box_inverted, SHD_ERROR_INVALID_ARGUMENT,
-     "volume.box_max[1]: 1 is not above volume.box_min[1], 2"},
-    {"create/box_empty", edit_box_empty, SHD_ERROR_INVALID_ARGUMENT, "volume.box_max[2]: 0 is not above"},
-    {"create/box_nan", edit_box_nan, SHD_ERROR_INVALID_ARGUMENT, "volume.box_max[0]: nan is not finite"},
+     "volume.bounds_max[1]: 1 is not above volume.bounds_min[1], 2"},
+    {"create/box_empty", edit_box_empty, SHD_ERROR_INVALID_ARGUMENT, "volume.bounds_max[2]: 0 is not above"},
+    {"create/box_nan", edit_box_nan, SHD_ERROR_INVALID_ARGUMENT, "volume.bounds_max[0]: nan is not finite"},
     {"create/step_0", edit_step_zero, SHD_ERROR_INVALID_ARGUMENT, "volume.step: 0 is not above 0"},
     {"create/step_negative", edit_step_negative, SHD_ERROR_INVALID_ARGUMENT, "volume.step: -0.5"},
     {"create/step_nan", edit_step_nan, SHD_ERROR_INVALID_ARGUMENT, "volume.step: nan"},
     {"create/jitter_1.5", edit_jitter, SHD_ERROR_INVALID_ARGUMENT, "volume.jitter: 1.5 is not in 0..1"},
-    {"create/flags", edit_flags, SHD_ERROR_INVALID_ARGUMENT, "volume.flags: 1"},
     {"create/unlit", edit_unlit, SHD_ERROR_UNSUPPORTED, "volume.material: its model or debug view reflects no light"},
     {"create/blended", edit_blended, SHD_ERROR_UNSUPPORTED, "volume.material: its blend is"},
 };
@@ -221,6 +219,7 @@ static void test_homogeneous(void **state)
     (void)state;
     shd_ball_open(&scene, NULL, 1);
     texture.format = SHD_FORMAT_R8;
+    texture.kind = SHD_TEXTURE_KIND_3D;
     texture.width = texture.height = texture.depth = 2;
     texture.texels = k_texels;
     shd_assert_ok(shd_texture_create(scene.context, &texture, &solid));
@@ -234,7 +233,7 @@ static void test_homogeneous(void **state)
         desc.density.data = &density;
         desc.extinction.data = &sigma;
         desc.step = k_steps[k];
-        desc.box_min[0] = desc.box_min[1] = desc.box_min[2] = -1;
+        desc.bounds_min[0] = desc.bounds_min[1] = desc.bounds_min[2] = -1;
         shd_assert_ok(shd_volume_create(scene.context, &desc, &volume));
         placed.volume = volume;
         scene.camera.eye[0] = scene.camera.eye[1] = 0;
@@ -393,6 +392,7 @@ static void test_bad_densities(void **state)
     (void)state;
     for (i = 0; i < 9 * 9 * 9; ++i) texels[i] = k_bad[shd_solid_bits(&seed) % 8];
     texture.format = SHD_FORMAT_R32F;
+    texture.kind = SHD_TEXTURE_KIND_3D;
     texture.width = texture.height = texture.depth = 9;
     texture.texels = texels;
     shd_assert_ok(shd_texture_create(g_scene.context, &texture, &solid));

@@ -63,7 +63,8 @@ inline void choose_slots(Source& source, DrawCase& c) {
   for (uint32_t i = 0; i < c.material.slot_count; ++i) {
     // At most one slot for each coefficient, except for one in 32.
     const uint32_t target = source.one_in(32) ? source.below(16) : source.below(4) * 3 + i;
-    c.slots[i] = shd_slot_default(static_cast<shd_slot_target>(target));
+    c.slots[i] = shd_slot_default();
+    c.slots[i].target = static_cast<shd_slot_target>(target);
     c.slots[i].source = source.one_in(4) ? source.constant<shd_slot_source>(3) : SHD_SLOT_SOURCE_TEXTURE;
     c.slots[i].attribute = source.below(source.one_in(32) ? 16 : 3);
     c.slots[i].channel = source.below(source.one_in(32) ? 8 : 4);
@@ -111,7 +112,7 @@ inline void choose_draw(Source& source, DrawCase& c) {
   draw.depth_bias = source.one_in(8) ? source.real() : 0.0f;
   draw.depth_bias_slope = source.one_in(8) ? source.hostile_finite() : 0.0f;
   draw.fill = source.one_in(4) ? source.constant<shd_fill>(4) : SHD_FILL_SOLID;
-  draw.fill_width = source.one_in(2) ? source.real(0.0625f, 8) : 0.0f;
+  draw.fill_width = source.one_in(2) ? source.real(0.0625f, 8) : 1.0f;
   draw.edges = source.one_in(4) ? source.flags(SHD_EDGE_ALL) : uint32_t{SHD_EDGE_ALL};
   draw.crease_cosine = source.real();
   choose_affine(source, draw.object_to_world);
@@ -143,7 +144,7 @@ inline void choose_window(Source& source, FrameCase& c) {
   constexpr uint32_t kSamples[] = {1, 1, 1, 1, 2, 4, 8, 16};
   c.framebuffer.width = 1 + source.below(12);
   c.framebuffer.height = 1 + source.below(12);
-  c.framebuffer.samples = kSamples[source.below(8)];
+  c.framebuffer.sample_count = kSamples[source.below(8)];
   c.framebuffer.aovs = source.one_in(2) ? source.flags(4095) : 0;
   if (source.one_in(8)) {
     c.render.picture_width = c.framebuffer.width + source.below(8);
@@ -155,8 +156,8 @@ inline void choose_window(Source& source, FrameCase& c) {
   choose_region(source, c.scissor);
   if (source.one_in(8)) c.render.viewport = &c.viewport;
   if (source.one_in(8)) c.render.scissor = &c.scissor;
-  c.render.supersampling = source.one_in(32) ? source.below(4) : 0;
-  c.render.pass_triangles = source.one_in(16) ? source.below(2) * 1024 : 0;
+  c.render.supersampling = source.one_in(32) ? source.below(4) : 1;
+  c.render.pass_triangles = source.one_in(16) ? source.below(2) * 1024 : 1u << 21;
 }
 
 /// A frame whose pointers lead into `c`, which must not move.

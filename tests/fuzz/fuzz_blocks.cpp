@@ -81,10 +81,10 @@ shd_texture* make_texture(const Host& host, const Case& c, shd_format format, co
   desc.format = format;
   desc.width = c.width;
   desc.height = c.height;
-  desc.layers = c.layers;
+  desc.layer_count = c.layers;
   desc.texels = levels.base.data();
   desc.tables = c.levels > 1 ? SHD_TABLE_MIPMAP : 0;
-  desc.levels = levels.images.empty() ? nullptr : levels.images.data();
+  desc.level_images = levels.images.empty() ? nullptr : levels.images.data();
   desc.level_count = c.levels - 1;
   shd_texture* texture = nullptr;
   SHD_FUZZ_CHECK(host.ok(shd_texture_create(host.context, &desc, &texture)));

@@ -71,7 +71,7 @@ void choose_numbers(Source& source, shd_bounds_desc& desc) {
 /// A preset, a preset with the rules of the sampler's profile, or numbers of its own.
 void choose_model(Source& source, BoundsCase& c) {
   const auto rules = source.constant<shd_rules>(4);
-  const shd_result result = shd_bounds_preset(rules, &c.desc);
+  const shd_result result = shd_bounds_desc_from_rules(rules, &c.desc);
   SHD_FUZZ_CHECK(result == (rules <= SHD_RULES_OPENGL ? SHD_OK : SHD_ERROR_INVALID_ARGUMENT));
   c.is_default = source.one_in(16);
   if (source.one_in(2)) c.desc.level_rules = SHD_LEVEL_RULE_PROFILE;
@@ -98,7 +98,7 @@ bool has_rule_of(shd_profile profile, uint32_t rules) {
 /// arithmetic conforms.
 bool allows_shd(const shd_bounds_desc& desc, shd_profile profile) {
   shd_bounds_desc most = shd_bounds_desc_default();
-  SHD_FUZZ_CHECK(shd_bounds_preset(SHD_RULES_D3D11, &most) == SHD_OK);
+  SHD_FUZZ_CHECK(shd_bounds_desc_from_rules(SHD_RULES_D3D11, &most) == SHD_OK);
   return profile != SHD_PROFILE_OIIO && has_rule_of(profile, desc.level_rules) &&
          desc.subtexel_bits <= most.subtexel_bits && desc.level_bits <= most.level_bits && desc.weight_bits != 0 &&
          desc.weight_bits <= most.weight_bits && desc.result_bits != 0 && desc.result_bits <= most.result_bits &&

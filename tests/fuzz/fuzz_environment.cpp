@@ -54,18 +54,18 @@ struct Output {
   std::vector<float> values;
 };
 
-using LookUp = shd_result (*)(const shd_environment*, const shd_environment_lookups*, const shd_environment_light*);
+using LookUp = shd_result (*)(const shd_environment*, const shd_environment_lookups*, shd_environment_values*);
 
 void look_up(const Host& host, const shd_environment* environment, LookUp call, const Case& c, uint32_t inputs,
              Output& output) {
   shd_environment_lookups lookups = shd_environment_lookups_default();
-  shd_environment_light light = shd_environment_light_default();
+  shd_environment_values light = shd_environment_values_default();
   const size_t count = lookups.count = c.input[0].size();
   for (int k = 0; k < 3; ++k) lookups.direction[k] = shd_f32_column(c.input[k].data(), 0);
   if (inputs & 1) lookups.roughness = shd_f32_column(c.input[3].data(), 0);
   if (inputs & 2) lookups.exponent = shd_f32_column(c.input[4].data(), 0);
   std::vector<Column<float>> columns(kOutputs, Column<float>(count, 2, kCanary));
-  for (size_t k = 0; k < kOutputs; ++k) light.rgb[k] = to_column(columns[k]);
+  for (size_t k = 0; k < kOutputs; ++k) light.channel[k] = to_column(columns[k]);
   const bool made = host.ok(call(environment, &lookups, &light));
   for (const Column<float>& column : columns) {
     column.check_canaries(made ? count : 0);
@@ -93,8 +93,8 @@ void run(const Case& c, shd_simd simd, Output& output) {
     SHD_FUZZ_CHECK(std::isfinite(mean) && mean >= 0.0f);
     output.values.push_back(mean);
   }
-  look_up(host, environment, shd_environment_irradiance, c, 0, output);
-  look_up(host, environment, shd_environment_radiance, c, c.inputs, output);
+  look_up(host, environment, shd_environment_sample_irradiance, c, 0, output);
+  look_up(host, environment, shd_environment_sample_radiance, c, c.inputs, output);
   shd_environment_release(environment);
 }
 

@@ -111,7 +111,7 @@ void check_taps(const LookupCase& c, const shd_explanation& e) {
   SHD_FUZZ_CHECK(e.tap_count > 0 && e.tap_count <= kMaxTaps && e.blend_count < e.tap_count);
   for (uint32_t i = 0; i < e.tap_count; ++i) {
     const shd_tap& tap = e.taps[i];
-    SHD_FUZZ_CHECK(tap.layer < c.texture.desc.layers && tap.level_u < 32 && tap.level_v < 32);
+    SHD_FUZZ_CHECK(tap.layer < c.texture.desc.layer_count && tap.level_u < 32 && tap.level_v < 32);
     const uint32_t width = c.texture.desc.width >> tap.level_u, height = c.texture.desc.height >> tap.level_v;
     const uint32_t depth = c.texture.desc.depth >> tap.level_u;
     SHD_FUZZ_CHECK(tap.z < (depth ? depth : 1));

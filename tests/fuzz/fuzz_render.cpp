@@ -92,9 +92,11 @@ void check_scissor(const FrameCase& c, const std::vector<float>& before, const s
 }
 
 void check_stats(const shd_render_stats& stats) {
-  SHD_FUZZ_CHECK(stats.nonfinite + stats.outside + stats.culled + stats.empty + stats.rasterised == stats.triangles);
-  SHD_FUZZ_CHECK(stats.nonfinite_fragments <= stats.fragments);
-  SHD_FUZZ_CHECK(stats.clipped <= stats.triangles);
+  SHD_FUZZ_CHECK(stats.nonfinite_triangle_count + stats.outside_triangle_count + stats.culled_triangle_count +
+                     stats.empty_triangle_count + stats.rasterized_triangle_count ==
+                 stats.triangle_count);
+  SHD_FUZZ_CHECK(stats.nonfinite_fragment_count <= stats.fragment_count);
+  SHD_FUZZ_CHECK(stats.clipped_triangle_count <= stats.triangle_count);
 }
 
 /// A shadow of the first light, for frames with one.

@@ -96,7 +96,8 @@ bool sample(const Host& host, const Case& c, const shd_shadow* shadow, std::vect
     if (c.normals) lookups.normal[k].data = c.points[3 + k];
   }
   Column<float> column(c.count, 2, kCanary);
-  const shd_f32_out place = to_column(column);
+  shd_shadow_values place = shd_shadow_values_default();
+  place.visibility = to_column(column);
   const bool made = host.ok(shd_shadow_sample(shadow, &lookups, &place));
   column.check_canaries(made ? c.count : 0);
   for (size_t i = 0; made && i < c.count; ++i) {

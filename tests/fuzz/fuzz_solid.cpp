@@ -76,7 +76,7 @@ void run(const Case& c, shd_simd simd, Output& output) {
   if (c.has_width) points.width = shd_f32_column(c.columns[3].data(), 4 * c.in_step);
   std::vector<Column<float>> columns(kOutputs, Column<float>(c.count, c.out_step, kCanary));
   for (size_t k = 0; k < kOutputs; ++k) {
-    shd_f32_out* const to = k == 0 ? &values.value : k < 4 ? &values.gradient[k - 1] : &values.color[k - 4];
+    shd_f32_out* const to = k == 0 ? &values.value : k < 4 ? &values.gradient[k - 1] : &values.channel[k - 4];
     if (c.outputs >> k & 1) *to = to_column(columns[k]);
   }
   output.made = host.ok(shd_solid_evaluate(host.context, &c.desc, &points, &values));

@@ -22,12 +22,12 @@ struct Case {
 };
 
 void choose_shape(Source& source, shd_shape_desc& shape) {
-  shape.shape = source.constant<shd_shape>(5);
+  shape.kind = source.constant<shd_shape>(5);
   shape.radius = source.one_in(8) ? source.hostile() : 1.0f + source.real(0, 1);
   shape.tube_radius = source.one_in(8) ? source.hostile() : source.real(0, 1);
   for (float& size : shape.size) size = source.one_in(8) ? source.hostile() : source.real(0, 4);
   for (uint32_t& parts : shape.segments) parts = source.one_in(64) ? 4097 : 1 + source.below(4);
-  if (shape.shape == SHD_SHAPE_TEAPOT) shape.segments[0] = 2;
+  if (shape.kind == SHD_SHAPE_TEAPOT) shape.segments[0] = 2;
 }
 
 void choose_matrix(Source& source, float* matrix) {
@@ -44,8 +44,8 @@ void choose_case(Source& source, Case& c) {
   desc.segments = source.one_in(64) ? source.word() : 1 + source.below(4);
   desc.max_segments = source.one_in(64) ? source.word() : 1 + source.below(5);
   desc.edge_length = source.one_in(8) ? source.hostile() : source.real(0.05f, 2.0f);
-  desc.width = source.one_in(64) ? source.word() : 1 + source.below(64);
-  desc.height = source.one_in(64) ? source.word() : 1 + source.below(64);
+  desc.picture_width = source.one_in(64) ? source.word() : 1 + source.below(64);
+  desc.picture_height = source.one_in(64) ? source.word() : 1 + source.below(64);
   desc.max_triangles = 80;
   desc.lod = source.real(-2, 4);
   desc.amplitude = source.one_in(8) ? source.hostile() : source.real();
@@ -69,8 +69,7 @@ void choose_case(Source& source, Case& c) {
 
 /// The shape in columns of exactly its size, and in longer ones.
 void check_shape(const Host& host, const shd_shape_desc& desc) {
-  uint32_t vertices = 0;
-  size_t corners = 0;
+  size_t vertices = 0, corners = 0;
   if (!host.ok(shd_shape_count(&desc, &vertices, &corners))) {
     SHD_FUZZ_CHECK(vertices == 0 && corners == 0);
     return;
@@ -109,7 +108,7 @@ struct Objects {
 
 bool make(const Host& host, const Case& c, Objects& o) {
   if (c.use_shape) check_shape(host, c.shape);
-  if (c.use_shape && c.shape.shape == SHD_SHAPE_TEAPOT) return false;  // more than max_triangles
+  if (c.use_shape && c.shape.kind == SHD_SHAPE_TEAPOT) return false;  // more than max_triangles
   return host.ok(c.use_shape ? shd_mesh_create_shape(host.context, &c.shape, c.mesh.desc.flags, &o.coarse)
                              : shd_mesh_create(host.context, &c.mesh.desc, &o.coarse)) &&
          (!c.use_texture || host.ok(shd_texture_create(host.context, &c.texture.desc, &o.texture))) &&
@@ -144,8 +143,8 @@ void run(const Case& c, shd_simd simd, MeshData& fine) {
   MeshData coarse;
   read_mesh(o.coarse, coarse);
   shd_tessellation_desc desc = c.desc;
-  if (c.use_view) desc.view = &c.view;
-  if (c.use_matrix) desc.object_to_world = c.object_to_world;
+  if (c.use_view) desc.view = c.view;
+  if (c.use_matrix) std::copy_n(c.object_to_world, 16, desc.object_to_world);
   desc.displacement = o.texture;
   desc.sampler = o.sampler;
   if (!host.ok(shd_mesh_tessellate(host.context, o.coarse, &desc, &o.fine))) {

@@ -65,8 +65,8 @@ uint64_t run(const std::vector<unsigned char>& bytes, uint8_t choice) {
     SHD_FUZZ_CHECK(parsed.info.format != SHD_FORMAT_NONE && parsed.info.format == parsed.storage.format);
     SHD_FUZZ_CHECK(parsed.info.level_count >= 1 && parsed.info.level_count <= whole_level_count(parsed.info));
     Selection selection;
-    selection.image_count = parsed.info.faces == 6 ? 6 : parsed.info.layers;
-    selection.first_image = parsed.info.faces == 6 ? (choice >> 4) % parsed.info.layers * 6 : 0;
+    selection.image_count = parsed.info.face_count == 6 ? 6 : parsed.info.layer_count;
+    selection.first_image = parsed.info.face_count == 6 ? (choice >> 4) % parsed.info.layer_count * 6 : 0;
     selection.level_count = choice & 4 ? 1 : parsed.info.level_count;
     const bool blocks = plain_storage(parsed.info.format).block_width > 1;
     selection.flip_rows = (choice & 8) != 0 && !blocks;

@@ -29,7 +29,7 @@ struct Case {
 };
 
 void choose_update(Source& source, const shd_texture_desc& texture, Update& u) {
-  u.layer = source.below(texture.layers - 1 < 3 ? texture.layers + (source.one_in(32) ? 1 : 0) : 1);
+  u.layer = source.below(texture.layer_count - 1 < 3 ? texture.layer_count + (source.one_in(32) ? 1 : 0) : 1);
   const bool inside = !source.one_in(16);
   const uint32_t width = texture.width - 1 < 64 ? texture.width : 1;
   const uint32_t height = texture.height - 1 < 64 ? texture.height : 1;
@@ -131,7 +131,7 @@ Content read_texture(const Host& host, const shd_texture* texture) {
   Content content;
   shd_texture_info info = shd_texture_info_default();
   SHD_FUZZ_CHECK(shd_texture_get_info(texture, &info) == SHD_OK);
-  for (uint32_t i = 0; i < info.layers * info.level_count; ++i) {
+  for (uint32_t i = 0; i < info.layer_count * info.level_count; ++i) {
     const uint32_t layer = i / info.level_count, level = i % info.level_count;
     const uint32_t width = info.width >> level, height = info.height >> level;
     Pixels out(info.format, width ? width : 1, height ? height : 1, 0);
@@ -241,7 +241,7 @@ void run_mip(const Host& host, const Case& c, Content& content) {
   Pixels mixed(c.moments == SHD_FORMAT_RGBA16F ? SHD_FORMAT_R16F : SHD_FORMAT_R32F, texture.width, texture.height,
                c.gap);
   shd_image* const wanted = texture.width % 2 == 0 ? &mixed.image : nullptr;
-  if (host.ok(shd_normal_moments(host.context, &base.image, &moments.image, wanted))) {
+  if (host.ok(shd_mip_build_moments(host.context, &base.image, &moments.image, wanted))) {
     SHD_FUZZ_CHECK(moments.finite() && (!wanted || mixed.finite()));
     for (const Pixels* out : {&moments, &mixed}) {
       content.bytes.insert(content.bytes.end(), out->bytes.begin(), out->bytes.end());

@@ -36,13 +36,16 @@ void choose_function(Source& source, Case& c) {
 void choose_case(Source& source, Case& c) {
   c.budget = choose_budget(source);
   choose_texture(source, c.texture, 5);
-  const bool is_solid = !source.one_in(32) && c.texture.desc.layers <= 3;  // there are texels of no more slices
-  c.texture.desc.depth = is_solid ? c.texture.desc.layers : 0;
-  if (c.texture.desc.depth != 0) c.texture.desc.layers = 1;
+  const bool is_solid = !source.one_in(32) && c.texture.desc.layer_count <= 3;  // there are texels of no more slices
+  c.texture.desc.kind = is_solid ? SHD_TEXTURE_KIND_3D : SHD_TEXTURE_KIND_2D;
+  if (is_solid) {
+    c.texture.desc.depth = static_cast<uint32_t>(c.texture.desc.layer_count);
+    c.texture.desc.layer_count = 1;
+  }
   if (!source.one_in(32)) c.texture.desc.tables &= SHD_TABLE_MIPMAP;
   choose_function(source, c);
-  for (float& value : c.desc.box_min) value = source.one_in(8) ? source.hostile() : -1.0f;
-  for (float& value : c.desc.box_max) value = source.one_in(8) ? source.hostile() : 1.0f;
+  for (float& value : c.desc.bounds_min) value = source.one_in(8) ? source.hostile() : -1.0f;
+  for (float& value : c.desc.bounds_max) value = source.one_in(8) ? source.hostile() : 1.0f;
   c.desc.step = source.one_in(8) ? source.hostile() : 0.125f;
   c.desc.jitter = source.real(0.0f, 1.0f);
   c.desc.seed = source.below(256);

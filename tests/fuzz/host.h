@@ -95,7 +95,7 @@ class Host {
     desc.simd = simd;
     desc.worker_count = 1;
     desc.allocator.user_data = &memory;
-    desc.allocator.allocate = [](void* user_data, size_t size, size_t alignment) -> void* {
+    desc.allocator.allocate = [](size_t size, size_t alignment, void* user_data) -> void* {
       Memory& self = *static_cast<Memory*>(user_data);
       if (self.budget == 0) return nullptr;
       void* result = size < LargeBlocks::kSmallest ? nullptr : large_blocks().take(size, alignment);
@@ -104,7 +104,7 @@ class Host {
       ++self.live;
       return result;
     };
-    desc.allocator.free = [](void* user_data, void* pointer, size_t size, size_t alignment) {
+    desc.allocator.free = [](void* pointer, size_t size, size_t alignment, void* user_data) {
       --static_cast<Memory*>(user_data)->live;
       if (!large_blocks().keep(pointer, size, alignment)) std::free(pointer);
     };

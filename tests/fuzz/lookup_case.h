@@ -51,9 +51,10 @@ inline void choose_lookups(Source& source, LookupCase& c) {
 
 /// Turns the layers of a texture into slices.
 inline void choose_slices(Source& source, LookupCase& c) {
-  if (!source.one_in(4) || c.texture.desc.layers > 3) return;  // more layers have no texels
-  c.texture.desc.depth = c.texture.desc.layers;
-  c.texture.desc.layers = 1;
+  if (!source.one_in(4) || c.texture.desc.layer_count > 3) return;  // more layers have no texels
+  c.texture.desc.kind = SHD_TEXTURE_KIND_3D;
+  c.texture.desc.depth = static_cast<uint32_t>(c.texture.desc.layer_count);
+  c.texture.desc.layer_count = 1;
   c.texture.desc.level_count = 0;
   if (!source.one_in(8)) c.texture.desc.tables &= SHD_TABLE_MIPMAP;
   c.sampler.wrap_w = static_cast<shd_wrap>(source.below(source.one_in(16) ? 8 : 5));
@@ -72,14 +73,16 @@ inline void choose_directions(Source& source, LookupCase& c) {
   for (int k = 7; k < 10; ++k) {
     if (!source.one_in(16)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
   }
-  if (!desc.texels || desc.width - 1 >= 9 || desc.height - 1 >= 9 || desc.layers > 6 || desc.flags || source.one_in(32))
+  if (!desc.texels || desc.width - 1 >= 9 || desc.height - 1 >= 9 || desc.layer_count > 6 || desc.flags ||
+      source.one_in(32))
     return;
+  desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
   if (desc.projection != SHD_PROJECTION_LAT_LONG) desc.width = desc.height = desc.width < 5 ? desc.width : 5;
-  if (desc.projection == SHD_PROJECTION_CUBE) desc.layers = 6;
+  if (desc.projection == SHD_PROJECTION_CUBE) desc.layer_count = 6;
   if (!source.one_in(32)) desc.tables &= SHD_TABLE_MIPMAP;
   const size_t pixel = shd_format_size(desc.format);
   const size_t stride = desc.row_stride ? desc.row_stride : desc.width * pixel;
-  const size_t given = c.texture.texels.size(), size = stride * desc.height * desc.layers;
+  const size_t given = c.texture.texels.size(), size = stride * desc.height * desc.layer_count;
   for (size_t i = given; given > 0 && i < size; ++i) c.texture.texels.push_back(c.texture.texels[i - given]);
   desc.texels = c.texture.texels.data();
 }

@@ -67,13 +67,13 @@ inline void choose_texture(Source& source, TextureCase& c, uint32_t max_edge) {
   desc.format = source.constant<shd_format>(kFormats);
   desc.width = source.between(1, max_edge);
   desc.height = source.between(1, max_edge);
-  desc.layers = source.one_in(4) ? source.between(1, 3) : 1;
+  desc.layer_count = source.one_in(4) ? source.between(1, 3) : 1;
   desc.tables = source.flags(kAllTables);
   for (shd_channel& channel : desc.swizzle) channel = source.constant<shd_channel>(6);
   for (float& value : desc.fill) value = source.real();
   desc.flags = source.one_in(8) ? source.flags(SHD_TEXTURE_BORROW) : 0;
   const size_t pixel = shd_format_size(desc.format);
-  const size_t rows = size_t{desc.height} * desc.layers;
+  const size_t rows = size_t{desc.height} * desc.layer_count;
   const size_t gap = source.one_in(8) ? 4 * source.below(8) : 0;
   if (gap != 0) desc.row_stride = desc.width * pixel + gap;
   c.texels.assign(rows * (desc.width * pixel + gap) + (desc.flags ? SHD_TEXTURE_PADDING : 0), 0);
@@ -84,7 +84,7 @@ inline void choose_texture(Source& source, TextureCase& c, uint32_t max_edge) {
   switch (source.below(128)) {
     case 1: desc.width = source.one_in(2) ? 0 : 65537; break;
     case 2: desc.height = source.one_in(2) ? 0 : 0xffffffffu; break;
-    case 3: desc.layers = source.one_in(2) ? 0 : 2049; break;
+    case 3: desc.layer_count = source.one_in(2) ? 0 : 2049; break;
     case 4: desc.texels = nullptr; break;
     case 5: desc.struct_size = source.one_in(2) ? source.below(16) : 0x80000000u | source.word(); break;
     case 6: desc.row_stride = desc.width * pixel > 2 ? 1 + source.below(2) : desc.row_stride; break;

@@ -102,7 +102,11 @@ check_component() {
 render_teapot() {
   inside shd-render --size 64x48 -o /packages/teapot.png
   [ "$(head -c 4 "$root/packages/teapot.png" | tail -c 3)" = PNG ] || die "shd-render wrote no PNG"
-  inside test -s /usr/share/man/man1/shd-render.1.gz || die "the manual of shd-render is missing"
+  for name in shd-render shd-check shd-maketx; do
+    inside "$name" --version
+    inside test -s "/usr/share/man/man1/$name.1.gz" || die "the manual of $name is missing"
+    inside test -s "/usr/share/bash-completion/completions/$name" || die "the completion of $name is missing"
+  done
 }
 
 build_packages

@@ -15,7 +15,7 @@
 /* Area of the surface; 0 where no formula is known. */
 static inline long double shd_ref_shape_area(const shd_shape_desc* d) {
   const long double r = d->radius, t = d->tube_radius, x = d->size[0], y = d->size[1], z = d->size[2];
-  switch (d->shape) {
+  switch (d->kind) {
     case SHD_SHAPE_SPHERE: return 4 * SHD_REF_PI * r * r;
     case SHD_SHAPE_BOX: return 2 * (x * y + y * z + z * x);
     case SHD_SHAPE_PLANE: return x * z;
@@ -27,7 +27,7 @@ static inline long double shd_ref_shape_area(const shd_shape_desc* d) {
 /* Volume inside; 0 where there is none or no formula is known. */
 static inline long double shd_ref_shape_volume(const shd_shape_desc* d) {
   const long double r = d->radius, t = d->tube_radius;
-  switch (d->shape) {
+  switch (d->kind) {
     case SHD_SHAPE_SPHERE: return 4 * SHD_REF_PI * r * r * r / 3;
     case SHD_SHAPE_BOX: return (long double)d->size[0] * d->size[1] * d->size[2];
     case SHD_SHAPE_TORUS: return 2 * SHD_REF_PI * SHD_REF_PI * r * t * t; /* Pappus */
@@ -40,14 +40,14 @@ static inline long double shd_ref_shape_distance(const shd_shape_desc* d, const 
   long double q[3], away = 0, length;
   int c;
   for (c = 0; c < 3; ++c) q[c] = p[c];
-  if (d->shape == SHD_SHAPE_TORUS) { /* from the nearest point of the circle in the middle of the tube */
+  if (d->kind == SHD_SHAPE_TORUS) { /* from the nearest point of the circle in the middle of the tube */
     away = sqrtl(q[0] * q[0] + q[2] * q[2]);
     q[0] -= q[0] / away * d->radius;
     q[2] -= q[2] / away * d->radius;
   }
   length = sqrtl(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
   for (c = 0; c < 3; ++c) normal[c] = q[c] / length;
-  return length - (d->shape == SHD_SHAPE_TORUS ? d->tube_radius : d->radius);
+  return length - (d->kind == SHD_SHAPE_TORUS ? d->tube_radius : d->radius);
 }
 
 /* Twice the vector area of a triangle; positions are [vertex][3]. */

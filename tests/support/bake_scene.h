@@ -108,7 +108,8 @@ static inline uint64_t shd_bake_hash(const shd_context_desc *context_desc)
         bake.states.data = states;
         bake.stats = &stats;
         shd_assert_ok(shd_bake(context, &frame, &bake));
-        assert_true(stats.overlapping_texels > 100 && stats.outside_triangles > 3 && stats.zero_area_triangles > 3);
+        assert_true(stats.overlapping_texel_count > 100 && stats.outside_triangle_count > 3 &&
+                    stats.zero_area_triangle_count > 3);
         hash = shd_hash(hash, states, sizeof states);
         for (plane = 0; plane <= SHD_PLANE_TARGET3_A; ++plane) {
             shd_plane_view view = shd_plane_view_default();
@@ -158,10 +159,10 @@ static inline uint64_t shd_occlusion_hash(const shd_context_desc *context_desc)
     const shd_f32_out out = {values, 0};
     int pass;
     shd_assert_ok(shd_context_create(context_desc, &context));
-    shape.shape = SHD_SHAPE_TORUS;
+    shape.kind = SHD_SHAPE_TORUS;
     shd_assert_ok(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &mesh[0]));
     shape = shd_shape_desc_default();
-    shape.shape = SHD_SHAPE_TEAPOT;
+    shape.kind = SHD_SHAPE_TEAPOT;
     shd_assert_ok(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &mesh[1]));
     for (pass = 0; pass < 2; ++pass) {
         draws[pass] = shd_draw_default();
@@ -180,7 +181,7 @@ static inline uint64_t shd_occlusion_hash(const shd_context_desc *context_desc)
     desc.draw_count = 2;
     desc.map_size = 150;
     for (pass = 0; pass < 3; ++pass) {
-        desc.rays = pass == 2 ? 77 : 5;
+        desc.ray_count = pass == 2 ? 77 : 5;
         desc.seed = (uint32_t)pass;
         desc.radius = pass == 1 ? 0.75f : FLT_MAX;
         desc.tracer.trace = pass == 2 ? shd_hash_rays : NULL;

@@ -61,11 +61,11 @@ static inline shd_texture *shd_create_block_texture(shd_context *context, shd_fo
     desc.format = format;
     desc.width = SHD_BLOCK_WIDTH;
     desc.height = SHD_BLOCK_HEIGHT;
-    desc.layers = SHD_BLOCK_LAYERS;
+    desc.layer_count = SHD_BLOCK_LAYERS;
     desc.texels = columns->blocks;
     desc.layer_stride = SHD_BLOCK_LEVELS * sizeof columns->blocks[0];
     desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels;
+    desc.level_images = levels;
     desc.level_count = SHD_BLOCK_LEVELS - 1;
     shd_assert_ok(shd_texture_create(context, &desc, &texture));
     return texture;

@@ -126,10 +126,12 @@ class ScenePixels
             }
         }
         shd_texture_desc desc = shd_texture_desc_default();
-        desc.format = kind.format, desc.width = kind.width, desc.height = kind.height, desc.layers = kind.layers;
+        desc.format = kind.format, desc.width = kind.width, desc.height = kind.height, desc.layer_count = kind.layers;
         desc.depth = kind.depth, desc.projection = kind.projection;
+        if (kind.depth) desc.kind = SHD_TEXTURE_KIND_3D;
+        if (kind.projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
         desc.texels = base.data(), desc.tables = SHD_TABLE_MIPMAP;
-        desc.levels = rest.data(), desc.level_count = levels - 1;
+        desc.level_images = rest.data(), desc.level_count = levels - 1;
         shd_assert_ok(shd_texture_create(context, &desc, &texture));
     }
 
@@ -301,7 +303,7 @@ struct SceneBounds {
 inline shd_bounds_desc preset(shd_rules rules)
 {
     shd_bounds_desc desc = shd_bounds_desc_default();
-    shd_assert_ok(shd_bounds_preset(rules, &desc));
+    shd_assert_ok(shd_bounds_desc_from_rules(rules, &desc));
     return desc;
 }
 

@@ -27,11 +27,11 @@ struct call_case {
     shd_result (*call)(struct stage *s);
 };
 /* Four workers that run one after another on the calling thread. */
-static shd_result turns_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+static shd_result turns_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     uint32_t i;
     (void)user_data;
-    for (i = 0; i < count; ++i) task(task_data, count - 1 - i, i % 4);
+    for (i = 0; i < count; ++i) task(count - 1 - i, i % 4, task_data);
     return SHD_OK;
 }
 
@@ -65,7 +65,7 @@ static void open_stage(struct stage *s, int workers)
         shd_assert_ok(shd_sampler_create(s->context, &sampler, &s->sampler[i]));
     }
     shd_assert_ok(shd_light_create(s->context, NULL, &s->light));
-    shape.shape = SHD_SHAPE_BOX;
+    shape.kind = SHD_SHAPE_BOX;
     shd_assert_ok(shd_mesh_create_shape(s->context, &shape, SHD_MESH_ADJACENCY | SHD_MESH_TANGENTS, &s->mesh));
 }
 

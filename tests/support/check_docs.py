@@ -4,11 +4,12 @@
 
     check_docs.py [--root DIR] [--compiler cc]
 
-- README's first program is examples/hello.c.
+- README has at most 150 lines, and its first program is a part of examples/hello.c, without its indentation.
 - Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
-- Every relative link and picture is there.
+- Every relative link and picture is there, and every heading that a link names.
+- docs/index.md or docs/filters.md links every page.
 - Every test that a page names in backticks is in CTest, and its source contains the case that follows the name.
-- README, CMakeLists.txt and CMakePresets.json name the same version of CMake.
+- docs/build.md, CMakeLists.txt and CMakePresets.json name the same version of CMake.
 - The C examples of the pages compile as C99, without warnings. An example without functions is the body of one, with the
   usual handles at hand.
 
@@ -20,11 +21,14 @@ import pathlib
 import re
 import subprocess
 import sys
+import textwrap
 
-LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)")
+HEADING = re.compile(r"^#+ (.*\S)\s*$", re.M)
+CODE = re.compile(r"^```.*?^```$", re.S | re.M)
 # Names of CMake options and of the environment, and of files and folders, are no names of the interface.
 NAME = re.compile(r"(?<![\w./-])(?:shd_[a-z0-9_]+|SHD_[A-Z0-9_]+[A-Z0-9])(?![\w-]|\.\w)")
-OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|INSTALL|NO_INSTALL|LIBRARY|LIB_DIR|BUNDLE)|shd_(?:color|io)")
+OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|UNITY|DEB|WERROR|SANITIZE|INSTALL|NO_INSTALL|LIBRARY|LIB_DIR|BUNDLE)|shd_(?:color|io)")
 
 # A test, and a case of it up to a `*`.
 TEST = re.compile(r"`((?:abi|api|consumer|fuzz|tool|unit)\.[\w.-]*\w)(?: ([^`]+))?`")
@@ -49,8 +53,8 @@ WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror"]
 
 
 def pages(root):
-    return [root / "README.md", root / ".github/SECURITY.md", *sorted((root / "docs").glob("*.md")),
-            *sorted((root / "docs").glob("*.html"))]
+    return [root / "README.md", root / ".github/SECURITY.md", root / "examples/course/README.md",
+            *sorted((root / "docs").glob("*.md")), *sorted((root / "docs").glob("*.html"))]
 
 
 def check_names(path, text, names):
@@ -62,11 +66,22 @@ def check_names(path, text, names):
                 yield f"{path.name}:{number}: {name} is not in include/shd"
 
 
+def headings(path):
+    """The names that GitHub and docs/pages.py give to the headings of a page."""
+    text = CODE.sub("", path.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in HEADING.findall(text)}
+
+
 def check_links(root, path, text):
     for number, line in enumerate(text.splitlines(), start=1):
-        for link in LINK.findall(line):
-            if "://" not in link and not (path.parent / link).exists():
+        for link, heading in LINK.findall(line):
+            target = path.parent / link if link else path
+            if "://" in link:
+                continue
+            if not target.exists():
                 yield f"{path.relative_to(root)}:{number}: {link} is not there"
+            elif heading and target.suffix == ".md" and heading not in headings(target):
+                yield f"{path.relative_to(root)}:{number}: {link} has no heading {heading}"
 
 
 def find_tests(root):
@@ -105,25 +120,33 @@ def check_tests(root, tests, path, text):
                 yield f"{path.name}:{number}: test {name} has no case {case}"
 
 
+def hello_contains(root, code):
+    """Whether the lines are a part of examples/hello.c, which CTest compiles and runs."""
+    return bool(code.strip()) and textwrap.indent(code, "    ") in (root / "examples/hello.c").read_text(encoding="utf-8")
+
+
 def check_examples(root, compiler, path, text):
     for match in EXAMPLE.finditer(text):
         code = match.group(1)
+        if hello_contains(root, code):
+            continue
         if not re.search(r"^#include", code, re.M):
             code = f"{HANDLES}{code}(void)context, (void)texture, (void)sampler, (void)material, (void)result;\n}}\n"
-        command = [compiler, *WARNINGS, "-fsyntax-only", f"-I{root / 'include'}", "-x", "c", "-"]
+        command = [compiler, *WARNINGS, "-fsyntax-only", f"-I{root / 'include'}", f"-I{path.parent}", "-x", "c", "-"]
         run = subprocess.run(command, input=code, capture_output=True, text=True, check=False)
         if run.returncode:
             line = text.count("\n", 0, match.start()) + 1
             yield f"{path.relative_to(root)}:{line}: the example does not compile\n{run.stderr}"
 
 
-def check_cmake_version(root, readme):
+def check_cmake_version(root):
     """The version in CMakeLists.txt, which FILE_SET needs, and what else names one."""
     text = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"cmake_minimum_required\(VERSION (\d+\.\d+)\)", text).group(1)
     presets = json.loads((root / "CMakePresets.json").read_text(encoding="utf-8"))["cmakeMinimumRequired"]
-    if f"CMake {version}" not in readme or re.findall(r"CMake (\d+\.\d+)", readme) != [version]:
-        yield f"README.md: CMake is not {version}"
+    page = (root / "docs/build.md").read_text(encoding="utf-8")
+    if re.findall(r"CMake (\d+\.\d+)", page) != [version]:
+        yield f"docs/build.md: CMake is not {version}"
     if f"{presets['major']}.{presets['minor']}" != version:
         yield f"CMakePresets.json: CMake is not {version}"
 
@@ -132,10 +155,13 @@ def check(root, compiler):
     headers = "\n".join(p.read_text(encoding="utf-8") for p in sorted((root / "include/shd").glob("*.h")))
     names = set(re.findall(r"\b(?:shd|SHD)_\w+", headers))
     readme = (root / "README.md").read_text(encoding="utf-8")
-    hello = (root / "examples/hello.c").read_text(encoding="utf-8").split("\n", 1)[1]
-    if f"```c\n{hello}```" not in readme:
-        yield "README.md: its first program is not examples/hello.c"
-    yield from check_cmake_version(root, readme)
+    if readme.count("\n") > 150:
+        yield "README.md: more than 150 lines"
+    first = EXAMPLE.search(readme)
+    if not first or not hello_contains(root, first.group(1)):
+        yield "README.md: its first program is not a part of examples/hello.c"
+    yield from check_cmake_version(root)
+    yield from check_lists(root)
     tests = find_tests(root)
     for path in pages(root):
         if not path.exists():
@@ -145,10 +171,20 @@ def check(root, compiler):
         yield from check_links(root, path, text)
         yield from check_tests(root, tests, path, text)
         yield from check_examples(root, compiler, path, text)
+    for path in (root / "CHANGELOG.md", root / ".github/CONTRIBUTING.md"):  # old names, and names of the build
+        yield from check_links(root, path, path.read_text(encoding="utf-8"))
     for filter_name in re.findall(r"SHD_FILTER_(\w+) = \d+,", headers):
         page = root / f"docs/filter-{filter_name.lower().replace('_', '-')}.md"
         if not page.exists():
             yield f"docs: SHD_FILTER_{filter_name} has no page"
+
+
+def check_lists(root):
+    """The first page and the page of filters name every other page; the tree of the site has only those."""
+    lists = "".join((root / "docs" / name).read_text(encoding="utf-8") for name in ("index.md", "filters.md"))
+    for page in sorted((root / "docs").glob("*.md")):
+        if page.name != "index.md" and f"]({page.name})" not in lists:
+            yield f"docs/index.md: {page.name} is not in its lists"
 
 
 def main():

@@ -32,6 +32,7 @@ THIRD_PARTY = {
     "Eigen/": {"src/polygon/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},
+    "CLI/": {"src/command/parse.cpp"},
     "nlohmann/": {"src/scene/read/gltf_part.h"},
     "draco/": {"src/scene/read/gltf_draco.cpp"},
     "meshoptimizer.h": {"src/scene/read/gltf_meshopt.cpp"},
@@ -216,9 +217,27 @@ def check_enum(path, name, body, text):
         yield f"{path}: no typedef uint32_t {name}s"
 
 
+NAMES_OF = re.compile(r"#define SHD_NAMES_OF_(\w+)\(NAME\)((?:[^\n]*\\\n)+[^\n]*)")
+
+
+def check_enum_names(root):
+    """The table of names has every constant of its enums, each with its name in lower case."""
+    table = (root / "src/core/enum_names.h").read_text(encoding="utf-8")
+    enums = {name: body for _, text in public_headers(root) for _, body, name in ENUM.findall(C_COMMENT.sub("", text))}
+    for noun, rows in NAMES_OF.findall(table):
+        name = f"shd_{noun.lower()}"
+        prefix = next((name[:-len(s)] for s in FLAG_SUFFIXES if name.endswith(s)), name).upper() + "_"
+        constants = re.findall(r"\bSHD_\w+(?=\s*=)", enums.get(name, ""))
+        wanted = [(c, c.removeprefix(prefix).lower()) for c in constants if not c.endswith("_MAX_ENUM")]
+        if re.findall(r'NAME\((\w+), "(\w+)"\)', rows) != wanted:
+            yield f"src/core/enum_names.h: SHD_NAMES_OF_{noun} does not have the constants of {name} in their order"
+
+
 def check_abi_names(root):
-    """Constants of the public headers bear the names of their enums, and words of flags have a type of their own."""
+    """Constants of the public headers bear the names of their enums, words of flags have a type of their own, and the
+    table of names is complete."""
     owners = {}
+    yield from check_enum_names(root)
     for path, text in public_headers(root):
         code = C_COMMENT.sub("", text)
         for tag, body, name in ENUM.findall(code):
@@ -234,7 +253,7 @@ def check_abi_names(root):
                 yield f"{path}:{number}: a word of flags that is not of a type shd_<noun>_flags"
 
 
-ROW = re.compile(r"^ +ROW\((\w+), (shd_\w+), (\w+), (\w+), (\d+), \(\w*\)\)", re.M)
+ROW = re.compile(r"^ +ROW\((\w+), (shd_\w+), (\w+), (\w+), (\d+)\)", re.M)
 END_OF_FIRST = "/* ---- end of 0.1; append below ---- */"
 LAST_FIELD = re.compile(r"(?:\(\*(\w+)\)\([^;]*\)|(\w+)(?:\[\w+\])*);\s*$")
 

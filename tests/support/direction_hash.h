@@ -62,13 +62,13 @@ static inline uint64_t shd_hash_projection(shd_context *context, shd_projection 
     points.dudx = shd_f32_out_column(columns->out[2], 0), points.dvdx = shd_f32_out_column(columns->out[3], 0);
     points.dudy = shd_f32_out_column(columns->out[4], 0), points.dvdy = shd_f32_out_column(columns->out[5], 0);
     points.face = shd_u32_out_column(columns->face, 0);
-    shd_assert_ok(shd_project_directions(context, &in, &points));
+    shd_assert_ok(shd_projection_project(context, &in, &points));
     hash = shd_hash(hash, columns->out, 6 * sizeof columns->out[0]);
     hash = shd_hash(hash, columns->face, sizeof columns->face);
     back.u = shd_f32_column(columns->out[0], 0), back.v = shd_f32_column(columns->out[1], 0);
     back.face = shd_u32_column(columns->face, 0);
     directions.solid_angle = shd_f32_out_column(columns->out[5], 0);
-    shd_assert_ok(shd_unproject_directions(context, &back, &directions));
+    shd_assert_ok(shd_projection_unproject(context, &back, &directions));
     return shd_hash(hash, columns->out[2], 4 * sizeof columns->out[0]);
 }
 
@@ -87,8 +87,9 @@ static inline uint64_t shd_hash_direction_lookups(shd_context *context, shd_proj
     desc.format = SHD_FORMAT_R32F;
     desc.height = SHD_DIRECTION_SIZE;
     desc.width = projection == SHD_PROJECTION_LAT_LONG ? 2 * SHD_DIRECTION_SIZE : SHD_DIRECTION_SIZE;
-    desc.layers = projection == SHD_PROJECTION_CUBE ? 6 : 1;
+    desc.layer_count = projection == SHD_PROJECTION_CUBE ? 6 : 1;
     desc.projection = projection;
+    if (projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
     desc.texels = columns->texels;
     desc.tables = SHD_TABLE_MIPMAP;
     shd_assert_ok(shd_texture_create(context, &desc, &texture));

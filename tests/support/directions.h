@@ -69,8 +69,9 @@ struct DirectionImage {
         shd_texture_desc desc = shd_texture_desc_default();
         desc.format = SHD_FORMAT_R32F;
         desc.width = width, desc.height = height;
-        desc.layers = projection == SHD_PROJECTION_CUBE ? 6 : 1;
+        desc.layer_count = projection == SHD_PROJECTION_CUBE ? 6 : 1;
         desc.projection = projection;
+        if (projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
         desc.texels = texels.data();
         desc.tables = SHD_TABLE_MIPMAP;
         shd_texture *texture = nullptr;

@@ -18,7 +18,7 @@ static float g_direction[3][DIRECTIONS];
 static float g_out[3][DIRECTIONS + 1];
 
 static inline shd_environment *create_with(shd_context *context, shd_projection projection, const shd_image *image,
-                                           shd_irradiance irradiance, shd_environment_tables tables)
+                                           shd_irradiance irradiance, shd_environment_table_flags tables)
 {
     shd_environment_desc desc = shd_environment_desc_default();
     shd_environment *environment = NULL;
@@ -43,29 +43,29 @@ static inline shd_environment_lookups lookups_of(size_t count)
     return lookups;
 }
 
-static inline void outputs(shd_environment_light *light)
+static inline void outputs(shd_environment_values *light)
 {
-    *light = shd_environment_light_default();
-    for (int c = 0; c < 3; ++c) light->rgb[c] = shd_f32_out_column(g_out[c], 0);
+    *light = shd_environment_values_default();
+    for (int c = 0; c < 3; ++c) light->channel[c] = shd_f32_out_column(g_out[c], 0);
 }
 
 /** Looks up the radiance of all directions; width NULL = sharp. */
 static inline void look_up(const shd_environment *environment, const float *roughness, const float *exponent)
 {
     shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_environment_light light;
+    shd_environment_values light;
     outputs(&light);
     lookups.roughness = shd_f32_column(roughness, 0);
     lookups.exponent = shd_f32_column(exponent, 0);
-    shd_assert_ok(shd_environment_radiance(environment, &lookups, &light));
+    shd_assert_ok(shd_environment_sample_radiance(environment, &lookups, &light));
 }
 
 static inline void irradiance_of(const shd_environment *environment)
 {
     const shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_environment_light light;
+    shd_environment_values light;
     outputs(&light);
-    shd_assert_ok(shd_environment_irradiance(environment, &lookups, &light));
+    shd_assert_ok(shd_environment_sample_irradiance(environment, &lookups, &light));
 }
 
 /** Sets the directions: random ones, the axes, and the diagonals where the octahedron folds. */

@@ -30,7 +30,7 @@ typedef struct shd_fault_header {
 
 #define SHD_FAULT_MAGIC 0x73686446617573ull
 
-static inline void *shd_fault_allocate(void *user_data, size_t size, size_t alignment)
+static inline void *shd_fault_allocate(size_t size, size_t alignment, void *user_data)
 {
     shd_fault_allocator *self = (shd_fault_allocator *)user_data;
     shd_fault_header header;
@@ -57,7 +57,7 @@ static inline void *shd_fault_allocate(void *user_data, size_t size, size_t alig
     return block;
 }
 
-static inline void shd_fault_free(void *user_data, void *memory, size_t size, size_t alignment)
+static inline void shd_fault_free(void *memory, size_t size, size_t alignment, void *user_data)
 {
     shd_fault_allocator *self = (shd_fault_allocator *)user_data;
     shd_fault_header header;

@@ -9,7 +9,7 @@ void shd_frame_open_aovs(shd_frame *f, uint32_t width, uint32_t height, uint32_t
     shd_assert_ok(shd_context_create(NULL, &f->context));
     f->width = desc.width = width;
     f->height = desc.height = height;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.aovs = aovs;
     shd_assert_ok(shd_framebuffer_create(f->context, &desc, &f->framebuffer));
     for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {

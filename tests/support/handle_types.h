@@ -193,6 +193,7 @@ static shd_result create_volume(shd_context *context, void **out)
     void *material = NULL;
     shd_result result;
     texture.format = SHD_FORMAT_R8;
+    texture.kind = SHD_TEXTURE_KIND_3D;
     texture.width = texture.height = texture.depth = 2;
     texture.texels = k_texels;
     result = shd_texture_create(context, &texture, &desc.texture);
@@ -242,11 +243,11 @@ static shd_result use_environment(void *handle)
     const float half = 0.5f;
     float red;
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_environment_light light = shd_environment_light_default();
+    shd_environment_values light = shd_environment_values_default();
     lookups.count = 1;
     lookups.direction[0].data = lookups.direction[1].data = lookups.direction[2].data = &half;
-    light.rgb[0].data = &red;
-    return shd_environment_irradiance((const shd_environment *)handle, &lookups, &light);
+    light.channel[0].data = &red;
+    return shd_environment_sample_irradiance((const shd_environment *)handle, &lookups, &light);
 }
 
 /* A material that holds the only references to a texture and a sampler. */

@@ -103,11 +103,11 @@ static inline uint64_t io_hash_bitmap(const shd_bitmap *bitmap)
 {
     shd_image image = shd_image_default();
     uint64_t hash = SHD_HASH_START;
-    if (shd_bitmap_image(bitmap, &image) != SHD_OK) return 0;
+    if (shd_bitmap_get_image(bitmap, &image) != SHD_OK) return 0;
     hash = shd_hash(hash, &image.format, sizeof image.format);
     hash = shd_hash(hash, &image.width, sizeof image.width);
     hash = shd_hash(hash, &image.height, sizeof image.height);
-    hash = shd_hash(hash, shd_bitmap_color_space(bitmap), strlen(shd_bitmap_color_space(bitmap)));
+    hash = shd_hash(hash, shd_bitmap_get_color_space(bitmap), strlen(shd_bitmap_get_color_space(bitmap)));
     return shd_hash(hash, image.pixels, image.row_stride * image.height);
 }
 

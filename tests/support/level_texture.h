@@ -39,11 +39,12 @@ struct LevelTexture {
         }
         shd_texture_desc desc = shd_texture_desc_default();
         desc.format = SHD_FORMAT_R32F;
-        desc.width = width, desc.height = size, desc.layers = layers;
+        desc.width = width, desc.height = size, desc.layer_count = layers;
         desc.projection = projection;
+        if (projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
         desc.texels = base.data();
         desc.tables = SHD_TABLE_MIPMAP;
-        desc.levels = images.data(), desc.level_count = static_cast<uint32_t>(pixels.size());
+        desc.level_images = images.data(), desc.level_count = static_cast<uint32_t>(pixels.size());
         shd_assert_ok(shd_texture_create(context, &desc, &texture));
     }
     ~LevelTexture() { shd_texture_release(texture); }

@@ -156,7 +156,7 @@ static inline shd_texture *make_filter_texture(shd_context *context, shd_format 
     desc.format = format;
     desc.width = k_filter_width;
     desc.height = k_filter_height;
-    desc.layers = k_filter_layers;
+    desc.layer_count = k_filter_layers;
     desc.texels = texels;
     desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
     shd_assert_ok(shd_texture_create(context, &desc, &texture));

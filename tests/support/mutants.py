@@ -133,9 +133,9 @@ MUTANTS = {
                          "hn::Lanes(d), to.channel[c + 0 * i]", "unit.texture.rows"),
     "viewport_top": Mutant("src/geometry/vertex.cpp", "static_cast<float>(top + half_height)",
                            "static_cast<float>(half_height)", "api.vertex_program"),
-    "cancel_negative": Mutant("src/frame/frame.cpp", "static_cast<double>(total_))) != 0",
-                              "static_cast<double>(total_))) > 0", "api.render_progress"),
-    "hidden_blocks": Mutant("src/frame/stats.h", "  frame->hidden_samples += piece.hidden_samples;\n", "",
+    "cancel_result": Mutant("src/frame/frame.cpp", "    if (result_ == SHD_OK) return;\n",
+                              "    if (core::enum_bits(result_) < 8) return;\n", "api.render_progress"),
+    "hidden_blocks": Mutant("src/frame/stats.h", "  frame->hidden_sample_count += piece.hidden_sample_count;\n", "",
                             "api.render_supersampling"),
     "cookie_sampler": Mutant(
         "src/light/light.cpp",

@@ -92,7 +92,7 @@ enum Method { kTracer, kMaps };
 inline shd_occlusion_desc desc_of(Solid *solid, Method method, uint32_t rays)
 {
     shd_occlusion_desc desc = shd_occlusion_desc_default();
-    desc.rays = rays;
+    desc.ray_count = rays;
     if (method == kTracer) desc.tracer = {trace, solid};
     if (method == kMaps) desc.draws = &solid->draw, desc.draw_count = 1, desc.map_size = 384;
     return desc;
@@ -104,7 +104,7 @@ inline std::vector<float> compute(const shd_occlusion_desc &desc, const Columns 
 {
     std::vector<float> values(columns[0].size(), -7.0f);
     shd_occlusion_points points = shd_occlusion_points_default();
-    const shd_f32_out out = {values.data(), 0};
+    shd_occlusion_values out = {sizeof out, {values.data(), 0}, 0};
     points.count = values.size();
     for (size_t c = 0; c < 3; ++c) {
         points.position[c].data = columns[c].data();

@@ -15,7 +15,7 @@ static inline uint64_t shd_frame_hash(uint64_t hash, const shd_scene *scene, shd
     unsigned char *const pixels = (unsigned char *)shd_scene_memory(203 * 151 * 16);
     desc.width = 203;
     desc.height = 151;
-    desc.samples = samples;
+    desc.sample_count = samples;
     desc.color_format = format;
     shd_assert_ok(shd_framebuffer_create(scene->context, &desc, &framebuffer));
     frame.framebuffer = framebuffer;

@@ -34,7 +34,7 @@ static void *shd_pool_run(void *argument)
         position = job->next < job->count ? job->next++ : job->count;
         pthread_mutex_unlock(&job->mutex);
         if (position == job->count) return NULL;
-        job->task(job->task_data, job->order[position], worker->index);
+        job->task(job->order[position], worker->index, job->task_data);
     }
 }
 
@@ -53,7 +53,7 @@ static void shd_pool_shuffle(const shd_pool *pool, uint32_t count, uint32_t *ord
     }
 }
 
-shd_result shd_pool_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
+shd_result shd_pool_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data)
 {
     const shd_pool *pool = (const shd_pool *)user_data;
     uint32_t *order = (uint32_t *)malloc(count * sizeof *order);

@@ -18,7 +18,7 @@ typedef struct shd_pool {
     uint32_t seed;
 } shd_pool;
 
-shd_result shd_pool_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data);
+shd_result shd_pool_parallel_for(size_t count, shd_task_fn task, void *task_data, void *user_data);
 
 /** Options of a context that runs on `pool`. */
 shd_context_desc shd_pool_context_desc(shd_pool *pool);

@@ -22,7 +22,7 @@ void *shd_scene_memory(size_t size)
     return memory;
 }
 
-static shd_result shd_scene_texture(shd_scene *s, size_t which)
+static shd_result shd_scene_get_texture(shd_scene *s, size_t which)
 {
     static const shd_format k_format[SHD_SCENE_TEXTURES] = {SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F,
                                                             SHD_FORMAT_R8};
@@ -149,7 +149,7 @@ static void shd_scene_broken(shd_scene_geometry *g, uint32_t triangles)
     }
 }
 
-static shd_result shd_scene_mesh(shd_scene *s, size_t which)
+static shd_result shd_scene_get_mesh(shd_scene *s, size_t which)
 {
     const int small = s->kind == SHD_SCENE_SMALL;
     shd_scene_geometry g = {NULL, NULL, 0, 0};
@@ -332,7 +332,7 @@ static shd_result shd_scene_surface(shd_scene *s, size_t which)
     return shd_material_create(s->context, &desc, &s->material[which]);
 }
 
-static shd_result shd_scene_material(shd_scene *s, size_t which)
+static shd_result shd_scene_get_material(shd_scene *s, size_t which)
 {
     static const shd_interpolation k_interpolation[3] = {SHD_INTERPOLATION_PERSPECTIVE, SHD_INTERPOLATION_AFFINE,
                                                          SHD_INTERPOLATION_FLAT};
@@ -371,7 +371,7 @@ static shd_result shd_scene_material(shd_scene *s, size_t which)
     return shd_material_create(s->context, &desc, &s->material[which]);
 }
 
-static shd_result shd_scene_light(shd_scene *s, size_t which)
+static shd_result shd_scene_get_light(shd_scene *s, size_t which)
 {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = which == 0 ? SHD_LIGHT_KIND_AMBIENT : which == 1 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
@@ -397,7 +397,9 @@ static shd_result shd_scene_framebuffer(shd_scene *s)
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     desc.width = s->kind == SHD_SCENE_SMALL ? 100 : 203;
     desc.height = s->kind == SHD_SCENE_SMALL ? 70 : 151;
-    desc.samples = s->kind == SHD_SCENE_SMALL ? 2 : s->kind == SHD_SCENE_GLASS || s->kind == SHD_SCENE_LINES ? 4 : 1;
+    desc.sample_count = s->kind == SHD_SCENE_SMALL                                 ? 2
+                        : s->kind == SHD_SCENE_GLASS || s->kind == SHD_SCENE_LINES ? 4
+                                                                                   : 1;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
     if (s->kind == SHD_SCENE_SMALL || s->kind == SHD_SCENE_FLOOR) desc.aovs = 2 * SHD_AOV_OVERDRAW - 1;
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
@@ -405,15 +407,15 @@ static shd_result shd_scene_framebuffer(shd_scene *s)
 
 shd_result shd_scene_step(shd_scene *s, size_t step)
 {
-    if (step < SHD_SCENE_TEXTURES) return shd_scene_texture(s, step);
+    if (step < SHD_SCENE_TEXTURES) return shd_scene_get_texture(s, step);
     step -= SHD_SCENE_TEXTURES;
     if (step < SHD_SCENE_SAMPLERS) return shd_scene_sampler(s, step);
     step -= SHD_SCENE_SAMPLERS;
-    if (step < SHD_SCENE_MESHES) return shd_scene_mesh(s, step);
+    if (step < SHD_SCENE_MESHES) return shd_scene_get_mesh(s, step);
     step -= SHD_SCENE_MESHES;
-    if (step < SHD_SCENE_MATERIALS) return shd_scene_material(s, step);
+    if (step < SHD_SCENE_MATERIALS) return shd_scene_get_material(s, step);
     step -= SHD_SCENE_MATERIALS;
-    if (step < SHD_SCENE_LIGHTS) return shd_scene_light(s, step);
+    if (step < SHD_SCENE_LIGHTS) return shd_scene_get_light(s, step);
     return shd_scene_framebuffer(s);
 }
 
@@ -541,8 +543,9 @@ uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
 
 uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
 {
-    const size_t begin = offsetof(shd_render_stats, triangles), end = offsetof(shd_render_stats, hidden_samples);
-    const uint64_t rare[3] = {stats->hidden_samples, stats->order_conflicts, stats->splits};
+    const size_t begin = offsetof(shd_render_stats, triangle_count),
+                 end = offsetof(shd_render_stats, hidden_sample_count);
+    const uint64_t rare[3] = {stats->hidden_sample_count, stats->order_conflict_count, stats->split_count};
     hash = shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
     return rare[0] | rare[1] | rare[2] ? shd_hash(hash, rare, sizeof rare) : hash;
 }

@@ -52,7 +52,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
             shadow = shd_boxes_shadow(&boxes, context, &shadow_desc, light);
             for (normals = 0; normals < 2; ++normals) {
                 shd_shadow_lookups lookups = shd_shadow_lookups_default();
-                const shd_f32_out column = {out, 0};
+                shd_shadow_values column = {sizeof column, {out, 0}, 0};
                 lookups.count = k_points;
                 for (k = 0; k < 3; ++k) {
                     lookups.position[k].data = points[k];

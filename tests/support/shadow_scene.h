@@ -66,7 +66,7 @@ static inline float shd_shadow_at(const shd_shadow *shadow, const float p[3], co
 {
     shd_shadow_lookups lookups = shd_shadow_lookups_default();
     float visibility = -1.0f;
-    const shd_f32_out out = {&visibility, 0};
+    shd_shadow_values out = {sizeof out, {&visibility, 0}, 0};
     int k;
     lookups.count = 1;
     for (k = 0; k < 3; ++k) {

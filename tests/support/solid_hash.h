@@ -26,7 +26,7 @@ static inline int shd_describe_solid(uint32_t i, shd_solid_desc *desc)
 }
 
 /** Hash of values, gradients and colours of places, with and without widths. */
-static inline uint64_t shd_solid_points_hash(const shd_context *context)
+static inline uint64_t shd_solid_points_hash(shd_context *context)
 {
     float *const memory = (float *)shd_scene_memory(12 * SHD_SOLID_HASH_POINTS * sizeof(float));
     float *column[12];
@@ -50,7 +50,7 @@ static inline uint64_t shd_solid_points_hash(const shd_context *context)
         if (kind % 2) points.width.data = column[3];
         values.value.data = column[4];
         for (c = 0; c < 3; ++c) values.gradient[c].data = column[5 + c];
-        for (c = 0; c < 4; ++c) values.color[c].data = column[8 + c];
+        for (c = 0; c < 4; ++c) values.channel[c].data = column[8 + c];
         shd_assert_ok(shd_solid_evaluate(context, &desc, &points, &values));
         for (c = 4; c < 12; ++c) hash = shd_hash(hash, column[c], points.count * sizeof(float));
     }

@@ -78,7 +78,7 @@ struct StoredLevels {
         level.push_back(next);
     }
 
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t tile_count)
+    static shd_result load(const shd_tile *tiles, size_t tile_count, void *user_data)
     {
         const auto &self = *static_cast<StoredLevels *>(user_data);
         for (size_t i = 0; i < tile_count; ++i) {
@@ -88,10 +88,10 @@ struct StoredLevels {
             const uint32_t side = self.gives_blocks ? 4 : 1;
             const size_t size = self.gives_blocks ? 8 : 4, across = (from.width + side - 1) / side;
             const std::vector<unsigned char> &bytes = self.gives_blocks ? from.blocks : from.texels;
-            for (size_t y = 0; y < (tile.height + side - 1) / side; ++y) {
+            for (size_t y = 0; y < (tile.area.height + side - 1) / side; ++y) {
                 std::memcpy(static_cast<unsigned char *>(tile.texels) + y * tile.row_stride,
-                            &bytes[((tile.y / side + y) * across + tile.x / side) * size],
-                            (tile.width + side - 1) / side * size);
+                            &bytes[((tile.area.y / side + y) * across + tile.area.x / side) * size],
+                            (tile.area.width + side - 1) / side * size);
             }
         }
         return SHD_OK;
@@ -135,8 +135,10 @@ inline shd_texture *create(shd_context *context, StoredLevels *levels, const Sto
     const TextureShape &shape = levels->shape;
     shd_texture_desc desc = shd_texture_desc_default();
     desc.format = form.blocks ? SHD_FORMAT_BC1_RGBA : SHD_FORMAT_RGBA8;
-    desc.width = shape.width, desc.height = shape.height, desc.layers = shape.layers, desc.depth = shape.depth;
+    desc.width = shape.width, desc.height = shape.height, desc.layer_count = shape.layers, desc.depth = shape.depth;
     desc.projection = shape.projection;
+    if (shape.depth) desc.kind = SHD_TEXTURE_KIND_3D;
+    if (shape.projection) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
     desc.tables = tables;
     desc.level_count = levels->count - 1;
     std::vector<shd_image> images;
@@ -146,7 +148,7 @@ inline shd_texture *create(shd_context *context, StoredLevels *levels, const Sto
     } else {
         images = images_of(*levels, form.blocks);
         desc.texels = form.blocks ? levels->base_blocks.data() : levels->base_texels.data();
-        desc.levels = images.data();
+        desc.level_images = images.data();
         if (form.borrowed && shape.layers == 1) desc.flags = SHD_TEXTURE_BORROW;
     }
     shd_texture *texture = nullptr;

@@ -73,7 +73,7 @@ static inline void check_images(const char *name, const shd_texture *texture, co
     shd_assert_ok(shd_texture_get_info(texture, &info));
     assert_int_equal(info.level_count, t->level_count ? t->level_count : 1);
     for (l = 0; l < info.level_count; ++l) {
-        for (i = 0; i < info.layers; ++i) {
+        for (i = 0; i < info.layer_count; ++i) {
             io_bytes got = read_image(texture, i, l), want = expect_image(t, l, first + i, stored, order);
             if (got.size != want.size || memcmp(got.data, want.data, got.size) != 0) {
                 fail_msg("%s: level %u of image %u differs", name, l, i);
@@ -183,8 +183,8 @@ static inline void check_info(const shd_texture_file_info *info, shd_texture_fil
     assert_int_equal(info->width, t->width);
     assert_int_equal(info->height, t->height ? t->height : 1);
     assert_int_equal(info->depth, t->depth);
-    assert_int_equal(info->layers, t->layers ? t->layers : 1);
-    assert_int_equal(info->faces, t->faces);
+    assert_int_equal(info->layer_count, t->layers ? t->layers : 1);
+    assert_int_equal(info->face_count, t->faces);
     assert_int_equal(info->level_count, t->level_count ? t->level_count : 1);
 }
 

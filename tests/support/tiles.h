@@ -33,7 +33,7 @@ struct TileSource {
         shd_texture_info info = shd_texture_info_default();
         shd_assert_ok(shd_texture_get_info(texture, &info));
         size = shd_format_size(info.format);
-        layers = info.layers;
+        layers = info.layer_count;
         levels = info.level_count;
         for (uint32_t i = 0; i < layers * levels; ++i) {
             const uint32_t l = i % levels;
@@ -49,18 +49,19 @@ struct TileSource {
         }
     }
 
-    static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+    static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
     {
         auto &self = *static_cast<TileSource *>(user_data);
         if (self.calls.fetch_add(1) == self.fail_at.load()) return self.failure;
         for (size_t i = 0; i < count; ++i) {
             const shd_tile &tile = tiles[i];
             const Level &from = self.level[tile.layer * self.levels + tile.level];
-            if (tile.x + tile.width > from.width || tile.y + tile.height > from.height) return SHD_ERROR_INTERNAL;
-            for (uint32_t y = 0; y < tile.height; ++y) {
+            if (tile.area.x + tile.area.width > from.width || tile.area.y + tile.area.height > from.height)
+                return SHD_ERROR_INTERNAL;
+            for (uint32_t y = 0; y < tile.area.height; ++y) {
                 std::memcpy(static_cast<unsigned char *>(tile.texels) + y * tile.row_stride,
-                            &from.texels[((tile.y + y) * size_t{from.width} + tile.x) * self.size],
-                            tile.width * self.size);
+                            &from.texels[((tile.area.y + y) * size_t{from.width} + tile.area.x) * self.size],
+                            tile.area.width * self.size);
             }
             ++self.tiles;
         }
@@ -77,7 +78,7 @@ struct TileSource {
         desc.texels = nullptr;
         desc.row_stride = desc.layer_stride = 0;
         desc.level_count = desc.tables ? levels - 1 : 0;
-        desc.levels = nullptr;
+        desc.level_images = nullptr;
         desc.tiles = {cache, load, release, this};
         return desc;
     }

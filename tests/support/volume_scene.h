@@ -43,6 +43,7 @@ static inline shd_texture *shd_solid_texture(shd_context *context, shd_format fo
     desc.format = format;
     desc.width = k_solid_width;
     desc.height = k_solid_height;
+    desc.kind = SHD_TEXTURE_KIND_3D;
     desc.depth = k_solid_depth;
     desc.texels = texels;
     desc.tables = SHD_TABLE_MIPMAP;
@@ -140,7 +141,7 @@ static inline shd_mesh *shd_ball_cube(shd_context *context)
 {
     shd_shape_desc shape = shd_shape_desc_default();
     shd_mesh *mesh = NULL;
-    shape.shape = SHD_SHAPE_BOX;
+    shape.kind = SHD_SHAPE_BOX;
     shape.size[0] = shape.size[1] = shape.size[2] = 0.7f;
     shd_assert_ok(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &mesh));
     return mesh;
@@ -161,6 +162,7 @@ static inline void shd_ball_open(shd_ball_scene *s, const shd_context_desc *cont
     shd_assert_ok(shd_context_create(context_desc, &s->context));
     shd_ball_texels(texels, k_ball);
     texture.format = SHD_FORMAT_R8;
+    texture.kind = SHD_TEXTURE_KIND_3D;
     texture.width = texture.height = texture.depth = k_ball;
     texture.texels = texels;
     shd_assert_ok(shd_texture_create(s->context, &texture, &s->texture));
@@ -179,7 +181,7 @@ static inline void shd_ball_open(shd_ball_scene *s, const shd_context_desc *cont
     volume.extinction = shd_f32_column(k_extinction, 0);
     volume.color[0] = shd_f32_column(k_red, 0);
     volume.color[2] = shd_f32_column(k_blue, 0);
-    for (c = 0; c < 3; ++c) volume.box_min[c] = -1.0f;
+    for (c = 0; c < 3; ++c) volume.bounds_min[c] = -1.0f;
     volume.step = 0.04f;
     shd_assert_ok(shd_volume_create(s->context, &volume, &s->volume[1]));
     volume.material = s->material;
@@ -189,7 +191,7 @@ static inline void shd_ball_open(shd_ball_scene *s, const shd_context_desc *cont
     s->mesh = shd_ball_cube(s->context);
     framebuffer.width = k_ball_width;
     framebuffer.height = k_ball_height;
-    framebuffer.samples = samples;
+    framebuffer.sample_count = samples;
     shd_assert_ok(shd_framebuffer_create(s->context, &framebuffer, &s->framebuffer));
     s->camera = shd_camera_default();
     s->camera.eye[0] = 1.5f;

@@ -11,12 +11,12 @@ typedef struct shd_watcher {
     float latest;
 } shd_watcher;
 
-static inline int32_t shd_watch(void *user_data, float fraction)
+static inline shd_result shd_watch(float fraction, void *user_data)
 {
     shd_watcher *w = (shd_watcher *)user_data;
     w->mistakes += !(fraction > w->latest) || !(fraction <= 1.0f);
     w->latest = fraction;
-    return ++w->reports == w->cancel_at ? -1 : 0; /* anything but 0 cancels */
+    return ++w->reports == w->cancel_at ? SHD_ERROR_CANCELLED : SHD_OK;
 }
 
 #endif /* SHD_TESTS_SUPPORT_WATCHER_H */

@@ -165,13 +165,16 @@ def main():
     for name, arguments, message in (
             ("none", [], "two files are needed"),
             ("filter", ["--filter", "ewa", "a", "b"], "\"ewa\" is not one of nearest"),
-            ("option", ["--what", "1"], "--what: not an option"), ("value", ["a", "b", "--bias"], "no value follows"),
+            ("option", ["--what", "1"], "--what is not an option"),
+            ("value", ["a", "b", "--bias"], "--bias needs a value: a number"),
             ("number", ["--bias", "x", "a", "b"], "\"x\" is not a number"),
+            ("misspelt", ["--fliter", "ewa"], "did you mean --filter?"),
             ("rules", ["--rules", "gl", "a", "b"], "\"gl\" is not one of"),
             ("bits", ["--subtexel-bits", "1", image, folder / "lookups.csv", "--results", path["npy"]], "")):
         check.run(f"usage/{name}", arguments, 3 if name == "bits" else 2, message)
     csv(path["csv"], names, right)
     check.run("usage/range", ["--subtexel-bits", "1", *base, path["csv"]], 2, "subtexel_bits: 1 is not in 2..24")
+    check.run("usage/order", ["--subtexel-bits", "1", "--rules", "vulkan", *base, path["csv"]], 2, "subtexel_bits: 1 is")
     print(f"{check.count} calls, {check.failures} failures")
     return check.failures != 0
 

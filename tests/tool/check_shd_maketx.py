@@ -389,6 +389,8 @@ def check_refusals():
     refused(2, "is not a multiple of 16", "in.tif", "-o", "x.tx", "--tile", "40")
     refused(2, "is not one of", "in.tif", "-o", "x.tx", "--compression", "jpeg")
     refused(2, "is not an option", "in.tif", "-o", "x.tx", "--what", "1")
+    refused(2, "did you mean --format?", "in.tif", "-o", "x.tx", "--fromat", "half")
+    refused(2, "--tile needs a value: a multiple of 16", "in.tif", "-o", "x.tx", "--tile")
     refused(2, "exclude each other", "in.tif", "-o", "x.tx", "--srgb", "--linear")
     refused(2, "--memory", "in.tif", "-o", "x.tx", "--memory", "1K")
     refused(2, "OpenEXR stores no uint8", "in.tif", "-o", "x.exr")

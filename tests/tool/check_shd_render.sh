@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Tests shd-render against its help text. Usage: check_shd_render.sh SHD-RENDER FOLDER
+# Tests shd-render against its help text. Usage: check_shd_render.sh SHD-RENDER FOLDER HAS-COLOR
 set -euo pipefail
 render=$1
 folder=$2
+has_color=$3
 assets=/usr/share/assimp/models
 rm -rf "$folder"
 mkdir -p "$folder"
@@ -67,7 +68,7 @@ other() { compare other "$@"; }
 # rounded NAME OPTIONS...: the picture NAME.png; two pictures that differ in the rounding of floats are the same file.
 rounded() { expect 0 "" "${small[@]}" "${@:2}" -o "$1.png"; }
 
-expect 0 "Exit codes" --help
+expect 0 "Exit status" --help
 expect 0 "shd-render 0." --version
 expect 0 "teapot.png: 96 x 64" --size 96x64 --tessellation 4 -o teapot.png
 written teapot.png 89504e47
@@ -265,20 +266,34 @@ cmp turn-0001.png still.png || failed=1
 
 expect 2 "a whole number 1..9999" --turntable 2.5
 expect 2 "1..16" --supersampling 17
-expect 2 "1/16..64" --wireframe 0
+expect 2 "a number 0.0625..64 pixels" --wireframe 0
 expect 2 "one of depth" --visibility scanline
-expect 2 "one of uv" --aovs uv,albedo
+expect 2 "a list of uv, normal," --aovs uv,albedo
+expect 2 "did you mean barycentrics?" --aovs uv,barycentric
 expect 2 "--turntable turns no --camera" --turntable 4 --camera 0
 expect 2 "does not end in .exr" --aovs uv -o picture.png
 expect 3 "no such camera" --camera 0
 expect 3 "has no lights" --lights file
 expect 2 "--colour is not an option" --colour
 expect 2 "--colour is not an option" --colour red
-expect 2 "--size needs a value" --size
+expect 2 "--size needs a value: WIDTHxHEIGHT" --size
+expect 2 "--size needs a value" --size=
+expect 2 "--floor takes no value" --floor=yes
+expect 2 "--smaples is not an option: did you mean --samples? (shd-render --help)" --smaples 4
+expect 2 "--env is not an option: did you mean --environment?" --env=sky.hdr
+expect 2 "did you mean trilinear?" --filter trilinaer
+if [ "$has_color" = 1 ]; then
+  expect 2 "--display: \"sRBG\" is not one of sRGB" --display sRBG
+  expect 2 "did you mean Plain?" --view Plan
+fi
+expect 2 "--shape is drawn instead of a model" --shape box model.obj
+expect 2 "the name of a file is empty" ""
+expect 3 "--weird.obj" -- --weird.obj
+expect 0 "short.png: 8 x 8" --size=8x8 -oshort.png
 expect 2 "WIDTHxHEIGHT" --size 0x10
 expect 2 "WIDTHxHEIGHT" --size 10x10x10
 expect 2 "one of lambert" --model shiny
-expect 2 "one of normal uv level barycentrics" --show shiny
+expect 2 "one of normal, uv, level or barycentrics" --show shiny
 expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
@@ -291,10 +306,10 @@ expect 3 "no-such-normals.png" --normal-map no-such-normals.png
 expect 3 "no-such-heights.png" --height no-such-heights.png
 expect 3 "no-such-sky.hdr" --environment no-such-sky.hdr
 expect 2 "-360..360" --environment-turn 400
-expect 2 "one of lat-long mirror-ball angular cube octahedral" --environment-projection round
+expect 2 "one of lat-long, mirror-ball, angular, cube or octahedral" --environment-projection round
 expect 2 "0..1" --environment-blur 2
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
-expect 2 "one of nearest bilinear trilinear" --filter best
+expect 2 "one of nearest, bilinear, trilinear" --filter best
 expect 2 "one model at a time" a.obj b.obj
 expect 2 "X,Y,Z" --sun 0,0,0
 expect 2 "X,Y,Z" --light 1,2,nan
@@ -302,7 +317,7 @@ expect 2 "does not end in" -o picture.gif
 expect 2 "does not end in .exr" --aov -o picture.png
 expect 3 "no-such-model.obj" no-such-model.obj
 expect 3 "no-such-texture.png" --texture no-such-texture.png
-expect 4 "no-such-folder" --size 8x8 -o no-such-folder/picture.png
+expect 4 "there is no folder \"no-such-folder/\"" -o no-such-folder/picture.png
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
 expect 3 "line.obj" line.obj
 printf 'mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n' >tri.obj

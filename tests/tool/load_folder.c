@@ -35,9 +35,9 @@ static shd_result load(const char* path, uint64_t* hash) {
   shd_result result = shd_bitmap_load(g_context, path, &g_desc, &bitmap);
   *hash = 0;
   if (result != SHD_OK) return result;
-  result = shd_bitmap_image(bitmap, &image);
+  result = shd_bitmap_get_image(bitmap, &image);
   if (result == SHD_OK) {
-    const char* space = shd_bitmap_color_space(bitmap);
+    const char* space = shd_bitmap_get_color_space(bitmap);
     *hash = hash_bytes(UINT64_C(14695981039346656037), space, strlen(space));
     *hash = hash_bytes(*hash, &image.width, sizeof image.width);
     *hash = hash_bytes(*hash, &image.height, sizeof image.height);

@@ -80,7 +80,7 @@ public static class Programs
     private static void Render(Context context, string name, MaterialDesc materialDesc)
     {
         ShapeDesc torus = ShapeDesc.Default;
-        torus.Shape = Shape.Torus;
+        torus.Kind = Shape.Torus;
         LightDesc sunDesc = new LightDesc { Kind = LightKind.Directional, Direction = new Float3(-0.5f, -1, -0.25f) };
         Camera camera = Camera.Default;
         camera.Eye = new Float3(0.5f, 1.5f, 2);

@@ -103,7 +103,7 @@ public static class Teapot
     private static byte[] Render(int width, int height)
     {
         ShapeDesc shape = ShapeDesc.Default;
-        shape.Shape = Shape.Teapot;
+        shape.Kind = Shape.Teapot;
         SamplerDesc filter = SamplerDesc.Default;
         filter.Filter = Filter.Anisotropic;
         filter.MaxAnisotropy = 8;
@@ -131,7 +131,7 @@ public static class Teapot
             RenderStats stats = context.Render(new RenderDesc {
                 Framebuffer = framebuffer, ClearColor = new Float4(0.05f, 0.07f, 0.1f, 1), Camera = camera,
                 Lights = new[] { sun, sky }, Draws = new[] { new Draw(mesh, material) } });
-            Console.WriteLine("{0} triangles, {1} fragments", stats.Triangles, stats.Fragments);
+            Console.WriteLine("{0} triangles, {1} fragments", stats.TriangleCount, stats.FragmentCount);
             return framebuffer.ReadColor(Format.Rgba8Srgb);
         }
     }

@@ -46,7 +46,7 @@ namespace Shd
             {
                 Native.Directions built = directions.Build(call, "directions");
                 Native.ProjectedPoints points = output.Build(call, "output", built.Count);
-                call.Check(Native.LibShd.ProjectDirections(call.Use(this, "context"), &built, &points));
+                call.Check(Native.LibShd.ProjectionProject(call.Use(this, "context"), &built, &points));
                 output.Take(ref points);
             }
         }
@@ -60,7 +60,7 @@ namespace Shd
             {
                 Native.ImagePoints built = points.Build(call, "points");
                 Native.PointDirections directions = output.Build(call, "output", built.Count);
-                call.Check(Native.LibShd.UnprojectDirections(call.Use(this, "context"), &built, &directions));
+                call.Check(Native.LibShd.ProjectionUnproject(call.Use(this, "context"), &built, &directions));
                 output.Take(ref directions);
             }
         }
@@ -78,18 +78,19 @@ namespace Shd
         }
 
         /// <summary>Ambient occlusion of points.</summary>
-        public void ComputeOcclusion(OcclusionDesc desc, OcclusionPoints points, Column<float> output)
+        public void ComputeOcclusion(OcclusionDesc desc, OcclusionPoints points, OcclusionValues output)
         {
             if (desc == null) throw new ArgumentNullException("desc");
             if (points == null) throw new ArgumentNullException("points");
+            if (output == null) throw new ArgumentNullException("output");
             using (Call call = new Call())
             {
                 IntPtr self = call.Use(this, "context");
                 Native.OcclusionDesc built = desc.Build(call, "desc");
                 Native.OcclusionPoints rows = points.Build(call, "points");
-                long count = rows.Count;
-                Native.F32Out column = call.F32Out(output, "", "output", ref count);
-                call.Check(Native.LibShd.OcclusionCompute(self, &built, &rows, &column));
+                Native.OcclusionValues values = output.Build(call, "output", rows.Count);
+                call.Check(Native.LibShd.OcclusionCompute(self, &built, &rows, &values));
+                output.Take(ref values);
             }
         }
 
@@ -138,16 +139,13 @@ namespace Shd
             {
                 Native.Image pixels = image.Build(call, "image");
                 Native.Image* all = Image.BuildAll(call, "levels", levels);
-                call.Check(Native.LibShd.MipBuild(call.Use(this, "context"), &pixels, &desc, (uint)levels.Count, all));
+                call.Check(Native.LibShd.MipBuild(call.Use(this, "context"), &pixels, &desc,
+                                                  (UIntPtr)(uint)levels.Count, all));
             }
         }
-    }
 
-    /// <summary>Batches without a context.</summary>
-    public static unsafe class Footprint
-    {
         /// <summary>Derivatives of texture coordinates from ray differentials.</summary>
-        public static void FromDifferentials(RayDifferentials rays, Derivatives output)
+        public void DerivativesFromDifferentials(RayDifferentials rays, Derivatives output)
         {
             if (rays == null) throw new ArgumentNullException("rays");
             if (output == null) throw new ArgumentNullException("output");
@@ -155,12 +153,13 @@ namespace Shd
             {
                 Native.RayDifferentials built = rays.Build(call, "rays");
                 Native.Derivatives made = output.Build(call, "output", built.Count);
-                call.Check(Native.LibShd.DerivativesFromDifferentials(&built, &made));
+                call.Check(Native.LibShd.DerivativesFromDifferentials(call.Use(this, "context"), &built, &made));
+                output.Take(ref made);
             }
         }
 
         /// <summary>Derivatives of texture coordinates from ray cones.</summary>
-        public static void FromCones(RayCones cones, Derivatives output)
+        public void DerivativesFromCones(RayCones cones, Derivatives output)
         {
             if (cones == null) throw new ArgumentNullException("cones");
             if (output == null) throw new ArgumentNullException("output");
@@ -168,7 +167,8 @@ namespace Shd
             {
                 Native.RayCones built = cones.Build(call, "cones");
                 Native.Derivatives made = output.Build(call, "output", built.Count);
-                call.Check(Native.LibShd.DerivativesFromCones(&built, &made));
+                call.Check(Native.LibShd.DerivativesFromCones(call.Use(this, "context"), &built, &made));
+                output.Take(ref made);
             }
         }
     }

@@ -96,7 +96,10 @@ namespace Shd
             this.data = (IntPtr)data;
         }
 
-        public void Run(long index, int worker) { task((void*)data, checked((uint)index), (uint)worker); }
+        public void Run(long index, int worker)
+        {
+            task((UIntPtr)checked((ulong)index), (UIntPtr)checked((uint)worker), (void*)data);
+        }
     }
 
     /// <summary>The channels r, g, b, a that a procedure of a slot writes.</summary>
@@ -126,17 +129,15 @@ namespace Shd
         internal Tile(Native.PresentTile* from) { raw = from; }
 
         public int Worker { get { return (int)raw->Worker; } }
-        public int X { get { return (int)raw->X; } }
-        public int Y { get { return (int)raw->Y; } }
-        public int Width { get { return (int)raw->Width; } }
-        public int Height { get { return (int)raw->Height; } }
+        /// <summary>Pixels of the framebuffer.</summary>
+        public Region Area { get { return raw->Area; } }
 
         /// <summary>Row `y` of the tile, of channel r, g, b or a.</summary>
         public ReadOnlySpan<float> Row(int channel, int y)
         {
             byte* first = (byte*)raw->Channel[Inline.Check(channel, 4)];
-            return Inline.Read<float>(first == null ? null : first + Inline.Check(y, raw->Height) * raw->RowStride,
-                                      Width);
+            return Inline.Read<float>(first == null ? null : first + Inline.Check(y, raw->Area.Height) * raw->RowStride,
+                                      (int)raw->Area.Width);
         }
     }
 
@@ -175,16 +176,14 @@ namespace Shd
         public int Layer { get { return (int)raw->Layer; } }
         /// <summary>0 = the base level.</summary>
         public int Level { get { return (int)raw->Level; } }
-        /// <summary>First column and row of the level.</summary>
-        public int X { get { return (int)raw->X; } }
-        public int Y { get { return (int)raw->Y; } }
-        public int Width { get { return (int)raw->Width; } }
-        public int Height { get { return (int)raw->Height; } }
+        /// <summary>Texels of the level to write.</summary>
+        public Region Area { get { return raw->Area; } }
 
         /// <summary>The bytes of row `y` of the tile, to be written.</summary>
         public Span<byte> Row(int y)
         {
-            return new Span<byte>((byte*)raw->Texels + Inline.Check(y, raw->Height) * raw->RowStride, Width * pixelSize);
+            return new Span<byte>((byte*)raw->Texels + Inline.Check(y, raw->Area.Height) * raw->RowStride,
+                                  (int)raw->Area.Width * pixelSize);
         }
 
         /// <summary>Row `y` as channels or pixels of another type.</summary>

@@ -49,14 +49,14 @@ namespace Shd
         }
 
         /// <summary>Converts an image between colour spaces, in place.</summary>
-        public void Convert(string fromSpace, string toSpace, Image image)
+        public void Convert(Image image, string fromSpace, string toSpace)
         {
             if (image == null) throw new ArgumentNullException("image");
             using (Call call = new Call())
             {
                 Native.Image pixels = image.Build(call, "image");
-                call.Check(Native.LibShdColor.ColorConvert(call.Use(this, "color"), call.Text(fromSpace),
-                                                           call.Text(toSpace), &pixels));
+                call.Check(Native.LibShdColor.ColorConvert(call.Use(this, "color"), &pixels, call.Text(fromSpace),
+                                                           call.Text(toSpace)));
             }
         }
 
@@ -67,9 +67,9 @@ namespace Shd
                 using (Call call = new Call())
                 {
                     IntPtr self = call.Use(this, "color");
-                    string[] names = new string[Native.LibShdColor.ColorDisplayCount(self)];
+                    string[] names = new string[(int)Native.LibShdColor.ColorGetDisplayCount(self)];
                     for (int i = 0; i < names.Length; ++i)
-                        names[i] = Utf8.Read(Native.LibShdColor.ColorDisplayName(self, (uint)i));
+                        names[i] = Utf8.Read(Native.LibShdColor.ColorGetDisplayName(self, (UIntPtr)(uint)i));
                     return names;
                 }
             }
@@ -81,9 +81,9 @@ namespace Shd
             {
                 IntPtr self = call.Use(this, "color");
                 byte* text = call.Text(display);
-                string[] names = new string[Native.LibShdColor.ColorViewCount(self, text)];
+                string[] names = new string[(int)Native.LibShdColor.ColorGetViewCount(self, text)];
                 for (int i = 0; i < names.Length; ++i)
-                    names[i] = Utf8.Read(Native.LibShdColor.ColorViewName(self, text, (uint)i));
+                    names[i] = Utf8.Read(Native.LibShdColor.ColorGetViewName(self, text, (UIntPtr)(uint)i));
                 return names;
             }
         }
@@ -95,9 +95,9 @@ namespace Shd
                 using (Call call = new Call())
                 {
                     IntPtr self = call.Use(this, "color");
-                    string[] names = new string[Native.LibShdColor.ColorSpaceCount(self)];
+                    string[] names = new string[(int)Native.LibShdColor.ColorGetSpaceCount(self)];
                     for (int i = 0; i < names.Length; ++i)
-                        names[i] = Utf8.Read(Native.LibShdColor.ColorSpaceName(self, (uint)i));
+                        names[i] = Utf8.Read(Native.LibShdColor.ColorGetSpaceName(self, (UIntPtr)(uint)i));
                     return names;
                 }
             }
@@ -108,7 +108,7 @@ namespace Shd
             get
             {
                 using (Call call = new Call())
-                    return Utf8.Read(Native.LibShdColor.ColorWorkingSpace(call.Use(this, "color")));
+                    return Utf8.Read(Native.LibShdColor.ColorGetWorkingSpace(call.Use(this, "color")));
             }
         }
     }

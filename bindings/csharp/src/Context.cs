@@ -25,7 +25,7 @@ namespace Shd
             get
             {
                 using (Call call = new Call())
-                    return Utf8.Read(Native.LibShd.ContextSimdTarget(call.Use(this, "context")));
+                    return Utf8.Read(Native.LibShd.ContextGetSimdTarget(call.Use(this, "context")));
             }
         }
 
@@ -34,7 +34,7 @@ namespace Shd
             get
             {
                 using (Call call = new Call())
-                    return (int)Native.LibShd.ContextWorkerCount(call.Use(this, "context"));
+                    return (int)Native.LibShd.ContextGetWorkerCount(call.Use(this, "context"));
             }
         }
 

@@ -22,7 +22,7 @@ namespace Shd
             Executor executor = Executor;
             int cores = System.Environment.ProcessorCount;
             if (executor == null && ThreadExecutor.IsMono && WorkerCount != 1 && WorkerCount <= 1024)
-                executor = new ThreadExecutor((int)Math.Min(WorkerCount, (uint)cores));
+                executor = new ThreadExecutor((int)Math.Min(WorkerCount, cores));
             if (Allocator == null && executor == null && Log == null) return;
             ContextDesc kept = new ContextDesc { Allocator = Allocator, Executor = executor, Log = Log };
             void* root = call.Callback(kept).UserData;
@@ -36,7 +36,7 @@ namespace Shd
             {
                 made.Executor.ParallelFor = ContextThunks.ParallelFor;
                 made.Executor.UserData = root;
-                made.Executor.WorkerCount = (uint)executor.WorkerCount;
+                made.Executor.WorkerCount = executor.WorkerCount;
             }
             if (Log == null) return;
             made.Log.Write = ContextThunks.Write;
@@ -115,8 +115,11 @@ namespace Shd
     {
         /// <summary>Receives the finished tiles.</summary>
         public TileProgram Present;
-        /// <summary>Receives the finished fraction, never concurrently; true cancels the frame.</summary>
-        public Func<float, bool> Progress;
+        /// <summary>
+        /// Receives the finished fraction, never concurrently. A result other than Result.Ok, such as
+        /// Result.ErrorCancelled, ends the frame, whose ShdException has this result.
+        /// </summary>
+        public Func<float, Result> Progress;
 
         partial void More(Call call, string name, ref Native.RenderDesc made)
         {
@@ -164,7 +167,7 @@ namespace Shd
         {
             if (Find == null) return;
             made.Find = Thunks.Find;
-            made.FindUserData = call.Callback(new FindCall(call, Find)).UserData;
+            made.UserData = call.Callback(new FindCall(call, Find)).UserData;
         }
     }
 

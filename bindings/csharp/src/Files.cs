@@ -50,7 +50,7 @@ namespace Shd
             get
             {
                 using (Call call = new Call())
-                    return Utf8.Read(Native.LibShdIo.BitmapColorSpace(call.Use(this, "bitmap")));
+                    return Utf8.Read(Native.LibShdIo.BitmapGetColorSpace(call.Use(this, "bitmap")));
             }
         }
 
@@ -60,7 +60,7 @@ namespace Shd
             using (Call call = new Call())
             {
                 Native.Image view = Native.Image.Default;
-                call.Check(Native.LibShdIo.BitmapImage(call.Use(this, "bitmap"), &view));
+                call.Check(Native.LibShdIo.BitmapGetImage(call.Use(this, "bitmap"), &view));
                 long row = (long)Native.LibShd.FormatSize(view.Format) * view.Width;
                 byte[] pixels = new byte[row * view.Height];
                 byte* to = (byte*)call.Pin(pixels);

@@ -18,15 +18,15 @@ namespace Shd
             }
         }
 
-        public Framebuffer(Context context, int width, int height, int samples = 1)
-            : this(context, Desc(width, height, samples)) { }
+        public Framebuffer(Context context, int width, int height, int sampleCount = 1)
+            : this(context, Desc(width, height, sampleCount)) { }
 
-        private static FramebufferDesc Desc(int width, int height, int samples)
+        private static FramebufferDesc Desc(int width, int height, int sampleCount)
         {
             FramebufferDesc desc = FramebufferDesc.Default;
             desc.Width = checked((uint)width);
             desc.Height = checked((uint)height);
-            desc.Samples = checked((uint)samples);
+            desc.SampleCount = sampleCount;
             return desc;
         }
 

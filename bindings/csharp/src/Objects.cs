@@ -84,15 +84,18 @@ namespace Shd
         }
 
         /// <summary>Irradiance around directions.</summary>
-        public void Irradiance(EnvironmentLookups lookups, EnvironmentLight output)
+        public void SampleIrradiance(EnvironmentLookups lookups, EnvironmentValues output)
         {
-            Evaluate(lookups, output, true);
+            Sample(lookups, output, true);
         }
 
         /// <summary>Radiance through the lobes of rough materials.</summary>
-        public void Radiance(EnvironmentLookups lookups, EnvironmentLight output) { Evaluate(lookups, output, false); }
+        public void SampleRadiance(EnvironmentLookups lookups, EnvironmentValues output)
+        {
+            Sample(lookups, output, false);
+        }
 
-        private void Evaluate(EnvironmentLookups lookups, EnvironmentLight output, bool isIrradiance)
+        private void Sample(EnvironmentLookups lookups, EnvironmentValues output, bool isIrradiance)
         {
             if (lookups == null) throw new ArgumentNullException("lookups");
             if (output == null) throw new ArgumentNullException("output");
@@ -100,9 +103,10 @@ namespace Shd
             {
                 IntPtr self = call.Use(this, "environment");
                 Native.EnvironmentLookups built = lookups.Build(call, "lookups");
-                Native.EnvironmentLight light = output.Build(call, "output", built.Count);
-                call.Check(isIrradiance ? Native.LibShd.EnvironmentIrradiance(self, &built, &light)
-                                        : Native.LibShd.EnvironmentRadiance(self, &built, &light));
+                Native.EnvironmentValues values = output.Build(call, "output", built.Count);
+                call.Check(isIrradiance ? Native.LibShd.EnvironmentSampleIrradiance(self, &built, &values)
+                                        : Native.LibShd.EnvironmentSampleRadiance(self, &built, &values));
+                output.Take(ref values);
             }
         }
     }
@@ -134,15 +138,16 @@ namespace Shd
         }
 
         /// <summary>Visibility of the light at positions.</summary>
-        public void Sample(ShadowLookups lookups, Column<float> visibility)
+        public void Sample(ShadowLookups lookups, ShadowValues output)
         {
             if (lookups == null) throw new ArgumentNullException("lookups");
+            if (output == null) throw new ArgumentNullException("output");
             using (Call call = new Call())
             {
                 Native.ShadowLookups built = lookups.Build(call, "lookups");
-                long rows = built.Count;
-                Native.F32Out output = call.F32Out(visibility, "", "visibility", ref rows);
-                call.Check(Native.LibShd.ShadowSample(call.Use(this, "shadow"), &built, &output));
+                Native.ShadowValues values = output.Build(call, "output", built.Count);
+                call.Check(Native.LibShd.ShadowSample(call.Use(this, "shadow"), &built, &values));
+                output.Take(ref values);
             }
         }
     }
@@ -200,14 +205,14 @@ namespace Shd
         /// Loads up to `maxTiles` tiles that lookups with MissingTiles.Coarser did not find, 0 = all of them, and returns
         /// their number.
         /// </summary>
-        public int LoadRequested(int maxTiles = 0)
+        public long LoadRequested(long maxTiles = 0)
         {
             using (Call call = new Call())
             {
-                uint loaded;
-                call.Check(Native.LibShd.TileCacheLoadRequested(call.Use(this, "cache"), checked((uint)maxTiles),
-                                                                &loaded));
-                return (int)loaded;
+                UIntPtr loaded;
+                call.Check(Native.LibShd.TileCacheLoadRequested(call.Use(this, "cache"),
+                                                                (UIntPtr)checked((ulong)maxTiles), &loaded));
+                return (long)loaded;
             }
         }
     }

@@ -70,11 +70,20 @@ namespace Shd
     public sealed unsafe partial class TextureDesc
     {
         /// <summary>
-        /// [layers or depth][height][width] texels: an array of channels, of bytes, or of structs of one texel. Copied.
+        /// Meaning of the coordinates. null = TextureKind.Texture3D if Depth is
+        /// set, TextureKind.Directions if Projection is set, else TextureKind.Texture2D.
+        /// </summary>
+        public TextureKind? Kind;
+        /// <summary>
+        /// [layers, slices or faces][height][width] texels: an array of channels, of bytes, or of structs of one texel.
+        /// Copied.
         /// </summary>
         public Array Texels;
-        /// <summary>The caller's mip levels, [layers][LevelCount]; null = the library builds the levels.</summary>
-        public IList<Image> Levels;
+        /// <summary>
+        /// The caller's mip levels, [layers or faces][levels]; of a 3D texture all slices of level 1, then those of
+        /// level 2, and so on. null = the library builds the levels.
+        /// </summary>
+        public IList<Image> LevelImages;
         /// <summary>The source of a texture that keeps no texels; null = the texture has its texels in memory.</summary>
         public TileSource Tiles;
 
@@ -92,10 +101,11 @@ namespace Shd
             if ((Flags & TextureFlags.Borrow) != 0)
                 throw new ArgumentException(Call.Join(name, "Flags") + ": arrays are pinned for the call only, so a " +
                                             "texture cannot borrow their texels", "Flags");
+            made.Kind = Kind ?? KindOfFields(name);
+            long images = ImageCount(made.Kind);
             if (Texels != null)
             {
-                Pixels.Check(Texels, Call.Join(name, "Texels"), Format, Width, Height,
-                             Math.Max(1, Math.Max((long)Depth, Layers)), RowStride, LayerStride);
+                Pixels.Check(Texels, Call.Join(name, "Texels"), Format, Width, Height, images, RowStride, LayerStride);
                 made.Texels = call.Pin(Texels);
             }
             if (Tiles != null)
@@ -106,20 +116,39 @@ namespace Shd
                 if (kept.Load != null) made.Tiles.Load = Thunks.Load;
                 made.Tiles.UserData = call.Callback(kept).UserData;
             }
-            if (Levels == null) return;
-            uint layers = Depth > 0 ? 1 : Math.Max(1, Layers);
-            if (Depth == 0 && Levels.Count % layers != 0)
-                throw new ArgumentException(Call.Join(name, "Levels") + ": " + Levels.Count +
-                                            " images are not levels of " + layers + " layers", "Levels");
-            made.LevelCount = Depth > 0 ? LevelsOfSlices() : (uint)Levels.Count / layers;
-            made.Levels = Image.BuildAll(call, Call.Join(name, "Levels"), Levels);
+            if (LevelImages == null) return;
+            bool isVolume = made.Kind == TextureKind.Texture3D;
+            if (!isVolume && (images < 1 || LevelImages.Count % images != 0))
+                throw new ArgumentException(Call.Join(name, "LevelImages") + ": " + LevelImages.Count +
+                                            " images are not levels of " + images + " layers", "LevelImages");
+            made.LevelCount = isVolume ? LevelsOfSlices() : LevelImages.Count / images;
+            made.LevelImages = Image.BuildAll(call, Call.Join(name, "LevelImages"), LevelImages);
+        }
+
+        /// <summary>The kind of a desc that has none.</summary>
+        private TextureKind KindOfFields(string name)
+        {
+            if (Depth != 0 && Projection != Projection.None)
+                throw new ArgumentException(Call.Join(name, "Kind") + ": it must be set, because both Depth and " +
+                                            "Projection are", "Kind");
+            if (Depth != 0) return TextureKind.Texture3D;
+            return Projection != Projection.None ? TextureKind.Directions : TextureKind.Texture2D;
+        }
+
+        /// <summary>Number of images in Texels: layers, slices or faces.</summary>
+        private long ImageCount(TextureKind kind)
+        {
+            if (kind == TextureKind.Texture3D) return Depth;
+            if (kind == TextureKind.Directions && Projection == Projection.Cube) return 6;
+            return LayerCount;
         }
 
         /// <summary>Levels of a 3D texture: level l has max(1, depth >> l) of the images.</summary>
         private uint LevelsOfSlices()
         {
             uint level = 0;
-            for (long left = Levels.Count; left > 0; left -= Math.Max(1, Depth >> (int)Math.Min(31, level))) ++level;
+            for (long left = LevelImages.Count; left > 0; left -= Math.Max(1, Depth >> (int)Math.Min(31, level)))
+                ++level;
             return level;
         }
     }

@@ -62,14 +62,15 @@ namespace Shd
         {
             Inline.Check(index, Info.WarningCount);
             using (Call call = new Call())
-                return Utf8.Read(Native.LibShdScene.SceneWarning(call.Use(this, "scene"), (uint)index));
+                return Utf8.Read(Native.LibShdScene.SceneGetWarning(call.Use(this, "scene"), (UIntPtr)(uint)index));
         }
 
         /// <summary>Name of a part in the file.</summary>
         public string Name(ScenePart part, int index)
         {
             using (Call call = new Call())
-                return Utf8.Read(Native.LibShdScene.SceneName(call.Use(this, "scene"), part, checked((uint)index)));
+                return Utf8.Read(Native.LibShdScene.SceneGetName(call.Use(this, "scene"), part,
+                                                            (UIntPtr)checked((uint)index)));
         }
 
         /// <summary>A mesh of the file, as an object of its own.</summary>
@@ -78,7 +79,7 @@ namespace Shd
             Inline.Check(index, Info.MeshCount);
             using (Call call = new Call())
             {
-                IntPtr shared = Native.LibShdScene.SceneMesh(call.Use(this, "scene"), (uint)index);
+                IntPtr shared = Native.LibShdScene.SceneGetMesh(call.Use(this, "scene"), (UIntPtr)(uint)index);
                 Native.LibShd.MeshRetain(shared);
                 Mesh made = new Mesh();
                 made.Handle.Adopt(shared, call.Roots);
@@ -92,7 +93,7 @@ namespace Shd
             Inline.Check(index, Info.MaterialCount);
             using (Call call = new Call())
             {
-                IntPtr shared = Native.LibShdScene.SceneMaterial(call.Use(this, "scene"), (uint)index);
+                IntPtr shared = Native.LibShdScene.SceneGetMaterial(call.Use(this, "scene"), (UIntPtr)(uint)index);
                 Native.LibShd.MaterialRetain(shared);
                 Material made = new Material();
                 made.Handle.Adopt(shared, call.Roots);
@@ -106,7 +107,7 @@ namespace Shd
             Inline.Check(index, Info.TextureCount);
             using (Call call = new Call())
             {
-                IntPtr shared = Native.LibShdScene.SceneTexture(call.Use(this, "scene"), (uint)index);
+                IntPtr shared = Native.LibShdScene.SceneGetTexture(call.Use(this, "scene"), (UIntPtr)(uint)index);
                 Native.LibShd.TextureRetain(shared);
                 Texture made = new Texture();
                 made.Handle.Adopt(shared, call.Roots);
@@ -120,7 +121,7 @@ namespace Shd
             Inline.Check(index, Info.LightCount);
             using (Call call = new Call())
             {
-                IntPtr shared = Native.LibShdScene.SceneLight(call.Use(this, "scene"), (uint)index);
+                IntPtr shared = Native.LibShdScene.SceneGetLight(call.Use(this, "scene"), (UIntPtr)(uint)index);
                 Native.LibShd.LightRetain(shared);
                 Light made = new Light();
                 made.Handle.Adopt(shared, call.Roots);
@@ -133,7 +134,8 @@ namespace Shd
             using (Call call = new Call())
             {
                 Camera camera = Shd.Camera.Default;
-                call.Check(Native.LibShdScene.SceneGetCamera(call.Use(this, "scene"), checked((uint)index), &camera));
+                call.Check(Native.LibShdScene.SceneGetCamera(call.Use(this, "scene"), (UIntPtr)checked((uint)index),
+                                                             &camera));
                 return camera;
             }
         }
@@ -143,7 +145,7 @@ namespace Shd
             using (Call call = new Call())
             {
                 SceneInstance instance = SceneInstance.Default;
-                call.Check(Native.LibShdScene.SceneGetInstance(call.Use(this, "scene"), checked((uint)index),
+                call.Check(Native.LibShdScene.SceneGetInstance(call.Use(this, "scene"), (UIntPtr)checked((uint)index),
                                                                &instance));
                 return instance;
             }
@@ -154,8 +156,8 @@ namespace Shd
         {
             double begin = 0, end = 0;
             using (Call call = new Call())
-                call.Check(Native.LibShdScene.SceneGetAnimationTimes(call.Use(this, "scene"), checked((uint)animation),
-                                                                     &begin, &end));
+                call.Check(Native.LibShdScene.SceneGetAnimationTimes(call.Use(this, "scene"),
+                                                                     (UIntPtr)checked((uint)animation), &begin, &end));
             first = begin;
             last = end;
         }
@@ -166,8 +168,8 @@ namespace Shd
             using (Call call = new Call())
             {
                 IntPtr made;
-                call.Check(Native.LibShdScene.ScenePose(call.Use(this, "scene"), checked((uint)animation), seconds,
-                                                        &made));
+                call.Check(Native.LibShdScene.ScenePose(call.Use(this, "scene"), (UIntPtr)checked((uint)animation),
+                                                        seconds, &made));
                 Scene pose = new Scene();
                 pose.Handle.Adopt(made, call.Roots);
                 return pose;

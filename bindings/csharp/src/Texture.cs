@@ -94,8 +94,8 @@ namespace Shd
                 Native.Lookups built = lookups.Build(call, "lookups");
                 Native.Levels levels = output.Build(call, "output", built.Count);
                 call.Check(Native.LibShd.TextureQueryLevels(call.Use(this, "texture"), call.Use(sampler, "sampler"),
-                                                            &built,
-                                                            &levels));
+                                                            &built, &levels));
+                output.Take(ref levels);
             }
         }
 

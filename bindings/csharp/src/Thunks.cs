@@ -78,7 +78,7 @@ namespace Shd
             catch (Exception problem) { root.Fail(problem); }
         }
 
-        private static Result OnTile(void* userData, Native.PresentTile* input)
+        private static Result OnTile(Native.PresentTile* input, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try { ((TileProgram)root.Target)(new Tile(input)); }
@@ -86,15 +86,15 @@ namespace Shd
             return root.HasFailed ? Result.ErrorCallback : Result.Ok;
         }
 
-        private static int OnProgress(void* userData, float fraction)
+        private static Result OnProgress(float fraction, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
-            try { return ((Func<float, bool>)root.Target)(fraction) ? 1 : 0; }
+            try { return ((Func<float, Result>)root.Target)(fraction); }
             catch (Exception problem) { root.Fail(problem); }
-            return 1;
+            return Result.ErrorCallback;
         }
 
-        private static Result OnDisplay(void* userData, IntPtr framebuffer, Native.Image* output)
+        private static Result OnDisplay(IntPtr framebuffer, Native.Image* output, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try { return ((DisplayCall)root.Target).Apply(framebuffer, output); }
@@ -102,7 +102,7 @@ namespace Shd
             return Result.ErrorCallback;
         }
 
-        private static Result OnLoad(void* userData, Native.Tile* tiles, UIntPtr count)
+        private static Result OnLoad(Native.Tile* tiles, UIntPtr count, void* userData)
         {
             TileSource source = (TileSource)CallbackRoot.Of(userData).Target;
             try
@@ -114,7 +114,7 @@ namespace Shd
             return Result.ErrorCallback;
         }
 
-        private static Result OnFind(void* userData, byte* name, void** bytes, UIntPtr* size)
+        private static Result OnFind(byte* name, void** bytes, UIntPtr* size, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try
@@ -144,7 +144,7 @@ namespace Shd
         internal static readonly IntPtr ParallelFor = Marshal.GetFunctionPointerForDelegate(parallelFor);
         internal static readonly IntPtr Write = Marshal.GetFunctionPointerForDelegate(write);
 
-        private static void* OnAllocate(void* userData, UIntPtr size, UIntPtr alignment)
+        private static void* OnAllocate(UIntPtr size, UIntPtr alignment, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try { return (void*)((ContextDesc)root.Target).Allocator.Allocate((long)size, (long)alignment); }
@@ -152,27 +152,27 @@ namespace Shd
             return null;
         }
 
-        private static void OnFree(void* userData, void* memory, UIntPtr size, UIntPtr alignment)
+        private static void OnFree(void* memory, UIntPtr size, UIntPtr alignment, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try { ((ContextDesc)root.Target).Allocator.Free((IntPtr)memory, (long)size, (long)alignment); }
             catch (Exception problem) { root.Fail(problem); }
         }
 
-        private static Result OnParallelFor(void* userData, uint count, IntPtr task, void* data)
+        private static Result OnParallelFor(UIntPtr count, IntPtr task, void* data, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try
             {
                 Native.TaskFn function = Marshal.GetDelegateForFunctionPointer<Native.TaskFn>(task);
-                ((ContextDesc)root.Target).Executor.ParallelFor(count, new ParallelTask(function, data));
+                ((ContextDesc)root.Target).Executor.ParallelFor((long)count, new ParallelTask(function, data));
                 return Result.Ok;
             }
             catch (Exception problem) { root.Fail(problem); }
             return Result.ErrorCallback;
         }
 
-        private static void OnWrite(void* userData, LogLevel level, byte* message)
+        private static void OnWrite(LogLevel level, byte* message, void* userData)
         {
             CallbackRoot root = CallbackRoot.Of(userData);
             try { ((ContextDesc)root.Target).Log(level, Utf8.Read(message)); }

@@ -25,16 +25,20 @@ public static class Components
         {
             EnvironmentLookups lookups = new EnvironmentLookups();
             Column.Set(lookups.Direction, new float[,] { { 0, 1, 0 }, { 1, 0, 0 } });
-            EnvironmentLight light = new EnvironmentLight();
+            EnvironmentValues values = new EnvironmentValues();
             float[] red = new float[2];
-            light.Rgb[0] = red;
-            environment.Irradiance(lookups, light);
+            values.Channel[0] = red;
+            environment.SampleIrradiance(lookups, values);
             Check.IsTrue(Math.Abs(red[0] - red[1]) < 0.05f * red[0] && red[0] > 0.5f,
                          "irradiance: " + red[0] + " " + red[1]);
             Check.IsTrue(Math.Abs(environment.Info.Mean[1] - 1) < 0.01f, "Mean");
-            light.Rgb[1] = new float[3];
-            Check.Throws<ArgumentException>(() => environment.Irradiance(lookups, light),
-                                            "output.Rgb: 3 elements, not 2");
+            Check.Equal(0L, values.NonfiniteCount, "NonfiniteCount");
+            Column.Set(lookups.Direction, new float[,] { { 0, float.NaN, 0 }, { 1, 0, 0 } });
+            environment.SampleIrradiance(lookups, values);
+            Check.Equal(1L, values.NonfiniteCount, "NonfiniteCount");
+            values.Channel[1] = new float[3];
+            Check.Throws<ArgumentException>(() => environment.SampleIrradiance(lookups, values),
+                                            "output.Channel: 3 elements, not 2");
             using (Framebuffer framebuffer = new Framebuffer(context, 8, 8))
             {
                 context.Render(new RenderDesc { Framebuffer = framebuffer, Environment = environment,
@@ -58,10 +62,15 @@ public static class Components
             ShadowLookups lookups = new ShadowLookups();
             Column.Set(lookups.Position, new float[,] { { 0, -2, 0 }, { 2.5f, -2, 0 } });
             float[] visibility = new float[2];
-            shadow.Sample(lookups, visibility);
-            Check.Equal("0 1", visibility[0] + " " + visibility[1], "visibility");
-            Check.Throws<ArgumentException>(() => shadow.Sample(lookups, new float[3]),
-                                            "visibility: 3 elements, not 2");
+            ShadowValues values = new ShadowValues { Visibility = visibility };
+            shadow.Sample(lookups, values);
+            Check.Equal("0 1 0", visibility[0] + " " + visibility[1] + " " + values.NonfiniteCount, "visibility");
+            Column.Set(lookups.Position, new float[,] { { 0, -2, 0 }, { float.PositiveInfinity, -2, 0 } });
+            shadow.Sample(lookups, values);
+            Check.Equal(1L, values.NonfiniteCount, "NonfiniteCount");
+            values.Visibility = new float[3];
+            Check.Throws<ArgumentException>(() => shadow.Sample(lookups, values),
+                                            "output.Visibility: 3 elements, not 2");
         }
     }
 
@@ -91,6 +100,16 @@ public static class Components
         }
     }
 
+    /// <summary>Cones that meet a plane at right angles.</summary>
+    private static RayCones Cones(params float[] widths)
+    {
+        RayCones cones = new RayCones { Width = widths };
+        Column.Set(cones.Dpdu, new float[,] { { 1, 0, 0 }, { 1, 0, 0 } });
+        Column.Set(cones.Dpdv, new float[,] { { 0, 1, 0 }, { 0, 1, 0 } });
+        Column.Set(cones.Direction, new float[,] { { 0, 0, -1 }, { 0, 0, -1 } });
+        return cones;
+    }
+
     [Test]
     public static void Batches()
     {
@@ -115,6 +134,15 @@ public static class Components
             float[] v = { -1 };
             context.Project(directions, new ProjectedPoints { V = v });
             Check.Equal(0.0f, v[0], "v of the zenith");
+            float[] dudx = new float[2], dvdx = new float[2];
+            RayCones cones = Cones(0.5f, float.NaN);
+            Derivatives derivatives = new Derivatives { Dudx = dudx, Dvdx = dvdx };
+            context.DerivativesFromCones(cones, derivatives);
+            Check.IsTrue(Math.Abs(dudx[0] * dudx[0] + dvdx[0] * dvdx[0] - 0.25f) < 1e-5f, "dudx: " + dudx[0]);
+            Check.Equal(1L, derivatives.NonfiniteCount, "NonfiniteCount");
+            derivatives.Dudx = new float[3];
+            Check.Throws<ArgumentException>(() => context.DerivativesFromCones(cones, derivatives),
+                                            "output.Dudx: 3 elements, not 2");
         }
     }
 
@@ -128,18 +156,25 @@ public static class Components
             Column.Set(points.Position, new float[,] { { 0, 0, 0.4f }, { 0, 0, 0.6f } });
             Column.Set(points.Normal, new float[,] { { 0, 0, 1 }, { 0, 0, 1 } });
             float[] own = new float[2], traced = new float[2];
-            context.ComputeOcclusion(new OcclusionDesc { Draws = new[] { new Draw(mesh) } }, points, own);
+            OcclusionValues values = new OcclusionValues { Visibility = own };
+            context.ComputeOcclusion(new OcclusionDesc { Draws = new[] { new Draw(mesh) } }, points, values);
             Check.IsTrue(own[0] != own[1], "occlusion: " + own[0] + " " + own[1]);
             TraceProgram trace = (rays, blocked) =>
             {
                 for (int i = 0; i < rays.Count; ++i) blocked[i] = rays.Oz[i] < 0.5f ? 1u : 0;
             };
-            context.ComputeOcclusion(new OcclusionDesc { Trace = trace }, points, traced);
+            context.ComputeOcclusion(new OcclusionDesc { Trace = trace }, points,
+                                     new OcclusionValues { Visibility = traced });
             Check.IsTrue(traced[0] != traced[1], "occlusion: " + traced[0] + " " + traced[1]);
             Check.Throws<NotSupportedException>(() => context.ComputeOcclusion(new OcclusionDesc {
-                Trace = (rays, blocked) => { throw new NotSupportedException("from the tracer"); } }, points, traced));
+                Trace = (rays, blocked) => { throw new NotSupportedException("from the tracer"); } }, points, values));
+            values.Visibility = new float[3];
             Check.Throws<ArgumentException>(() => context.ComputeOcclusion(new OcclusionDesc { Trace = trace }, points,
-                new float[3]), "output: 3 elements, not 2");
+                values), "output.Visibility: 3 elements, not 2");
+            values.Visibility = own;
+            Column.Set(points.Position, new float[,] { { 0, 0, 0.4f }, { 0, float.NaN, 0.6f } });
+            context.ComputeOcclusion(new OcclusionDesc { Trace = trace }, points, values);
+            Check.Equal(1L, values.NonfiniteCount, "NonfiniteCount");
         }
     }
 
@@ -154,7 +189,8 @@ public static class Components
             Column.Set(points.Position, new float[,] { { 0, 0, 0.4f }, { 0, 0, 0.6f } });
             Column.Set(points.Normal, new float[,] { { 0, 0, 1 }, { 0, 0, 1 } });
             float[] traced = new float[2];
-            context.ComputeOcclusion(new OcclusionDesc { Embree = tree }, points, traced);
+            context.ComputeOcclusion(new OcclusionDesc { Embree = tree }, points,
+                                     new OcclusionValues { Visibility = traced });
             Check.IsTrue(traced[0] != traced[1], "occlusion: " + traced[0] + " " + traced[1]);
         }
     }
@@ -214,7 +250,7 @@ public static class Components
             using (Mesh mesh = scene.Mesh(0))
             using (Framebuffer framebuffer = new Framebuffer(context, 16, 16))
             {
-                Check.Equal(1u, mesh.Info.TriangleCount, "triangles");
+                Check.Equal(1L, mesh.Info.TriangleCount, "triangles");
                 Camera camera = Camera.Default;
                 camera.Eye = new Float3(0, 0, 3);
                 scene.Render(context, new RenderDesc { Framebuffer = framebuffer, Camera = camera });
@@ -222,7 +258,7 @@ public static class Components
                 Check.Throws<ArgumentOutOfRangeException>(() => scene.Mesh(1), "1 is not in [0, 1)");
                 scene.Dispose();
                 Check.Throws<ObjectDisposedException>(() => { SceneInfo info = scene.Info; });
-                Check.Equal(3u, mesh.Info.VertexCount, "the mesh keeps its vertices");
+                Check.Equal(3L, mesh.Info.VertexCount, "the mesh keeps its vertices");
             }
         }
         finally { File.Delete(path); }

@@ -46,7 +46,7 @@ public static class Models
                 SceneDesc desc = new SceneDesc { Flags = flags, Find = find };
                 using (Scene scene = new Scene(context, model, null, desc))
                 {
-                    Check.Equal(1u, scene.Info.TriangleCount, "triangles");
+                    Check.Equal(1L, scene.Info.TriangleCount, "triangles");
                     List<string> warnings = new List<string>();
                     for (int i = 0; i < scene.Info.WarningCount; ++i) warnings.Add(scene.Warning(i));
                     Check.IsTrue(warnings.Exists(text => text.Contains("none.png")), string.Join("; ", warnings));
@@ -63,7 +63,7 @@ public static class Models
                 Check.Throws<ShdException>(() => new Scene(context, model, null, desc), "a.bin");
                 using (Scene obj = new Scene(context, Encoding.UTF8.GetBytes("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
                                              "model.obj", desc))
-                    Check.Equal(1u, obj.Info.TriangleCount, "triangles of OBJ");
+                    Check.Equal(1L, obj.Info.TriangleCount, "triangles of OBJ");
             }
     }
 

@@ -42,7 +42,7 @@ public static class Rendering
         byte[] bc7 = { 192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0 };
         TextureDesc levels = new TextureDesc(Format.Bc7, 8, 4, new byte[32]);
         levels.Tables = TableFlags.Mipmap;
-        levels.Levels = new[] { new Image(Format.Bc7, 4, 2, bc7) };
+        levels.LevelImages = new[] { new Image(Format.Bc7, 4, 2, bc7) };
         SamplerDesc nearest = SamplerDesc.Default;
         nearest.Filter = Filter.NearestMip;
         using (Context context = new Context())
@@ -55,6 +55,76 @@ public static class Rendering
             Check.Equal("255 41 1 255", CodesAt(second, sampler, 0), "BC7");
             Check.Equal("0 0 0 0, 255 41 1 255", CodesAt(third, sampler, 0) + ", " + CodesAt(third, sampler, 1),
                         "levels");
+        }
+    }
+
+    private static TextureInfo InfoOf(Context context, TextureDesc desc)
+    {
+        using (Texture texture = new Texture(context, desc)) return texture.Info;
+    }
+
+    /// <summary>A desc without a kind has that of its fields.</summary>
+    [Test]
+    public static void Kinds()
+    {
+        using (Context context = new Context())
+        {
+            TextureDesc desc = new TextureDesc(Format.R8, 2, 2, new byte[4]);
+            Check.Equal(TextureKind.Texture2D, InfoOf(context, desc).Kind, "Kind");
+            desc.Texels = new byte[12];
+            desc.Depth = 3;
+            Check.Equal(TextureKind.Texture3D, InfoOf(context, desc).Kind, "Kind of slices");
+            Check.Equal(3u, InfoOf(context, desc).Depth, "Depth");
+            desc.Texels = new byte[11];
+            Check.Throws<ArgumentException>(() => new Texture(context, desc), "desc.Texels: 11 bytes, not 12");
+            desc.Projection = Projection.Cube;
+            Check.Throws<ArgumentException>(() => new Texture(context, desc), "desc.Kind: it must be set");
+            desc.Kind = TextureKind.Directions;
+            desc.Depth = 0;
+            desc.Texels = new byte[24];
+            Check.Equal(6L, InfoOf(context, desc).LayerCount, "LayerCount");
+            desc.Kind = null;
+            Check.Equal(TextureKind.Directions, InfoOf(context, desc).Kind, "Kind of faces");
+            desc.Texels = new byte[4];
+            Check.Throws<ArgumentException>(() => new Texture(context, desc), "desc.Texels: 4 bytes, not 24");
+            desc.Projection = Projection.Angular;
+            Check.Equal(1L, InfoOf(context, desc).LayerCount, "LayerCount");
+            desc.Kind = TextureKind.Texture2D;
+            Check.Throws<ShdException>(() => new Texture(context, desc), "texture.projection: 3, but texture.kind");
+            desc.Kind = (TextureKind)3;
+            Check.Throws<ShdException>(() => new Texture(context, desc), "texture.kind: 3");
+            desc.Kind = TextureKind.Texture3D;
+            Check.Throws<ShdException>(() => new Texture(context, desc), "texture.depth: 0");
+        }
+    }
+
+    /// <summary>The caller's levels of slices and faces.</summary>
+    [Test]
+    public static void LevelImages()
+    {
+        Image grey = new Image(Format.R8, 1, 1, new byte[] { 100 });
+        byte[] read = new byte[1];
+        TextureDesc volume = new TextureDesc(Format.R8, 2, 2, new byte[16]) { Depth = 4, Tables = TableFlags.Mipmap };
+        volume.LevelImages = new[] { grey, grey, grey };
+        TextureDesc cube = new TextureDesc(Format.R8, 2, 2, new byte[24]) { Projection = Projection.Cube,
+                                                                            Tables = TableFlags.Mipmap };
+        cube.LevelImages = new[] { grey, grey, grey, grey, grey, grey };
+        using (Context context = new Context())
+        {
+            using (Texture texture = new Texture(context, volume))
+                texture.ReadLevel(0, 2, new Image(Format.R8, 1, 1, read));
+            Check.Equal(100, (int)read[0], "level 2 of slices");
+            read[0] = 0;
+            using (Texture texture = new Texture(context, cube))
+                texture.ReadLevel(5, 1, new Image(Format.R8, 1, 1, read));
+            Check.Equal(100, (int)read[0], "level 1 of faces");
+            cube.LevelImages = new[] { grey, grey };
+            Check.Throws<ArgumentException>(() => new Texture(context, cube),
+                                            "desc.LevelImages: 2 images are not levels of 6 layers");
+            cube.Kind = TextureKind.Texture2D;
+            cube.Texels = null;
+            cube.LayerCount = 0;
+            Check.Throws<ArgumentException>(() => new Texture(context, cube), "levels of 0 layers");
         }
     }
 
@@ -76,6 +146,9 @@ public static class Rendering
             texture.Sample(sampler, new LookupSpans { U = v, V = v }, new TexelSpans { R = red });
             Check.Equal("0 0", red[0] + " " + red[1], "red of spans");
             Lookups other = new Lookups { U = new float[] { float.NaN, 0.75f }, V = v };
+            Levels levels = new Levels { Lod = new float[2] };
+            texture.QueryLevels(sampler, other, levels);
+            Check.Equal(1L, levels.NonfiniteCount, "NonfiniteCount of levels");
             using (LookupBatch batch = texture.Prepare(sampler, other, texels))
             {
                 batch.Run();
@@ -106,7 +179,7 @@ public static class Rendering
             Check.Equal("1 0", uv[0, 0] + " " + uv[0, 1], "uv");
             Check.Equal(1.0f, normals[2, 2], "normal");
             Check.Equal("0 1 2", string.Join(" ", mesh.ReadIndices()), "indices");
-            Check.Equal(1u, mesh.Info.TriangleCount, "triangles");
+            Check.Equal(1L, mesh.Info.TriangleCount, "triangles");
             MeshDesc strip = new MeshDesc { Topology = Topology.Strip };
             Column.Set(strip.Position, new[] { new Vector3(0, 1, 0), new Vector3(0, 0, 0), new Vector3(1, 0, 0) });
             using (Mesh same = new Mesh(context, strip))
@@ -127,7 +200,7 @@ public static class Rendering
         {
             RenderStats stats = context.Render(new RenderDesc { Framebuffer = framebuffer,
                                                                 Draws = new[] { new Draw(mesh, material) } });
-            Check.Equal(2ul, stats.Rasterised, "triangles");
+            Check.Equal(2ul, stats.RasterizedTriangleCount, "triangles");
             float[,] red = framebuffer.ReadPlane(Plane.R);
             using (PlaneView view = framebuffer.ViewPlane(Plane.R))
             {
@@ -274,8 +347,9 @@ public static class Rendering
         {
             RenderDesc frame = new RenderDesc { Present = tile =>
             {
-                for (int y = 0; y < tile.Height; ++y)
-                    for (int x = 0; x < tile.Width; ++x) image[tile.Y + y, tile.X + x] = tile.Row(0, y)[x];
+                Region area = tile.Area;
+                for (int y = 0; y < area.Height; ++y)
+                    for (int x = 0; x < area.Width; ++x) image[area.Y + y, area.X + x] = tile.Row(0, y)[x];
             } };
             float[,] red = Make.Red(context, material, 256, 128, frame);
             for (int i = 0; i < 128; ++i) Check.Equal(red[i, 2 * i], image[i, 2 * i], "tile");
@@ -291,16 +365,21 @@ public static class Rendering
         using (Framebuffer framebuffer = new Framebuffer(context, 8, 8))
         {
             float last = 0;
-            Func<float, bool> progress = fraction =>
+            Func<float, Result> progress = fraction =>
             {
                 last = fraction;
-                return false;
+                return Result.Ok;
             };
             context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = progress });
             Check.Equal(1.0f, last, "the last fraction");
             ShdException problem = Check.Throws<ShdException>(
-                () => context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = fraction => true }));
+                () => context.Render(new RenderDesc { Framebuffer = framebuffer,
+                                                      Progress = fraction => Result.ErrorCancelled }));
             Check.Equal(Result.ErrorCancelled, problem.Result, "Result");
+            progress = fraction => Result.ErrorNotFound;
+            problem = Check.Throws<ShdException>(
+                () => context.Render(new RenderDesc { Framebuffer = framebuffer, Progress = progress }));
+            Check.Equal(Result.ErrorNotFound, problem.Result, "Result");
             Check.Throws<FormatException>(() => context.Render(new RenderDesc { Framebuffer = framebuffer,
                 Progress = fraction => { throw new FormatException("from the callback"); } }), "from the callback");
         }

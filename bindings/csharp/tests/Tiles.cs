@@ -65,10 +65,11 @@ public static class Tiles
             for (int i = 0; i < tiles.Count; ++i)
             {
                 TextureTile tile = tiles[i];
-                for (int y = 0; y < tile.Height; ++y)
+                Region area = tile.Area;
+                for (int y = 0; y < area.Height; ++y)
                 {
-                    int first = (tile.Y + y) * Math.Max(1, Width >> tile.Level) + tile.X;
-                    new ReadOnlySpan<byte>(levels[tile.Level], first * 4, tile.Width * 4).CopyTo(tile.Row(y));
+                    int first = ((int)area.Y + y) * Math.Max(1, Width >> tile.Level) + (int)area.X;
+                    new ReadOnlySpan<byte>(levels[tile.Level], first * 4, (int)area.Width * 4).CopyTo(tile.Row(y));
                 }
             }
         }
@@ -120,8 +121,8 @@ public static class Tiles
     {
         TileRegion region = TileRegion.Default;
         region.Level = 1;
-        region.Width = Width / 2;
-        region.Height = Height / 2;
+        region.Area.Width = Width / 2;
+        region.Area.Height = Height / 2;
         return region;
     }
 
@@ -133,11 +134,11 @@ public static class Tiles
             float[][] expected = source.Sample(source.Memory);
             Check.IsTrue(AreEqual(expected, source.Sample(source.Texture)), "bits");
             TileCacheStats stats = source.Cache.Stats;
-            Check.Equal((ulong)source.Calls, stats.Loads, "Loads");
-            Check.Equal((ulong)source.Loaded, stats.LoadedTiles, "LoadedTiles");
-            Check.Equal((uint)source.Loaded, stats.ResidentTiles, "ResidentTiles");
+            Check.Equal((ulong)source.Calls, stats.LoadCount, "LoadCount");
+            Check.Equal((ulong)source.Loaded, stats.LoadedTileCount, "LoadedTileCount");
+            Check.Equal((long)source.Loaded, stats.ResidentTileCount, "ResidentTileCount");
             source.Sample(source.Texture);
-            Check.Equal(stats.Loads, source.Cache.Stats.Loads, "Loads of resident tiles");
+            Check.Equal(stats.LoadCount, source.Cache.Stats.LoadCount, "loads of resident tiles");
         }
     }
 
@@ -156,7 +157,7 @@ public static class Tiles
                     Check.Throws<Problem>(() => call(texture));
                     Check.IsTrue(AreEqual(expected, source.Sample(texture)), "bits after an exception");
                 }
-            Check.IsTrue(source.Cache.Stats.FailedTiles >= 3, "FailedTiles");
+            Check.IsTrue(source.Cache.Stats.FailedTileCount >= 3, "FailedTileCount");
         }
     }
 
@@ -182,9 +183,9 @@ public static class Tiles
         using (Source source = new Source())
         {
             source.Texture.PinTiles(Region());
-            Check.Equal(12u, source.Cache.Stats.PinnedTiles, "PinnedTiles");
+            Check.Equal(12L, source.Cache.Stats.PinnedTileCount, "PinnedTileCount");
             source.Texture.UnpinTiles(Region());
-            Check.Equal(0u, source.Cache.Stats.PinnedTiles, "PinnedTiles");
+            Check.Equal(0L, source.Cache.Stats.PinnedTileCount, "PinnedTileCount");
             Check.Throws<ShdException>(() => source.Texture.UnpinTiles(Region()), "pinned");
             source.Texture.LoadTiles(Region());
             Check.Equal(12, source.Loaded, "tiles");
@@ -233,9 +234,8 @@ public static class Tiles
             desc.Tiles = new TileSource(source.Cache, null);
             Check.Throws<ShdException>(() => new Texture(source.Context, desc), "texture.tiles.load");
             desc.Tiles = new TileSource(source.Cache, tiles => { });
-            desc.Depth = 2;
-            desc.Layers = 2;
-            Check.Throws<ShdException>(() => new Texture(source.Context, desc), "texture.layers");
+            desc.LayerCount = 0;
+            Check.Throws<ShdException>(() => new Texture(source.Context, desc), "texture.layer_count: 0");
             Check.Throws<ShdException>(() => source.Memory.LoadTiles(Region()), "tiles");
             TileCacheDesc small = TileCacheDesc.Default;
             small.BudgetBytes = 1;
@@ -250,13 +250,13 @@ public static class Tiles
         using (Context context = new Context())
         using (TileCache cache = new TileCache(context))
         {
-            TileLoader[] loaders = { tiles => tiles[tiles.Count].Row(0), tiles => tiles[0].Row(tiles[0].Height) };
+            TileLoader[] loaders = { tiles => tiles[tiles.Count].Row(0), tiles => tiles[0].Row((int)tiles[0].Area.Height) };
             foreach (TileLoader loader in loaders)
                 using (Texture texture = new Texture(context, new TextureDesc(Format.R8, 1, 1, null) {
                     Tiles = new TileSource(cache, loader) }))
                 {
                     TileRegion region = TileRegion.Default;
-                    region.Width = region.Height = 1;
+                    region.Area.Width = region.Area.Height = 1;
                     Check.Throws<ArgumentOutOfRangeException>(() => texture.LoadTiles(region), "1 is not in [0, 1)");
                 }
         }
@@ -269,14 +269,14 @@ public static class Tiles
         using (Context context = new Context())
         using (TileCache cache = new TileCache(context))
         {
-            TileFileDesc desc = new TileFileDesc { Cache = cache, ColorSpace = ColorEncoding.Linear };
+            TileFileDesc desc = new TileFileDesc { Cache = cache, Encoding = ColorEncoding.Linear };
             TileFileInfo info;
             byte[] texels = new byte[256];
             for (int i = 0; i < 256; ++i) texels[i] = (byte)i;
             using (Texture texture = Files.OpenTexture(context, path, desc, out info))
             using (Texture memory = new Texture(context, new TextureDesc(Format.R8, 16, 16, texels)))
             {
-                Check.Equal(1u, info.Files, "Files");
+                Check.Equal(1L, info.FileCount, "FileCount");
                 Check.Equal(16u, info.TileWidth, "TileWidth");
                 Check.IsTrue(AreEqual(Look(context, memory, MissingTiles.Wait),
                                       Look(context, texture, MissingTiles.Wait)), "bits");

@@ -91,7 +91,7 @@ int main(int count, char** arguments) {
                       : strcmp(simd, "avx2") == 0 ? SHD_SIMD_AVX2
                                                   : SHD_SIMD_BEST;
   require(shd_context_create(&context_desc, &context));
-  plane.shape = SHD_SHAPE_PLANE;
+  plane.kind = SHD_SHAPE_PLANE;
   plane.size[0] = plane.size[2] = 32.0f;
   require(shd_mesh_create_shape(context, &plane, 0, &mesh));
   framebuffer_desc.width = WIDTH, framebuffer_desc.height = HEIGHT;
@@ -117,7 +117,8 @@ int main(int count, char** arguments) {
   image.format = SHD_FORMAT_RGBA8_SRGB;
   image.pixels = s_pixels;
   require(shd_framebuffer_read_color(framebuffer, &image));
-  printf("%s %s %.3f ms %016llx\n", shd_context_simd_target(context), filter, best, (unsigned long long)hash_pixels());
+  printf("%s %s %.3f ms %016llx\n", shd_context_get_simd_target(context), filter, best,
+         (unsigned long long)hash_pixels());
   shd_framebuffer_release(framebuffer);
   shd_material_release((shd_material*)draw.material);
   shd_mesh_release(mesh);

@@ -21,7 +21,7 @@ export function renderFloor(shd, filter = "trilinear") {
   });
   const framebuffer = new shd.Framebuffer(context, { width: 640, height: 480, colorFormat: "rgba8_srgb" });
   const frame = {
-    framebuffer, draws: [{ mesh: shd.Mesh.shape(context, { shape: "plane", size: [32, 1, 32] }), material }],
+    framebuffer, draws: [{ mesh: shd.Mesh.shape(context, { kind: "plane", size: [32, 1, 32] }), material }],
     camera: { eye: [0, 1, 8], target: [0, 0.5, 0] },
   };
   let best = Infinity;

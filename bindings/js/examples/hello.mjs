@@ -14,16 +14,16 @@ const placeTransform = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0.5, 0, 1];
 const material = (solid) => new shd.Material(context, {
   model: "blinn_phong", diffuse: [1, 1, 1], slots: [{ target: "diffuse", solid, placeTransform }],
 });
-const framebuffer = new shd.Framebuffer(context, { width: 480, height: 320, samples: 4 });
+const framebuffer = new shd.Framebuffer(context, { width: 480, height: 320, sampleCount: 4 });
 const stats = shd.render(context, {
   framebuffer,
   clearColor: [0.05, 0.07, 0.1, 1],
   draws: [
-    { mesh: shd.Mesh.shape(context, { shape: "teapot" }), material: material(wood) },
-    { mesh: shd.Mesh.shape(context, { shape: "plane", size: [40, 1, 40] }), material: material(tiles) },
+    { mesh: shd.Mesh.shape(context, { kind: "teapot" }), material: material(wood) },
+    { mesh: shd.Mesh.shape(context, { kind: "plane", size: [40, 1, 40] }), material: material(tiles) },
   ],
   lights: [new shd.Light(context, { kind: "directional", direction: [-0.5, -1, -0.6], intensity: [0.8, 0.8, 0.8] })],
   camera: { eye: [3, 4.5, 7.5], target: [0.1, 1.3, 0] },
 });
 writeFileSync(process.argv[2] ?? "picture.png", encodePng(480, 320, framebuffer.readColor()));
-console.log(`${stats.fragments} fragments`);
+console.log(`${stats.fragmentCount} fragments`);

@@ -49,10 +49,10 @@ function lookUp(shd, context) {
 
 /** A torus of one material in the light of the sun, with four samples a pixel, as RGBA8 in sRGB. */
 function draw(shd, context, material) {
-  const framebuffer = new shd.Framebuffer(context, { width: 320, height: 200, samples: 4 });
+  const framebuffer = new shd.Framebuffer(context, { width: 320, height: 200, sampleCount: 4 });
   shd.render(context, {
     framebuffer,
-    draws: [{ mesh: shd.Mesh.shape(context, { shape: "torus" }), material }],
+    draws: [{ mesh: shd.Mesh.shape(context, { kind: "torus" }), material }],
     lights: [new shd.Light(context, { kind: "directional", direction: [-0.5, -1, -0.25] })],
     camera: { eye: [0.5, 1.5, 2] },
   });

@@ -2,9 +2,10 @@
 // Functions of JavaScript that the library calls. An exception becomes that of the call that ran the function.
 import { callbacks as table } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
+import { readStruct } from "./read.js";
 import { ShdError } from "./error.js";
 
-const FAILED = 9;
+const CANCELLED = 8, FAILED = 9;
 const LENGTHS = { objectToWorld: 16, worldToView: 16, viewToClip: 16, eye: 3 };
 const POINTERS = { attribute: "attributeCount", varying: "varyingCount" };
 
@@ -39,6 +40,7 @@ class Record {
     const field = this._fields.get(name);
     const word = this._word(name);
     if (field.kind === "number") return word;
+    if (field.kind === "struct") return readStruct(this._memory, field.type, this._address + field.offset);
     if (name === "uniforms") return word;
     if (POINTERS[name]) {
       return this._pointers(word, this._word(POINTERS[name])).map((p) => this._view(p, Float32Array, this._rows));
@@ -48,9 +50,9 @@ class Record {
       const all = pointers.map((p) => this._view(p, Float32Array, this._rows));
       return Array.from({ length: all.length / 4 }, (_, i) => all.slice(4 * i, 4 * i + 4));
     }
-    if (name === "texels") return this._view(word, Uint8Array, this._word("rowStride") * this._word("height"));
+    if (name === "texels") return this._view(word, Uint8Array, this._word("rowStride") * this._get("area").height);
     if (name === "channel") {
-      const [stride, width, height] = [this._word("rowStride") / 4, this._word("width"), this._word("height")];
+      const stride = this._word("rowStride") / 4, { width, height } = this._get("area");
       return this._pointers(this._address + field.offset, 4)
         .map((p) => this._view(p, Float32Array, stride * (height - 1) + width));
     }
@@ -131,8 +133,8 @@ export class Callbacks {
         if (!isRest) values.push(this.#argument(name, parameter, words[i], values, words[i + 1]));
       });
       const returned = this.#groups.get(id)[name](...values);
-      if (result === "number") return Number(returned ?? 0);
-      return isVoid ? undefined : 0;
+      if (isVoid) return undefined;
+      return name === "progress.report" && returned === false ? CANCELLED : 0;
     } catch (problem) {
       this.failure ??= { problem };
       return isVoid ? undefined : FAILED;

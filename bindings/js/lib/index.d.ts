@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Types of the module. Descs, enums and the functions of C are in api.d.ts, which is generated.
+/// <reference lib="esnext.disposable" />
 import type * as api from "./api.js";
 
 export type * from "./api.js";
@@ -10,6 +11,13 @@ export type Numbers = ArrayLike<number> | ArrayLike<number>[] | Allocation;
 export type Pixels = TypedArray | ArrayBuffer | Allocation;
 /** Elements of an array: `offset` and `stride` count elements. */
 export interface Strided<T> { data: T | Allocation; offset?: number; stride?: number }
+/** New arrays. Since TypeScript 5.7 the types say that their memory is not shared, as ImageData requires. */
+type Bytes = ReturnType<typeof Uint8ClampedArray.of>;
+type Halves = ReturnType<typeof Uint16Array.of>;
+type Words = ReturnType<typeof Uint32Array.of>;
+type Floats = ReturnType<typeof Float32Array.of>;
+/** Results, with the number of rows whose inputs were not finite. */
+type Counted<T> = T & { nonfiniteCount: number };
 type Array32 = Float32Array | Uint32Array | Uint16Array;
 /** A column of numbers. Arrays in the memory of WebAssembly are used in place, others are copied. */
 export type Column = Array32 | number[] | Allocation | Strided<Array32>;
@@ -53,12 +61,12 @@ export interface Context extends SharedObject {
 export interface Texture extends SharedObject {
   readonly info: api.TextureInfo;
   /** Filtered values of lookups, as columns r, g, b and a. */
-  sample(sampler: Sampler, lookups: api.Lookups): { channel: Float32Array[] };
-  sample<T extends api.Texels>(sampler: Sampler, lookups: api.Lookups, out: T): T;
+  sample(sampler: Sampler, lookups: api.Lookups): Counted<{ channel: Floats[] }>;
+  sample<T extends api.Texels>(sampler: Sampler, lookups: api.Lookups, out: T): Counted<T>;
   /** Lookups that can be run many times. All columns must be in the memory of WebAssembly. */
   lookup(sampler: Sampler, lookups: api.Lookups, out: api.Texels): Lookup;
-  queryLevels(sampler: Sampler, lookups: api.Lookups): { lod: Float32Array; level: Uint32Array };
-  queryLevels<T extends api.Levels>(sampler: Sampler, lookups: api.Lookups, out: T): T;
+  queryLevels(sampler: Sampler, lookups: api.Lookups): Counted<{ lod: Floats; level: Words }>;
+  queryLevels<T extends api.Levels>(sampler: Sampler, lookups: api.Lookups, out: T): Counted<T>;
   /** How the lookup `index` was filtered. */
   explain(sampler: Sampler, lookups: api.Lookups, index?: number): Required<api.Explanation>;
   readLevel(layer: number, level: number, image: api.Image): api.Image;
@@ -81,7 +89,8 @@ export interface TileCache extends SharedObject {
 /** A tile that a function fills, valid until the function returns. */
 export interface Tile {
   readonly layer: number; readonly level: number;
-  readonly x: number; readonly y: number; readonly width: number; readonly height: number;
+  /** Texels of the level to fill. */
+  readonly area: Readonly<Required<api.Region>>;
   /** Bytes between rows. */
   readonly rowStride: number;
   /** Bytes of the rows, in the format of the texture. */
@@ -102,34 +111,38 @@ export interface Volume extends SharedObject {}
 export interface Mesh extends SharedObject {
   readonly info: api.MeshInfo;
   /** Columns of the vertices as one interleaved array. */
-  read(part: "positions" | "normals" | "tangents" | "uv" | "uv1"): Float32Array;
-  readAttribute(index: number): Float32Array;
-  readIndices(): Uint32Array;
+  read(part: "positions" | "normals" | "tangents" | "uv" | "uv1"): Floats;
+  readAttribute(index: number): Floats;
+  readIndices(): Words;
   tessellate(context: Context, desc: api.TessellationDesc): Mesh;
 }
 
 export interface Framebuffer extends SharedObject {
   readonly info: api.FramebufferInfo;
   /** Pixels [height][width][4]. Bytes suit ImageData; 16-bit floats are Uint16Array. */
-  readColor(format?: "rgba8_srgb" | "rgba8", out?: Uint8ClampedArray): Uint8ClampedArray;
-  readColor(format: "rgba32f", out?: Float32Array): Float32Array;
-  readColor(format: "rgba16" | "rgba16f", out?: Uint16Array): Uint16Array;
+  readColor(format?: "rgba8_srgb" | "rgba8"): Bytes;
+  readColor(format: "rgba32f"): Floats;
+  readColor(format: "rgba16" | "rgba16f"): Halves;
+  /** Writes to an array of an earlier call, and returns it. */
+  readColor<T extends Uint8ClampedArray>(format: "rgba8_srgb" | "rgba8", out: T): T;
+  readColor<T extends Float32Array>(format: "rgba32f", out: T): T;
+  readColor<T extends Uint16Array>(format: "rgba16" | "rgba16f", out: T): T;
   /** A copy of a plane, [height][width]. */
-  readPlane(plane: "triangle" | "level" | "draw" | "overdraw"): Uint32Array;
-  readPlane(plane: api.Plane): Float32Array;
+  readPlane(plane: "triangle" | "level" | "draw" | "overdraw"): Words;
+  readPlane(plane: api.Plane): Floats;
   /** A plane without a copy, valid until the memory grows or the framebuffer closes. `rowStride` counts elements. */
   viewPlane(plane: api.Plane): { array: Float32Array | Uint32Array; rowStride: number };
 }
 
 export interface Environment extends SharedObject {
   readonly info: api.EnvironmentInfo;
-  irradiance<T extends api.EnvironmentLight>(lookups: api.EnvironmentLookups, out: T): T;
-  radiance<T extends api.EnvironmentLight>(lookups: api.EnvironmentLookups, out: T): T;
+  sampleIrradiance<T extends api.EnvironmentValues>(lookups: api.EnvironmentLookups, out: T): Counted<T>;
+  sampleRadiance<T extends api.EnvironmentValues>(lookups: api.EnvironmentLookups, out: T): Counted<T>;
 }
 
 export interface Shadow extends SharedObject {
   render(context: Context, desc: api.ShadowRenderDesc): void;
-  sample<T extends Float32Array>(lookups: api.ShadowLookups, out: T): T;
+  sample<T extends api.ShadowValues>(lookups: api.ShadowLookups, out: T): Counted<T>;
 }
 
 /** Columns of fragments, valid until the program returns. */
@@ -188,7 +201,9 @@ export interface Rays {
 
 /** A finished tile. `rowStride` is in bytes. */
 export interface PresentTile {
-  readonly x: number; readonly y: number; readonly width: number; readonly height: number;
+  readonly worker: number;
+  /** Pixels of the framebuffer. */
+  readonly area: Readonly<Required<api.Region>>;
   readonly rowStride: number;
   readonly channel: Float32Array[];
 }

@@ -13,9 +13,9 @@ export const arrayOf = (word) => NUMBERS[word];
 /** A field: kind and name of its type, offset, number of elements, and the field that has its length. */
 function unpackField(name, [offset, word, count = 1, rows = ""]) {
   const [kind, type = "", way = ""] = word.split(":");
-  const [counter, unit = "1"] = rows.split("*");
+  const [counter, unit = "1"] = rows.split("*");  // the unit is a number, or the name of a field
   return { name, offset, kind: NUMBERS[kind] ? "number" : kind, type: NUMBERS[kind] ? kind : type, way, count, counter,
-           unit: Number(unit) };
+           unit };
 }
 
 const structs = new Map();

@@ -27,7 +27,7 @@ class Reference {
 export class SharedObject {
   #reference = null;
   constructor(module, kind, create, values) {
-    this.module = module;
+    Object.defineProperty(this, "module", { value: module });  // consoles do not print it
     this.kind = kind;
     let made;
     const handle = invoke(module, create, values, (call) => { made = call; });

@@ -16,8 +16,8 @@ function moduleOf(context) {
 /** Owner of the log and memory of its objects. `new shd.Context(desc)` */
 export class Context extends SharedObject {
   constructor(module, desc = {}) { super(module, "context", "shd_context_create", [desc]); }
-  get simdTarget() { return call(this, "shd_context_simd_target"); }
-  get workerCount() { return call(this, "shd_context_worker_count"); }
+  get simdTarget() { return call(this, "shd_context_get_simd_target"); }
+  get workerCount() { return call(this, "shd_context_get_worker_count"); }
   trim() { call(this, "shd_context_trim"); }
 }
 
@@ -122,8 +122,8 @@ export class Light extends SharedObject {
 export class Environment extends SharedObject {
   constructor(context, desc) { super(moduleOf(context), "environment", "shd_environment_create", [context, desc]); }
   get info() { return call(this, "shd_environment_get_info"); }
-  irradiance(lookups, out) { call(this, "shd_environment_irradiance", lookups, out); return out; }
-  radiance(lookups, out) { call(this, "shd_environment_radiance", lookups, out); return out; }
+  sampleIrradiance(lookups, out) { call(this, "shd_environment_sample_irradiance", lookups, out); return out; }
+  sampleRadiance(lookups, out) { call(this, "shd_environment_sample_radiance", lookups, out); return out; }
 }
 
 export class Shadow extends SharedObject {

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Arrays of pixels have the size that their struct states.
+import { enums } from "./api.js";
 import { refuse } from "./error.js";
+
+/** Slices, faces or layers of a texture; an image has none of the fields. */
+function imagesOf(read) {
+  const is3d = read("kind") === enums.texture_kind["3d"];
+  return Math.max(1, read(is3d ? "depth" : "layerCount"));
+}
 
 /** Bytes of an image or of the texels of a texture: rows of texels, or of compressed blocks of 4 x 4 texels. */
 function bytesNeeded(read, raw) {
@@ -8,8 +15,7 @@ function bytesNeeded(read, raw) {
   const block = raw.shd_format_block_size?.(read("format")) ?? 0, side = block ? 4 : 1;
   const packed = Math.ceil(read("width") / side) * (block || raw.shd_format_size(read("format")));
   const rows = Math.ceil(read("height") / side), row = read("rowStride") || packed;
-  const layers = Math.max(1, read("layers")) * Math.max(1, read("depth"));
-  return (read("layerStride") || row * rows) * (layers - 1) + row * (rows - 1) + packed;
+  return (read("layerStride") || row * rows) * (imagesOf(read) - 1) + row * (rows - 1) + packed;
 }
 
 /** Compares the length of `pixels` or `texels` with the width, height, layers and strides of a struct. */

@@ -6,6 +6,7 @@ import { placeData, writeColumns } from "./column.js";
 import { checkPixels } from "./pixels.js";
 import { refuse, describe } from "./error.js";
 
+const FACES = 6;  // of a cube
 const RANGES = { u8: [0, 255], u16: [0, 65535], u32: [0, 4294967295], i32: [-2147483648, 2147483647] };
 const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "setUint16", u32: "setUint32",
     i32: "setInt32" };
@@ -76,11 +77,18 @@ function writeList(call, field, value, label, state) {
   return address;
 }
 
+/** The elements that count as one of the length: a number, or the value of a field. */
+function unitOf(call, state, field) {
+  const other = state.struct.fields.get(field.unit);
+  return other ? Math.max(1, call.memory.view.getUint32(state.address + other.offset, true)) : Number(field.unit);
+}
+
 /** Sets the field that has the length of a list, or compares it with an earlier list. */
 function setCount(call, state, field, count, label) {
   if (!field.counter) return;
-  const units = count / field.unit;
-  if (!Number.isInteger(units)) refuse(label, `${count} numbers, not a multiple of ${field.unit}`);
+  const unit = unitOf(call, state, field);
+  const units = count / unit;
+  if (!Number.isInteger(units)) refuse(label, `${count} elements, not a multiple of ${unit}`);
   const known = state.counts.get(field.counter);
   if (known === undefined) {
     state.counts.set(field.counter, units);
@@ -148,12 +156,28 @@ const UNAVAILABLE = new Set(["allocator", "executor", "display"]);
 const isPlain = (value) => value !== null && typeof value === "object" && !Array.isArray(value)
     && !ArrayBuffer.isView(value);
 
-/** What is not written as it stands: functions for structs with one function, and the source of a slot. */
+/** A depth or a projection that is given without a kind decides the kind of a texture. */
+function completeTexture(value, label) {
+  let { kind } = value;
+  if (kind == null && value.depth != null && value.projection != null) {
+    refuse(`${label}.kind`, "depth is of 3D textures and projection of directions; give the kind, too");
+  }
+  if (kind == null && value.depth != null) kind = "3d";
+  if (kind == null && value.projection != null) kind = "directions";
+  if (kind == null) return value;
+  const { texture_kind: kinds, projection: projections } = enums;
+  const isCube = enumValue("texture_kind", kind, `${label}.kind`) === kinds.directions && value.projection != null
+      && enumValue("projection", value.projection, `${label}.projection`) === projections.cube;
+  return isCube && (value.layerCount ?? 1) === 1 ? { ...value, kind, layerCount: FACES } : { ...value, kind };
+}
+
+/** What is not written as it stands: functions for structs with one function, kinds of textures, sources of slots. */
 function complete(struct, value, label) {
   if (UNAVAILABLE.has(struct.name)) refuse(label, "not available in JavaScript");
   const first = struct.list.find((f) => f.kind === "function");
   if (typeof value === "function" && first) value = { [first.name]: value };
   if (!isPlain(value)) refuse(label, `an object with fields of ${struct.name}, not ${describe(value)}`);
+  if (struct.name === "texture_desc") return completeTexture(value, label);
   if (struct.name !== "slot" || value.source !== undefined) return value;
   const source = { texture: "texture", procedure: "procedure", solid: "solid", attribute: "vertex" };
   const given = Object.keys(source).find((key) => value[key] !== undefined);

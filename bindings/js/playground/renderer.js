@@ -41,7 +41,7 @@ export class Renderer {
   draw(scene, view = "shaded", inspect = false, [top, bottom] = [0, scene.height]) {
     const [shd, context, cache] = [this.#shd, this.#context, this.#cache];
     const aovs = inspect ? "uv|derivatives|level|draw" : AOVS[view];
-    const size = { width: scene.width, height: scene.height, samples: scene.samples, colorFormat: "rgba8_srgb", aovs };
+    const size = { width: scene.width, height: scene.height, sampleCount: scene.samples, colorFormat: "rgba8_srgb", aovs };
     const framebuffer = cache.get("framebuffer", size, () => new shd.Framebuffer(context, size));
     const texture = cache.get("texture", scene.texture, () => new shd.Texture(context, {
       format: "rgba8_srgb", width: SIZE, height: SIZE, texels: makeTexels(scene.texture), tables: "mipmap" }));
@@ -55,7 +55,7 @@ export class Renderer {
     for (const [side, x, width] of [[0, 0, scene.splitAt], [1, scene.splitAt, scene.width - scene.splitAt]]) {
       if (!width || top >= bottom) continue;
       const scissor = { x, y: top, width, height: bottom - top };
-      fragments += shd.render(context, { ...frame, draws: sides[side], scissor }).fragments;
+      fragments += shd.render(context, { ...frame, draws: sides[side], scissor }).fragmentCount;
     }
     const milliseconds = performance.now() - start;
     cache.sweep();

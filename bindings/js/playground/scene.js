@@ -3,11 +3,11 @@
 import { sideOf } from "./state.js";
 
 const SHAPES = {
-  teapot: { desc: { shape: "teapot", segments: [10, 0, 0] }, scale: 0.62, lift: 0, uv: 1 },
-  torus: { desc: { shape: "torus", radius: 1, tubeRadius: 0.42, segments: [96, 48, 0] }, scale: 1, lift: 0.42,
+  teapot: { desc: { kind: "teapot", segments: [10, 0, 0] }, scale: 0.62, lift: 0, uv: 1 },
+  torus: { desc: { kind: "torus", radius: 1, tubeRadius: 0.42, segments: [96, 48, 0] }, scale: 1, lift: 0.42,
       uv: [4, 2] },
-  sphere: { desc: { shape: "sphere", segments: [96, 48, 0] }, scale: 1, lift: 1, uv: [4, 2] },
-  plane: { desc: { shape: "plane", size: [2.4, 1, 2.4] }, scale: 1, lift: 0.02, uv: 1 },
+  sphere: { desc: { kind: "sphere", segments: [96, 48, 0] }, scale: 1, lift: 1, uv: [4, 2] },
+  plane: { desc: { kind: "plane", size: [2.4, 1, 2.4] }, scale: 1, lift: 0.02, uv: 1 },
 };
 const FLOOR = 240;
 const SKY = [0.2, 0.27, 0.36, 1];
@@ -39,7 +39,7 @@ export function describe(state) {
   const draws = [{ mesh: shape.desc, material: materialOf(state, scaling(uv, repeat)),
       objectToWorld: placement(shape.scale, shape.lift) }];
   if (state.floor) {
-    draws.push({ mesh: { shape: "plane", size: [FLOOR, 1, FLOOR] }, material: materialOf(state, scaling([FLOOR / 2,
+    draws.push({ mesh: { kind: "plane", size: [FLOOR, 1, FLOOR] }, material: materialOf(state, scaling([FLOOR / 2,
         FLOOR / 2], repeat)),
                  objectToWorld: placement(1, 0) });
   }

@@ -28,5 +28,7 @@ if ! npm install --no-audit --no-fund --silent typescript@5 2>/dev/null; then
   exit 0
 fi
 cp "$source/tests/example.ts" example.mts
-npx tsc --noEmit --strict --target esnext --module nodenext --moduleResolution nodenext --lib esnext,dom example.mts
+for lib in esnext es2022; do
+  npx tsc --noEmit --strict --target esnext --module nodenext --moduleResolution nodenext --lib $lib,dom example.mts
+done
 echo "the types of the example are right"

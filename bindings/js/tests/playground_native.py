@@ -33,7 +33,7 @@ def draw(scene, texels):
     pixels = np.frombuffer(texels, np.uint8).reshape(int(side), int(side), 4)
     texture = shd.Texture(context, pixels, srgb=True, tables="mipmap")
     lights = [shd.Light(context, **light) for light in scene["lights"]]
-    framebuffer = shd.Framebuffer(context, scene["width"], scene["height"], samples=scene["samples"],
+    framebuffer = shd.Framebuffer(context, scene["width"], scene["height"], sample_count=scene["samples"],
                                   color_format="rgba8_srgb")
     edges = [0, scene["splitAt"], scene["width"]]
     picture = np.empty((scene["height"], scene["width"], 4), np.uint8)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of the module in Node: node run.mjs [file...]
 import { test } from "./support.mjs";
+import "./test_garbage.mjs";
 import "./test_lookup.mjs";
 import "./test_objects.mjs";
 import "./test_random.mjs";

@@ -20,12 +20,12 @@ test("lookup/blocks", (shd, context) => {
   };
   assert.deepEqual(codes({ format: "bc1_rgb", width: 4, height: 4, texels: bc1 }, 0), [0, 0, 255, 255]);
   assert.deepEqual(codes({ format: "bc7", width: 3, height: 1, texels: bc7 }, 0), [255, 41, 1, 255]);
-  const levels = [{ format: "bc7", width: 4, height: 2, pixels: bc7 }];
-  const desc = { format: "bc7", width: 8, height: 4, texels: new Uint8Array(32), tables: "mipmap", levels };
+  const levelImages = [{ format: "bc7", width: 4, height: 2, pixels: bc7 }];
+  const desc = { format: "bc7", width: 8, height: 4, texels: new Uint8Array(32), tables: "mipmap", levelImages };
   assert.deepEqual([codes(desc, 0), codes(desc, 1)], [[0, 0, 0, 0], [255, 41, 1, 255]]);
   refused(() => codes({ ...desc, texels: bc7 }, 0), "desc.texels: 16 bytes, fewer than the 32");
-  levels[0].pixels = bc1;
-  refused(() => codes(desc, 0), "desc.levels[0].pixels: 8 bytes, fewer than the 16");
+  levelImages[0].pixels = bc1;
+  refused(() => codes(desc, 0), "desc.levelImages[0].pixels: 8 bytes, fewer than the 16");
 });
 
 test("lookup/columns", (shd, context) => {
@@ -43,6 +43,37 @@ test("lookup/columns", (shd, context) => {
   const gaps = new Float32Array(8).fill(7);
   texture.sample(sampler, { u: half, v: half }, { channel: [{ data: gaps, stride: 2 }] });
   assert.deepEqual([...gaps], [...want].flatMap((v) => [v, 7]));
+});
+
+test("lookup/kinds", (shd, context) => {
+  const desc = { format: "r32f", width: 1, height: 1, texels: new Float32Array([0, 1, 2, 3, 4, 5]) };
+  const make = (more) => new shd.Texture(context, { ...desc, ...more });
+  const info = (more) => {
+    const { kind, depth, layerCount } = make(more).info;
+    return `${kind} ${depth} ${layerCount}`;
+  };
+  assert.equal(info({}), "2d 1 1");
+  assert.equal(info({ depth: 6 }), "3d 6 1");
+  assert.equal(info({ depth: 6, projection: "cube", kind: "3d" }), "3d 6 1");
+  assert.equal(info({ depth: 7, layerCount: 6, kind: "2d" }), "2d 1 6");
+  assert.equal(info({ projection: "lat_long" }), "directions 1 1");
+  assert.equal(info({ projection: "cube", layerCount: 9 }), "directions 1 6");
+  const axes = { u: [1, -1, 0, 0, 0, 0], v: [0, 0, 1, -1, 0, 0], w: [0, 0, 0, 0, 1, -1] };
+  const found = make({ projection: "cube" }).sample(new shd.Sampler(context, { filter: "nearest" }), axes).channel[0];
+  assert.deepEqual([...found], [0, 1, 2, 3, 4, 5]);
+  const image = (value) => ({ format: "r32f", width: 1, height: 1, pixels: new Float32Array([value]) });
+  const levels = { width: 2, height: 2, tables: "mipmap", levelImages: [10, 11, 12, 13, 14, 15].map(image) };
+  for (const more of [{ projection: "cube" }, { layerCount: 6 }]) {
+    const made = make({ ...levels, ...more, texels: new Float32Array(24) });
+    assert.deepEqual([0, 5].map((face) => made.readLevel(face, 1, image(0)).pixels[0]), [10, 15]);
+  }
+  const few = { ...levels, texels: new Float32Array(24), projection: "cube", levelImages: [image(0)] };
+  refused(() => make(few), "desc.levelImages: 1 elements, not a multiple of 6");
+  refused(() => make({ depth: 6, projection: "cube" }), "desc.kind: depth is of 3D textures and projection of");
+  refused(() => make({ depth: 7 }), "desc.texels: 24 bytes, fewer than the 28");
+  refused(() => make({ projection: "cube", texels: new Float32Array(2) }), "desc.texels: 8 bytes, fewer than the 24");
+  refused(() => make({ kind: "4d" }), 'desc.kind: "4d" is none of 2d, 3d, directions');
+  refused(() => make({ projection: "none" }), "texture.projection");
 });
 
 test("lookup/allocation", (shd, context) => {

@@ -18,7 +18,7 @@ function generator(seed) {
 /** Values of many types; some fit a field, most do not. */
 function makeValues(shd, context) {
   const framebuffer = new shd.Framebuffer(context, { width: 8, height: 8 });
-  const mesh = shd.Mesh.shape(context, { shape: "box" });
+  const mesh = shd.Mesh.shape(context, { kind: "box" });
   const texture = new shd.Texture(context, { format: "r8", width: 2, height: 2, texels: new Uint8Array(4),
       tables: "mipmap" });
   const objects = [context, framebuffer, mesh, texture, new shd.Sampler(context), new shd.Material(context),

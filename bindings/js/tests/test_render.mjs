@@ -6,7 +6,7 @@ import { runPrograms } from "../examples/programs.mjs";
 
 function scene(shd, context, material) {
   const framebuffer = new shd.Framebuffer(context, { width: 64, height: 48, aovs: "uv|level" });
-  const mesh = shd.Mesh.shape(context, { shape: "torus" });
+  const mesh = shd.Mesh.shape(context, { kind: "torus" });
   const draws = [{ mesh, material: new shd.Material(context, material) }];
   return { framebuffer, draws, camera: { eye: [0, 1, 3] } };
 }
@@ -21,7 +21,7 @@ test("render/programs", (shd) => {
 test("render/planes", (shd, context) => {
   const frame = scene(shd, context, {});
   const stats = shd.render(context, frame);
-  assert(stats.fragments > 500 && stats.triangles > 100);
+  assert(stats.fragmentCount > 500 && stats.triangleCount > 100);
   const depth = frame.framebuffer.readPlane("depth"), view = frame.framebuffer.viewPlane("depth");
   const rows = Array.from({ length: 48 }, (_, y) => [...view.array.subarray(y * view.rowStride,
       y * view.rowStride + 64)]);
@@ -85,11 +85,12 @@ test("render/callbacks", (shd, context) => {
     slots: [{ target: "diffuse", procedure: (fragments, out) => out[0].fill(0.5) }],
     program: { vertex: (vertices, out) => out.u.set(vertices.v) },
   }) };
-  shd.render(context, { ...frame, progress: (f) => { fractions.push(f); }, present: (tile) => tiles.push([tile.x,
-      tile.y, tile.channel[0][0]]) });
+  shd.render(context, { ...frame, progress: (f) => { fractions.push(f); }, present: (tile) => tiles.push([tile.area.x,
+      tile.area.y, tile.channel[0][0]]) });
   assert.equal(fractions.at(-1), 1);
   assert.equal(tiles.length, 1);
-  refused(() => shd.render(context, { ...frame, progress: () => true }), "", "cancelled");
+  shd.render(context, { ...frame, progress: () => true });
+  refused(() => shd.render(context, { ...frame, progress: () => false }), "", "cancelled");
   const lines = [];
   const logged = new shd.Context({ log: (level, message) => lines.push([level, message]) });
   shd.raw.shd_context_log(logged.reference("context").handle, 2, shd.memory.writeText("hello", "text"));
@@ -105,13 +106,23 @@ test("render/shadow_environment_volume", (shd, context) => {
   const pixels = new Float32Array(8 * 4 * 4).fill(0.5);
   const environment = new shd.Environment(context, { image: { format: "rgba32f", width: 8, height: 4, pixels } });
   assert(Math.abs(environment.info.mean[0] - 0.5) < 1e-3);
-  const light = new shd.Light(context, { kind: "directional" });
+  const light = new shd.Light(context, { kind: "directional", direction: [0, -1, 0] });
   const shadow = new shd.Shadow(context, { size: 64 });
   const frame = scene(shd, context, { model: "metallic_roughness" });
   shadow.render(context, { light, draws: frame.draws, nearPlane: -5, farPlane: 5, boundsMin: [-2, -2, -2],
       boundsMax: [2, 2, 2] });
+  const points = { position: [[0, 1, NaN], [-1, -1, 0], [0, 0, 0]] };  // below the hole, below the ring, nowhere
+  const shaded = shadow.sample(points, { visibility: new Float32Array(3) });
+  assert.deepEqual([...shaded.visibility.subarray(0, 2), shaded.nonfiniteCount], [1, 0, 1]);
+  const channel = [0, 1, 2].map(() => new Float32Array(2));
+  for (const sample of ["sampleIrradiance", "sampleRadiance"]) {
+    const made = environment[sample]({ direction: [[0, NaN], [1, 0], [0, 0]] }, { channel });
+    const expected = sample === "sampleRadiance" ? 0.5 : Math.PI / 2;
+    assert(Math.abs(channel[1][0] - expected) < 1e-2, channel[1][0]);
+    assert.equal(made.nonfiniteCount, 1);
+  }
   const stats = shd.render(context, { ...frame, lights: [light], shadows: [shadow], environment });
-  assert(stats.fragments > 500);
+  assert(stats.fragmentCount > 500);
   refused(() => shd.render(context, { ...frame, lights: [light], shadows: [shadow,
       null] }), "desc.shadows: 2 elements, not lightCount = 1");
 });

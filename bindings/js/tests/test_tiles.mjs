@@ -5,7 +5,7 @@ import { refused, test } from "./support.mjs";
 import { structs } from "../lib/api.js";
 
 const WIDTH = 100, HEIGHT = 70, COUNT = 500;
-const REGION = { level: 1, width: 50, height: 35 };
+const REGION = { level: 1, area: { width: 50, height: 35 } };
 const side = (size, level) => Math.max(1, size >> level);
 
 const lookups = {
@@ -35,9 +35,10 @@ function makeSource(shd, context) {
       throw problem;
     }
     for (const tile of tiles) {
-      for (let y = 0; y < tile.height; ++y) {
-        const first = 4 * ((tile.y + y) * side(WIDTH, tile.level) + tile.x);
-        tile.texels.set(levels[tile.level].subarray(first, first + 4 * tile.width), y * tile.rowStride);
+      const { x, y: top, width, height } = tile.area;
+      for (let y = 0; y < height; ++y) {
+        const first = 4 * ((top + y) * side(WIDTH, tile.level) + x);
+        tile.texels.set(levels[tile.level].subarray(first, first + 4 * width), y * tile.rowStride);
       }
       source.kept = tile;
     }
@@ -56,10 +57,10 @@ test("tiles/bits_of_memory", (shd, context) => {
   const source = makeSource(shd, context);
   const texture = source.make();
   assert.deepEqual(source.sample(texture), source.expected);
-  const { loads, loadedTiles, residentTiles } = source.cache.stats;
-  assert.deepEqual([loads, loadedTiles, residentTiles], [source.calls, source.tiles, source.tiles]);
+  const { loadCount, loadedTileCount, residentTileCount } = source.cache.stats;
+  assert.deepEqual([loadCount, loadedTileCount, residentTileCount], [source.calls, source.tiles, source.tiles]);
   source.sample(texture);
-  assert.equal(source.calls, loads);
+  assert.equal(source.calls, loadCount);
   refused(() => source.kept.texels, "texels: the program of these columns has returned");
 });
 
@@ -103,9 +104,9 @@ test("tiles/regions", (shd, context) => {
   const source = makeSource(shd, context);
   const texture = source.make();
   texture.pinTiles(REGION);
-  assert.equal(source.cache.stats.pinnedTiles, 12);
+  assert.equal(source.cache.stats.pinnedTileCount, 12);
   texture.unpinTiles(REGION);
-  assert.equal(source.cache.stats.pinnedTiles, 0);
+  assert.equal(source.cache.stats.pinnedTileCount, 0);
   assert.throws(() => texture.unpinTiles(REGION), /pinned/);
   texture.loadTiles(REGION);
   assert.equal(source.tiles, 12);
@@ -121,14 +122,14 @@ test("tiles/lifetime", (shd, context) => {
   texture.close();
   source.cache.close();
   const framebuffer = new shd.Framebuffer(context, { width: 8, height: 8 });
-  const mesh = shd.Mesh.shape(context, { shape: "sphere" });
+  const mesh = shd.Mesh.shape(context, { kind: "sphere" });
   shd.render(context, { framebuffer, draws: [{ mesh, material }], camera: { eye: [0, 0, 3] } });
   assert(source.calls > 0);
 });
 
 test("tiles/refused", (shd, context) => {
   const source = makeSource(shd, context);
-  refused(() => source.make({ depth: 2 }), "texture.tables", "unsupported");
+  refused(() => source.make({ depth: 2, tables: "ripmap" }), "texture.tables", "unsupported");
   refused(() => source.make({ tiles: { cache: source.cache, load: 3 } }), "desc.tiles.load: a function, not 3");
   refused(() => source.make({ tiles: { cache: context, load: source.load } }), "desc.tiles.cache: a tile_cache");
   refused(() => new shd.TileCache(context, { budgetBytes: 1 }), "tile_cache.budget_bytes: 1 is not");

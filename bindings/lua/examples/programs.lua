@@ -57,9 +57,9 @@ end
 
 -- Renders a torus of one material in the light of the sun, with four samples a pixel.
 local function draw(context, name, material)
-  local torus = shd.mesh_create_shape(context, {shape = "torus"}, 0)
+  local torus = shd.mesh_create_shape(context, {kind = "torus"}, 0)
   local sun = shd.light(context, {kind = "directional", direction = {-0.5, -1, -0.25}})
-  local framebuffer = shd.framebuffer(context, {width = WIDTH, height = HEIGHT, samples = 4})
+  local framebuffer = shd.framebuffer(context, {width = WIDTH, height = HEIGHT, sample_count = 4})
   context:render {framebuffer = framebuffer, draws = {{mesh = torus, material = material}}, lights = {sun},
     camera = {eye = {0.5, 1.5, 2}}}
   print_hash(name, framebuffer:read_color("rgba8_srgb"))

@@ -117,7 +117,7 @@ end
 -- worker on another thread.
 local function workers_of(context, desc)
   local executor = executor_of(desc)
-  return executor and type(executor.parallel_for) == "cdata" and math.huge or C.shd_context_worker_count(context)
+  return executor and type(executor.parallel_for) == "cdata" and math.huge or tonumber(C.shd_context_get_worker_count(context))
 end
 
 -- A function of Lua in the desc of a context must have one worker before the context is made.

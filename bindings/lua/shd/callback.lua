@@ -2,10 +2,9 @@
 -- Functions of Lua that the library calls.
 --
 -- LuaJIT runs a callback only on the thread of its Lua state, so the context must have one worker, except for callbacks
--- of a load, which run on the thread of the call. There is one C
--- function for each type of callback. The user_data of C is a number that selects the function of Lua: a function that
--- was collected is then an error and not a stale pointer. An error does not unwind through C: it is kept, and the call
--- of the library raises it.
+-- of a load, which run on the thread of the call. There is one C function for each type of callback. The user_data of C
+-- is a number that selects the function of Lua: a function that was collected is then an error and not a stale pointer.
+-- An error does not unwind through C: it is kept, and the call of the library raises it.
 local ffi = require "ffi"
 local array = require "shd.array"
 local enums = require "shd.enums"
@@ -15,8 +14,7 @@ local C = library.C
 
 local callback = {}
 
-local ERROR_NOT_FOUND, ERROR_CALLBACK = 4, 9
-local USER_DATA_LAST = {shd_fragment_fn = true, shd_vertex_fn = true, shd_slot_fn = true, shd_trace_fn = true}
+local ERROR_NOT_FOUND, ERROR_CANCELLED, ERROR_CALLBACK = 4, 8, 9
 local LOOKUPS = {shd_texture_sample = true, shd_solid_evaluate = true}
 -- Functions of the library that a callback may call; true = all.
 local ALLOWED = {shd_fragment_fn = LOOKUPS, shd_vertex_fn = LOOKUPS, shd_slot_fn = LOOKUPS, shd_load_tiles_fn = true,
@@ -56,7 +54,7 @@ local adapters = {
   ["shd_log.write"] = function(run, level, text)
     run(enums.name("shd_log_level", tonumber(level)), ffi.string(text))
   end,
-  ["shd_progress.report"] = function(run, fraction) return run(fraction) and 1 or 0 end,
+  ["shd_progress.report"] = function(run, fraction) return run(fraction) == false and ERROR_CANCELLED or 0 end,
   ["shd_present.tile"] = function(run, tile)
     run(tile)
     return 0
@@ -75,10 +73,10 @@ adapters["shd_executor.parallel_for"] = function(run, count, task, task_data)
   local is_open = true
   local function run_task(index, worker)
     if not is_open then library.refuse("task: the call of parallel_for has ended") end
-    task(task_data, index, worker or 0)
+    task(index, worker or 0, task_data)
   end
   jit.off(run_task)
-  local good, problem = pcall(run, count, run_task)
+  local good, problem = pcall(run, tonumber(count), run_task)
   is_open = false
   if not good then error(problem, 0) end
   return 0
@@ -110,18 +108,20 @@ local function dispatch(name, user_data, a, b, c)
   return returned
 end
 
+-- The functions for C by their number of parameters. The last one is user_data.
+local runners = {
+  [2] = function(name) return function(a, user_data) return dispatch(name, user_data, a) end end,
+  [3] = function(name) return function(a, b, user_data) return dispatch(name, user_data, a, b) end end,
+  [4] = function(name) return function(a, b, c, user_data) return dispatch(name, user_data, a, b, c) end end,
+}
+
 local trampolines = {}
 
 -- The C function of a type of callback. It is never freed.
 local function trampoline(name)
   if not trampolines[name] then
-    local run
-    if USER_DATA_LAST[name] then
-      function run(a, b, user_data) return dispatch(name, user_data, a, b) end
-    else
-      function run(user_data, a, b, c) return dispatch(name, user_data, a, b, c) end
-    end
-    trampolines[name] = ffi.cast(tables.callbacks[name].type, run)
+    local callback_type = tables.callbacks[name]
+    trampolines[name] = ffi.cast(callback_type.type, runners[callback_type.parameters](name))
   end
   return trampolines[name]
 end

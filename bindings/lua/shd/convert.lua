@@ -227,7 +227,7 @@ local function set_callback(struct, names, field, value, state, label)
   end
   if type(value) ~= "function" then refuse("%s: a function, not %s", label, type(value)) end
   local run, user_data = callback.bind(field[3], value, state, label)
-  struct[field[1]], struct[names.user_data and "user_data" or field[1] .. "_user_data"] = run, user_data
+  struct[field[1]], struct.user_data = run, user_data
   if callback.OF_CALL[field[3]] then
     state.keep[#state.keep + 1] = state.entry
     return
@@ -355,6 +355,16 @@ local function slot_source(struct, value)
   end
 end
 
+-- A depth or a projection that is given without a kind decides the kind of a texture.
+local function texture_kind(struct, value, label)
+  if value.kind ~= nil then return end
+  if value.depth ~= nil and value.projection ~= nil then
+    refuse("%s.kind: depth is of 3D textures and projection of directions; give the kind, too", label)
+  end
+  if value.depth ~= nil then struct.kind = ffi.C.SHD_TEXTURE_KIND_3D end
+  if value.projection ~= nil then struct.kind = ffi.C.SHD_TEXTURE_KIND_DIRECTIONS end
+end
+
 --- A struct from a table of its fields.
 function build(base, value, state, label)
   local names = names_in(base)
@@ -363,7 +373,11 @@ function build(base, value, state, label)
   local counts, explicit, entry = state.counts, state.explicit, state.entry
   state.counts, state.explicit, state.entry = {}, {}, nil
   state.keep[#state.keep + 1] = made
+  if base == "shd_texture_desc" then texture_kind(made, value, label) end
   for _, is_first in ipairs {true, false} do
+    if base == "shd_texture_desc" and not is_first and value.depth == nil and made.layer_count == 1 then
+      made.layer_count = sizes.images(made)  -- six of a cube: the length of level_images depends on it
+    end
     for _, field in ipairs(tables.structs[base]) do
       if value[field[1]] ~= nil and (FIRST[field[2]] or false) == is_first then
         set[field[2]](made, base, names, field, value[field[1]], state, label .. "." .. field[1])

@@ -56,8 +56,8 @@ function texture:explain(sampler, lookups, index)
   index = convert.number(index or 0, "size_t", "index")
   local explanation = convert.new("shd_explanation")
   library.check(C.shd_texture_explain(own, other, columns, index, explanation))
-  local taps = ffi.new("shd_tap[?]", math.max(1, explanation.tap_count))
-  local blends = ffi.new("shd_blend_step[?]", math.max(1, explanation.blend_count))
+  local taps = ffi.new("shd_tap[?]", math.max(1, tonumber(explanation.tap_count)))
+  local blends = ffi.new("shd_blend_step[?]", math.max(1, tonumber(explanation.blend_count)))
   explanation.taps, explanation.tap_capacity = taps, explanation.tap_count
   explanation.blends, explanation.blend_capacity = blends, explanation.blend_count
   library.check(C.shd_texture_explain(own, other, columns, index, explanation))

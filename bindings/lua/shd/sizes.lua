@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
 -- Sizes of the memory that arguments need, where the struct alone does not have them.
+local ffi = require "ffi"
 local library = require "shd.native"
 local tables = require "shd.tables"
 local C = library.C
 
 local sizes = {}
 
-local BORROW = 1
+local BORROW, FACES = 1, 6
 local ELEMENTS = {["8"] = "uint8_t", ["16"] = "uint16_t", ["16f"] = "uint16_t", ["32f"] = "float"}
 local formats = {}
 for _, pair in ipairs(tables.enums.shd_format) do
@@ -30,6 +31,14 @@ local function image_bytes(struct)
   return math.max(0, rows - 1) * stride + row, stride, rows
 end
 
+--- Images of the base level of a texture: slices, faces or layers.
+function sizes.images(struct)
+  local kind = tonumber(struct.kind)
+  if kind == ffi.C.SHD_TEXTURE_KIND_3D then return struct.depth end
+  local is_cube = kind == ffi.C.SHD_TEXTURE_KIND_DIRECTIONS and tonumber(struct.projection) == ffi.C.SHD_PROJECTION_CUBE
+  return is_cube and FACES or tonumber(struct.layer_count)
+end
+
 --- Bytes behind a pointer, and the type of its elements, by struct and field.
 sizes.bytes = {
   ["shd_image.pixels"] = function(struct)
@@ -39,7 +48,7 @@ sizes.bytes = {
     local bytes, stride, rows = image_bytes(struct)
     local layer = tonumber(struct.layer_stride)
     if layer == 0 then layer = rows * stride end
-    bytes = bytes + (math.max(1, struct.layers, struct.depth) - 1) * layer
+    bytes = bytes + (math.max(1, sizes.images(struct)) - 1) * layer
     if bit.band(struct.flags, BORROW) ~= 0 then bytes = bytes + tables.constants.TEXTURE_PADDING end
     return bytes, (sizes.format(struct.format))
   end,

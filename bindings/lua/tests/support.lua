@@ -55,7 +55,7 @@ end
 
 --- A frame of a torus, with the fields of `more`.
 function support.frame(context, framebuffer, material, more)
-  local torus = shd.mesh_create_shape(context, {shape = "torus"}, 0)
+  local torus = shd.mesh_create_shape(context, {kind = "torus"}, 0)
   local frame = {framebuffer = framebuffer, draws = {{mesh = torus, material = material}}}
   for key, value in pairs(more or {}) do frame[key] = value end
   return context:render(frame)

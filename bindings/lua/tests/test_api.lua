@@ -47,7 +47,7 @@ case("functions without objects", function()
   equal(matrix[14], -3)
   local inverse = shd.matrix_invert(matrix)
   equal(shd.matrix_multiply(matrix, inverse)[0], 1)
-  local vertices, indices = shd.shape_count {shape = "box"}
+  local vertices, indices = shd.shape_count {kind = "box"}
   assert(vertices >= 8 and indices == 36)
   local x, y = shd.sample_position(1, 0)
   equal(x, 0.5)
@@ -92,12 +92,14 @@ case("flags have names and join", function()
 end)
 
 case("a desc with a list of rows", function()
+  local context = shd.context {worker_count = 1}
   local points = {position = {{0.5, 1.5}, {0.5, 0.5}, {0, 0}}}
-  local out = {color = {}}
-  for i = 1, 4 do out.color[i] = ffi.new "float[2]" end
-  shd.solid_evaluate(nil, {kind = "checker", color_count = 2, colors = {{1, 0, 0, 1}, {0, 0, 1, 1}}}, points, out)
-  assert(out.color[1][0] ~= out.color[1][1])
+  local out = {channel = {}}
+  for i = 1, 4 do out.channel[i] = ffi.new "float[2]" end
+  context:solid_evaluate({kind = "checker", color_count = 2, colors = {{1, 0, 0, 1}, {0, 0, 1, 1}}}, points, out)
+  assert(out.channel[1][0] ~= out.channel[1][1])
   equal(out.nonfinite_count, 0)
-  out.color[2] = ffi.new "float[1]"
-  refused("solid_values.color[2]: 1 elements, not 2", shd.solid_evaluate, nil, {kind = "checker"}, points, out)
+  out.channel[2] = ffi.new "float[1]"
+  refused("solid_values.channel[2]: 1 elements, not 2", context.solid_evaluate, context, {kind = "checker"}, points,
+    out)
 end)

@@ -59,7 +59,7 @@ end)
 
 case("programs need one worker", function()
   local two = shd.context {worker_count = 2}
-  if two:worker_count() == 1 then
+  if two:get_worker_count() == 1 then
     print("skipped: the machine has one core")
     return
   end
@@ -145,12 +145,13 @@ case("progress, tiles, log and executor", function()
   equal(lines[1], "warning here")
   local target = shd.framebuffer(own, {width = 96, height = 96})
   support.frame(own, target, nil, {progress = {report = function(fraction) last = fraction end},
-    present = {tile = function(tile) tiles = tiles + tile.width * tile.height end}})
+    present = {tile = function(tile) tiles = tiles + tile.area.width * tile.area.height end}})
   equal(last, 1)
   equal(tiles, 96 * 96)
   assert(#order > 1)
-  local problem = refused("cancelled", support.frame, own, target, nil,
-    {progress = {report = function() return true end}})
+  support.frame(own, target, nil, {progress = {report = function() return true end}})
+  local problem = refused("SHD_ERROR_CANCELLED", support.frame, own, target, nil,
+    {progress = {report = function() return false end}})
   equal(problem.result, "error_cancelled")
   local good, text = pcall(support.frame, own, target, nil, {present = {tile = function() error("tile", 0) end}})
   assert(not good and text == "tile", text)

@@ -38,7 +38,7 @@ case("a picture to disk and back", "shd_io", function()
   local bitmap = shd.bitmap_load(context, path, {flags = "in_process"})
   os.remove(path)
   equal(bitmap:get_info().file_format, "png")
-  local image = bitmap:image()
+  local image = bitmap:get_image()
   equal(image.owner, bitmap)
   equal(ffi.cast("uint8_t *", image.pixels)[1], 20)
   equal(refused("/nothing.png", shd.texture_load, context, "/nothing.png", {}).result, "error_not_found")
@@ -47,7 +47,7 @@ end)
 
 case("a display transform", "shd_color", function()
   local color = shd.color(context)
-  assert(#color:default_display() > 0)
+  assert(#color:get_default_display() > 0)
   local framebuffer = shd.framebuffer(context, {width = 2, height = 1})
   context:render {framebuffer = framebuffer, clear_color = {0.18, 0.18, 0.18, 1}}
   local pixels = ffi.new "uint8_t[8]"
@@ -61,17 +61,18 @@ case("a display transform", "shd_color", function()
 end)
 
 case("a tracer of Embree", "shd_embree", function()
-  local mesh = shd.mesh_create_shape(context, {shape = "plane", size = {10, 1, 10}}, 0)
+  local mesh = shd.mesh_create_shape(context, {kind = "plane", size = {10, 1, 10}}, 0)
   local embree = shd.embree(context, {{mesh = mesh}})
   local tracer, out = embree:get_tracer(), floats(7, 7)
   equal(tracer.owner, embree)
   local points = {position = {0, -1, 0, 0, 1, 0}, normal = {0, 1, 0, 0, 1, 0}}
-  context:occlusion_compute({rays = 64, tracer = tracer}, points, out)
+  context:occlusion_compute({ray_count = 64, tracer = tracer}, points, {visibility = out})
   assert(out[0] ~= out[1], out[0])
   embree:close()
   refused("occlusion.tracer.owner: the embree is closed", context.occlusion_compute, context,
-    {rays = 64, tracer = tracer}, points, out)
-  refused("out: 1 elements, not 2", context.occlusion_compute, context, {rays = 4}, points, floats(0))
+    {ray_count = 64, tracer = tracer}, points, {visibility = out})
+  refused("occlusion_values.visibility: 1 elements, not 2", context.occlusion_compute, context, {ray_count = 4},
+    points, {visibility = floats(0)})
 end)
 
 case("a model file", "shd_scene", function()
@@ -82,15 +83,15 @@ case("a model file", "shd_scene", function()
   local scene = shd.scene_load(context, path)
   os.remove(path)
   equal(scene:get_info().triangle_count, 1)
-  equal(scene:mesh(0):get_info().triangle_count, 1)
-  equal(scene:mesh(7), nil)
+  equal(scene:get_mesh(0):get_info().triangle_count, 1)
+  equal(scene:get_mesh(7), nil)
   local frame = {framebuffer = shd.framebuffer(context, {width = 8, height = 8}), camera = {eye = {0, 0, 3}}}
   scene:fill_render(frame)
   equal(#frame.draws, 1)
   scene:close()
   frame.stats = {}
   context:render(frame)
-  equal(frame.stats.triangles, 1)
+  equal(frame.stats.triangle_count, 1)
   equal(refused("nothing.obj", shd.scene_load, context, "/nothing.obj").result, "error_not_found")
 end)
 
@@ -120,9 +121,9 @@ case("a model in memory", "shd_scene", function()
       local info = scene:get_info()
       equal(info.triangle_count, 1)
       local warnings = {}
-      for i = 0, info.warning_count - 1 do warnings[#warnings + 1] = scene:warning(i) end
+      for i = 0, info.warning_count - 1 do warnings[#warnings + 1] = scene:get_warning(i) end
       assert(table.concat(warnings, "; "):find("none.png", 1, true), table.concat(warnings, "; "))
-      equal(scene:name("animation", 0), "Move")
+      equal(scene:get_name("animation", 0), "Move")
       local first, last = scene:get_animation_times(0)
       equal(scene:pose(0, (first + last) / 2):get_instance(0).object_to_world[13], 2)
       refused("animation: 1", scene.pose, scene, 1, 0)
@@ -144,6 +145,7 @@ case("a model in memory", "shd_scene", function()
       return name == "a.bin" and held.bytes or nil
     end})
   end
+  jit.flush()  -- traces keep what they refer to
   collectgarbage() collectgarbage()
   assert(not alive[1] and scene:get_info().triangle_count == 1)
 end)

@@ -117,7 +117,7 @@ case("texels", function()
   make {texels = ("\0"):rep(16)}
   refused("texture.texels: 16 bytes, not 24", make, {height = 3})
   refused("texture.texels: 16 bytes, not 20", make, {row_stride = 12})
-  refused("texture.texels: 16 bytes, not 48", make, {layers = 3})
+  refused("texture.texels: 16 bytes, not 48", make, {layer_count = 3})
   refused("texture.texels: 15 bytes, not 16", make, {texels = ("x"):rep(15)})
   refused("texture.texels: 16 bytes, not 144", make, {flags = "borrow"})
   refused("texture.texels: an array of float, not uint8_t", make, {format = "rgba32f"})
@@ -125,7 +125,45 @@ case("texels", function()
   refused("texture.texels: ", make, {width = 2 ^ 32 - 1, height = 2 ^ 32 - 1})
   refused("texture.width: 0", make, {width = 0})
   refused("texture.format", make, {format = "none"})
-  refused("texture.levels: 3 elements, not 2", make, {level_count = 2, levels = {{}, {}, {}}})
+  refused("texture.level_images: 3 elements, not 2", make, {level_count = 2, level_images = {{}, {}, {}}})
+end)
+
+case("kinds of textures", function()
+  local texels = floats(0, 1, 2, 3, 4, 5)
+  local function make(more)
+    local desc = {width = 1, height = 1, format = "r32f", texels = texels}
+    for key, value in pairs(more) do desc[key] = value end
+    return shd.texture(context, desc)
+  end
+  local function info(more)
+    local made = make(more):get_info()
+    return ("%s %d %d"):format(made.kind, made.depth, made.layer_count)
+  end
+  equal(info {}, "2d 0 1")
+  equal(info {depth = 6}, "3d 6 1")
+  equal(info {kind = "2d", layer_count = 6}, "2d 0 6")
+  equal(info {projection = "lat_long"}, "directions 0 1")
+  equal(info {projection = "lat_long", layer_count = 3}, "directions 0 3")
+  equal(info {projection = "cube", layer_count = 6}, "directions 0 6")
+  local axes = {u = {1, -1, 0, 0, 0, 0}, v = {0, 0, 1, -1, 0, 0}, w = {0, 0, 0, 0, 1, -1}}
+  local found = make({projection = "cube"}):sample(shd.sampler(context, {filter = "nearest"}), axes).channel[1]
+  for i = 0, 5 do equal(found[i], i) end
+  local images = {}
+  for i = 1, 6 do images[i] = {width = 1, height = 1, format = "r32f", pixels = floats(10 + i)} end
+  local cube = make {width = 2, height = 2, texels = ffi.new "float[24]", projection = "cube", tables = "mipmap",
+    level_images = images}
+  for i = 1, 6 do equal(cube:read_level(i - 1, 1)[0], 10 + i) end
+  refused("texture.level_images: 5 elements, not a multiple of 6", make, {width = 2, height = 2,
+    texels = ffi.new "float[24]", projection = "cube", tables = "mipmap",
+    level_images = {images[1], images[2], images[3], images[4], images[5]}})
+  refused("texture.kind: depth is of 3D textures and projection of directions", make, {depth = 6, projection = "cube"})
+  refused("texture.projection: 4, but texture.kind", make, {depth = 6, kind = "3d", projection = "cube"})
+  refused("texture.depth: 7, but texture.kind is not", make, {depth = 7, kind = "2d", layer_count = 6})
+  refused("texture.layer_count: 9", make, {projection = "cube", layer_count = 9})
+  refused("texture.texels: 24 bytes, not 28", make, {depth = 7})
+  refused("texture.texels: 8 bytes, not 24", make, {projection = "cube", texels = floats(1, 2)})
+  refused('texture.kind: "4d" is none of 2d, 3d, directions', make, {kind = "4d"})
+  refused("texture.projection", make, {projection = "none"})
 end)
 
 case("compressed blocks", function()
@@ -144,7 +182,8 @@ case("compressed blocks", function()
   local pixels = ffi.new("uint8_t[16]")
   ffi.copy(pixels, bc7, 16)
   local levels = {{width = 4, height = 2, format = "bc7", pixels = pixels}}
-  local desc = {width = 8, height = 4, format = "bc7", texels = ("\0"):rep(32), tables = "mipmap", levels = levels}
+  local desc = {width = 8, height = 4, format = "bc7", texels = ("\0"):rep(32), tables = "mipmap",
+    level_images = levels}
   equal(sample(desc, 0), "0 0 0 0")
   equal(sample(desc, 1), "255 41 1 255")
   refused("texture.texels: 16 bytes, not 32", sample, {width = 5, height = 4, format = "bc7", texels = bc7}, 0)

@@ -23,7 +23,7 @@ local objects = {
   shd_context = context,
   shd_texture = support.texture(context, {{0, 1}, {2, 3}}, {tables = "mipmap"}),
   shd_sampler = shd.sampler(context),
-  shd_mesh = shd.mesh_create_shape(context, {shape = "box"}, 0),
+  shd_mesh = shd.mesh_create_shape(context, {kind = "box"}, 0),
   shd_material = shd.material(context),
   shd_light = shd.light(context),
   shd_framebuffer = shd.framebuffer(context, {width = 8, height = 8}),

@@ -99,7 +99,7 @@ case("a frame", function()
   local framebuffer = shd.framebuffer(context, {width = 32, height = 16, aovs = "normal"})
   local stats = {}
   support.frame(context, framebuffer, nil, {clear_color = {0.25, 0, 0, 1}, stats = stats})
-  assert(stats.triangles > 100)
+  assert(stats.triangle_count > 100)
   local pixels = framebuffer:read_color("rgba8_srgb")
   equal(ffi.sizeof(pixels), 32 * 16 * 4)
   equal(pixels[0], 137)
@@ -119,7 +119,7 @@ end)
 
 case("frames with bad parts", function()
   local framebuffer = shd.framebuffer(context, {width = 8, height = 8})
-  local mesh = shd.mesh_create_shape(context, {shape = "box"}, 0)
+  local mesh = shd.mesh_create_shape(context, {kind = "box"}, 0)
   local function render(frame)
     frame.framebuffer = frame.framebuffer or framebuffer
     return context:render(frame)
@@ -142,12 +142,36 @@ end)
 
 case("instances and uniforms", function()
   local framebuffer = shd.framebuffer(context, {width = 8, height = 8})
-  local mesh = shd.mesh_create_shape(context, {shape = "box"}, 0)
+  local mesh = shd.mesh_create_shape(context, {kind = "box"}, 0)
   local instances, stats = ffi.new "float[32]", {}
   for i = 0, 30, 16 do
     for k = 0, 15, 5 do instances[i + k] = 1 end
   end
   context:render {framebuffer = framebuffer, stats = stats,
     draws = {{mesh = mesh, instances = instances, uniforms = floats(1, 2)}}}
-  equal(stats.triangles, 24)
+  equal(stats.triangle_count, 24)
+end)
+
+case("lookups in environments and shadows", function()
+  local pixels = ffi.new("float[?]", 8 * 4)
+  for i = 0, 31 do pixels[i] = 0.5 end
+  local environment = shd.environment(context, {image = {format = "r32f", width = 8, height = 4, pixels = pixels}})
+  local lookups = {direction = {{0, 0 / 0}, {1, 0}, {0, 0}}}
+  for name, expected in pairs {sample_irradiance = math.pi / 2, sample_radiance = 0.5} do
+    local out = {channel = {floats(7, 7)}}
+    environment[name](environment, lookups, out)
+    support.close_to(out.channel[1][0], expected, 1e-2)
+    equal(out.nonfinite_count, 1)
+    refused("environment_values.channel[1]: 1 elements, not 2", environment[name], environment, lookups,
+      {channel = {floats(7)}})
+  end
+  local torus = shd.mesh_create_shape(context, {kind = "torus"}, 0)
+  local shadow = shd.shadow(context, {size = 64})
+  context:shadow_render(shadow, {light = shd.light(context, {kind = "directional", direction = {0, -1, 0}}),
+    draws = {{mesh = torus}}, near_plane = -5, far_plane = 5, bounds_min = {-2, -2, -2}, bounds_max = {2, 2, 2}})
+  local points, out = {position = {{0, 1, 0 / 0}, {-1, -1, 0}, {0, 0, 0}}}, {visibility = floats(7, 7, 7)}
+  shadow:sample(points, out)  -- below the hole, below the ring, nowhere
+  equal(out.visibility[0], 1)
+  equal(out.visibility[1], 0)
+  equal(out.nonfinite_count, 1)
 end)

@@ -7,7 +7,7 @@ local support = require "support"
 local case, equal, refused = support.case, support.equal, support.refused
 
 local WIDTH, HEIGHT, COUNT = 100, 70, 500
-local REGION = {level = 1, width = 50, height = 35}
+local REGION = {level = 1, area = {width = 50, height = 35}}
 local context = shd.context {worker_count = 1}
 
 local texels = ffi.new("uint8_t[?]", WIDTH * HEIGHT * 4)
@@ -35,10 +35,10 @@ local function make(more)
     source.problem = nil
     if problem then error(problem, 0) end
     for i = 0, count - 1 do
-      local tile, level = tiles[i], levels[tiles[i].level]
-      for y = 0, tile.height - 1 do
+      local tile, level, area = tiles[i], levels[tiles[i].level], tiles[i].area
+      for y = 0, area.height - 1 do
         ffi.copy(ffi.cast("uint8_t *", tile.texels) + y * tile.row_stride,
-          level.bytes + ((tile.y + y) * level.width + tile.x) * 4, tile.width * 4)
+          level.bytes + ((area.y + y) * level.width + area.x) * 4, area.width * 4)
       end
     end
   end
@@ -62,11 +62,11 @@ case("tiles have the bits of memory", function()
   local texture, cache, source = make()
   assert(sample(texture) == expected)
   local stats = cache:get_stats()
-  equal(tonumber(stats.loads), source.calls)
-  equal(tonumber(stats.loaded_tiles), source.tiles)
-  equal(stats.resident_tiles, source.tiles)
+  equal(tonumber(stats.load_count), source.calls)
+  equal(tonumber(stats.loaded_tile_count), source.tiles)
+  equal(stats.resident_tile_count, source.tiles)
   assert(sample(texture) == expected)
-  equal(source.calls, tonumber(stats.loads))
+  equal(source.calls, tonumber(stats.load_count))
   local other, _, count = make()
   local out = {channel = {ffi.new("float[?]", COUNT)}}
   local batch = other:prepare(shd.sampler(context, {filter = "trilinear"}), lookups, out)
@@ -82,9 +82,9 @@ case("an error of the function", function()
     source.problem = kept
     local good, problem = pcall(run)
     assert(not good and problem == kept)
-    texture:drop_tiles {level = 0, width = WIDTH, height = HEIGHT}
+    texture:drop_tiles {level = 0, area = {width = WIDTH, height = HEIGHT}}
   end
-  assert(tonumber(cache:get_stats().failed_tiles) >= 3)
+  assert(tonumber(cache:get_stats().failed_tile_count) >= 3)
   assert(sample(texture) == expected)
 end)
 
@@ -97,15 +97,15 @@ case("requested tiles", function()
   assert(not good and problem == "no tile", problem)
   repeat sample(texture, "coarser") until cache:load_requested(8) == 0
   assert(sample(texture, "coarser") == expected)
-  equal(source.tiles, tonumber(cache:get_stats().loaded_tiles + cache:get_stats().failed_tiles))
+  equal(source.tiles, tonumber(cache:get_stats().loaded_tile_count + cache:get_stats().failed_tile_count))
 end)
 
 case("regions", function()
   local texture, cache, source = make()
   texture:pin_tiles(REGION)
-  equal(cache:get_stats().pinned_tiles, 12)
+  equal(cache:get_stats().pinned_tile_count, 12)
   texture:unpin_tiles(REGION)
-  equal(cache:get_stats().pinned_tiles, 0)
+  equal(cache:get_stats().pinned_tile_count, 0)
   refused("pinned", texture.unpin_tiles, texture, REGION)
   texture:load_tiles(REGION)
   equal(source.tiles, 12)
@@ -126,16 +126,18 @@ case("a function lives as long as its texture", function()
   local material = shd.material(context, {model = "unlit", slots = {{target = "diffuse", texture = texture}}})
   texture:close()
   texture = nil
+  jit.flush()  -- traces keep what they refer to
   collectgarbage() collectgarbage()
   assert(alive[1])
   material:close()
   material = nil
+  jit.flush()  -- traces keep what they refer to
   collectgarbage() collectgarbage()
   assert(not alive[1])
 end)
 
 case("what is refused", function()
-  refused("layers", make, {depth = 2, layers = 2})
+  refused("layer_count", make, {layer_count = 0})
   refused("texture.tiles.load: a function", make, {tiles = {load = 3}})
   refused("texture.tiles.release: a function of C", make, {tiles = {release = print}})
   refused("texture.tiles.cache: a tile_cache, not a context", make, {tiles = {cache = context}})
@@ -151,8 +153,8 @@ case("a tiled file", function()
   end
   local path = arg[0]:match("^(.*)/") .. "/../../tiled.tif"
   local cache = shd.tile_cache(context, {budget_bytes = 2 ^ 20})
-  local texture, info = shd.texture_open(context, path, {cache = cache, color_space = "linear"})
-  equal(info.files, 1)
+  local texture, info = shd.texture_open(context, path, {cache = cache, encoding = "linear"})
+  equal(info.file_count, 1)
   equal(info.tile_width, 16)
   local bytes = ffi.new("uint8_t[256]")
   for i = 0, 255 do bytes[i] = i end

@@ -44,9 +44,9 @@ def look_up(context):
 
 def draw(context, **material):
     """A torus of one material in the light of the sun, as RGBA8 in sRGB."""
-    torus = shd.Mesh.shape(context, shape="torus")
+    torus = shd.Mesh.shape(context, kind="torus")
     sun = shd.Light(context, kind="directional", direction=(-0.5, -1, -0.25))
-    framebuffer = shd.Framebuffer(context, WIDTH, HEIGHT, samples=4)
+    framebuffer = shd.Framebuffer(context, WIDTH, HEIGHT, sample_count=4)
     shd.render(context, framebuffer, [shd.Draw(mesh=torus, material=shd.Material(context, **material))],
                camera=shd.Camera(eye=(0.5, 1.5, 2)), lights=[sun])
     return framebuffer.read_color("rgba8_srgb")

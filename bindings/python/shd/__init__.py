@@ -12,7 +12,7 @@ the C headers say; a framebuffer serves one call of render() only.
 Components have modules of their own: shd.scene, shd.color, shd.io and shd.embree. shd.Renderer draws pictures of
 meshes in few lines, and shd.pyrender has the interface of pyrender.
 """
-import importlib
+from importlib import import_module as _import_module
 
 try:
     import numpy as _numpy
@@ -36,6 +36,8 @@ _modules = {"Environment": "_environment", "Shadow": "_shadow", "Volume": "_volu
             "save_png": "_png", "TileCache": "_tiles", "Color": "color", "Scene": "scene", "Renderer": "renderer"}
 _submodules = ("color", "embree", "io", "pyrender", "renderer", "scene")
 
+__version__ = ".".join(str(_api.constants[f"SHD_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
+
 
 def version():
     """Version of the library: (major, minor, patch)."""
@@ -45,9 +47,9 @@ def version():
 
 def __getattr__(name):
     if name in _submodules:
-        return importlib.import_module(f"{__name__}.{name}")
+        return _import_module(f"{__name__}.{name}")
     if name in _modules:
-        globals()[name] = getattr(importlib.import_module(f"{__name__}.{_modules[name]}"), name)
+        globals()[name] = getattr(_import_module(f"{__name__}.{_modules[name]}"), name)
         return globals()[name]
     if name not in _names:
         raise AttributeError(f"module shd has no attribute {name}")

@@ -15,7 +15,7 @@ import shd
 from shd import _commands, _png
 
 
-def picture(width, height, samples=4):
+def picture(width, height, sample_count=4):
     """A torus with a checkered texture, as sRGB pixels [height][width][4]."""
     with shd.Context() as context:
         cells = (np.indices((64, 64)) // 8).sum(axis=0) % 2
@@ -24,9 +24,9 @@ def picture(width, height, samples=4):
         sampler = shd.Sampler(context, filter="anisotropic", wrap_u="repeat", wrap_v="repeat")
         material = shd.Material(context, model="blinn_phong", ambient_share=0.2, slots=[
             shd.slot("diffuse", texture, sampler, uv_transform=(8, 0, 0, 0, 4, 0))])
-        torus = shd.Mesh.shape(context, shape="torus")
+        torus = shd.Mesh.shape(context, kind="torus")
         sun = shd.Light(context, kind="directional", direction=(-0.4, -0.7, -0.6))
-        framebuffer = shd.Framebuffer(context, width, height, samples=samples)
+        framebuffer = shd.Framebuffer(context, width, height, sample_count=sample_count)
         camera = shd.Camera(eye=(0, 2.2, 2.6), target=(0, 0, 0), fov_y=0.7)
         shd.render(context, framebuffer, [shd.Draw(mesh=torus, material=material, cull="back")], camera=camera,
                    lights=[sun], clear_color=(0.05, 0.06, 0.08, 1))

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import _api
 from ._callback import raise_failures
-from ._columns import inputs, shape_of
+from ._columns import inputs, outputs, shape_of
 from ._convert import column
 from ._desc import read_struct
 from ._objects import make_desc
@@ -59,19 +59,18 @@ def _occluders(desc, values, keep):
 
 
 def occlusion(context, position, normal, desc=None, out=None, **values):
-    """The open part of the sky above points, 0 to 1: occlusion(context, position, normal, draws=[...], rays=256).
+    """The open part of the sky above points, 0 to 1: occlusion(context, position, normal, draws=[...], ray_count=256).
 
     The other options are the fields of OcclusionDesc. `tracer` is the tracer of shd.embree.Tree, or a dict with a
     function `trace(rays, blocked)`.
     """
     keep, shape = [], shape_of(position, "position")
     points = inputs("shd_occlusion_points", {"position": position, "normal": normal}, keep)
-    out = np.empty(shape, FLOAT) if out is None else out
-    target = _column(out, FLOAT, points.count, "out", keep)
+    target, arrays = outputs("shd_occlusion_values", "visibility", shape, keep, out)
     made = _occluders(desc, values, keep)
     _finish(_api.lib.shd_occlusion_compute(context.handle("shd_context", keep), ctypes.addressof(made),
                                            ctypes.addressof(points), ctypes.addressof(target)), keep)
-    return out
+    return arrays[0]
 
 
 def vertex_occlusion(context, draw, desc=None, out=None, **values):

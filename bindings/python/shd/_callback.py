@@ -17,7 +17,7 @@ from . import _api
 
 local = threading.local()
 VIEWS = {"float": (ctypes.c_float, np.float32), "uint32_t": (ctypes.c_uint32, np.uint32)}
-ERROR_CALLBACK = 9
+ERROR_CANCELLED, ERROR_CALLBACK = 8, 9
 # They have no result: after an exception the rest of the frame is not worth its time.
 PROGRAMS = {"shd_fragment_fn", "shd_vertex_fn", "shd_slot_fn"}
 
@@ -84,8 +84,9 @@ class Record:
 
     def _plane(self, where):
         stride = self._struct.row_stride // 4
-        rows = taken(where, "const float *", self._struct.height * stride - stride + self._struct.width, None)
-        shape = (self._struct.height, self._struct.width)
+        area = self._struct.area
+        rows = taken(where, "const float *", area.height * stride - stride + area.width, None)
+        shape = (area.height, area.width)
         return np.lib.stride_tricks.as_strided(rows, shape, (4 * stride, 4), writeable=False)
 
 
@@ -104,6 +105,16 @@ def record_of(text, where, earlier, written):
     if text in _api.callbacks:
         return _api.callback_type(text)(where)
     return where
+
+
+def result_of(returned, result):
+    """The number for what a function returned. Functions with a shd_result may return True or None, which go on, False,
+    which cancels, or a Result."""
+    if result != "shd_result":
+        return int(returned or 0)
+    if returned is False:
+        return ERROR_CANCELLED
+    return 0 if returned is None or returned is True else int(returned)
 
 
 class Callback:
@@ -137,7 +148,7 @@ class Callback:
             returned = self._function(*values)
             for column, array in written:
                 column[:] = array
-            return None if result == "void" else int(returned or 0)
+            return None if result == "void" else result_of(returned, result)
         except BaseException as problem:  # the call that ran this raises it
             self.failure = self.failure or problem
             if result == "shd_result":

@@ -2,6 +2,7 @@
 """Python values to fields of structs. Arrays are not copied; an array that does not fit is refused, with its name."""
 import ctypes
 import os
+import re
 
 import numpy as np
 
@@ -34,6 +35,10 @@ def address(array):
     return array.__array_interface__["data"][0]
 
 
+def converting(dtype):
+    return f".astype(numpy.{dtype}) converts it"
+
+
 def column(array, dtype, writable, name, keep):
     """Address and stride of a column, as an array has them."""
     if not isinstance(array, np.ndarray):
@@ -41,7 +46,7 @@ def column(array, dtype, writable, name, keep):
             raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
         array = np.array(array, dtype)
     if array.dtype != dtype:
-        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}")
+        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; {converting(dtype)}")
     if writable and not array.flags.writeable:
         raise ValueError(f"{name}: the array is read-only")
     if array.ndim != 1:
@@ -92,8 +97,10 @@ def enum_value(kind, value, name):
     total = 0
     for part in value.split("|"):
         key = part.strip().upper().replace("-", "_")
+        key = f"N{key}" if key[:1].isdigit() else key  # as in the names of members
         if key not in members:
-            raise ValueError(f"{name}: {part.strip()!r} is none of {', '.join(m.lower() for m in members)}")
+            known = ", ".join(re.sub(r"^n(?=\d)", "", m.lower()) for m in members)
+            raise ValueError(f"{name}: {part.strip()!r} is none of {known}")
         total |= members[key]
     return total
 
@@ -129,7 +136,8 @@ def data(value, base, name, keep):
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{name}: a NumPy array or bytes, not {type(value).__name__}")
     if base in ELEMENTS and value.dtype != ELEMENTS[base]:
-        raise TypeError(f"{name}: the array is of {value.dtype}, not {np.dtype(ELEMENTS[base])}")
+        dtype = np.dtype(ELEMENTS[base])
+        raise TypeError(f"{name}: the array is of {value.dtype}, not {dtype}; {converting(dtype)}")
     if not value.flags.c_contiguous:
         raise ValueError(f"{name}: the array must be contiguous")
     keep.append(value)

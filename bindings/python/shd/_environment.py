@@ -35,15 +35,15 @@ class Environment(Object):
     def _look_up(self, function, out, **values):
         keep, shape = [], shape_of(values["direction"], "direction")
         lookups = inputs("shd_environment_lookups", values, keep)
-        light, arrays = outputs("shd_environment_light", "rgb", shape, keep, out)
-        _api.check(function(self.handle("shd_environment", keep), ctypes.addressof(lookups), ctypes.addressof(light)))
+        made, arrays = outputs("shd_environment_values", "channel", shape, keep, out)
+        _api.check(function(self.handle("shd_environment", keep), ctypes.addressof(lookups), ctypes.addressof(made)))
         return arrays[0]
 
-    def irradiance(self, direction, out=None) -> np.ndarray:
+    def sample_irradiance(self, direction, out=None) -> np.ndarray:
         """The irradiance of surfaces with these normals, as an array [..., 3] of float32."""
-        return self._look_up(_api.lib.shd_environment_irradiance, out, direction=direction)
+        return self._look_up(_api.lib.shd_environment_sample_irradiance, out, direction=direction)
 
-    def radiance(self, direction, roughness=None, exponent=None, out=None) -> np.ndarray:
+    def sample_radiance(self, direction, roughness=None, exponent=None, out=None) -> np.ndarray:
         """The radiance along directions, or its mean over lobes of GGX or Phong, as an array [..., 3] of float32."""
-        return self._look_up(_api.lib.shd_environment_radiance, out, direction=direction, roughness=roughness,
+        return self._look_up(_api.lib.shd_environment_sample_radiance, out, direction=direction, roughness=roughness,
                              exponent=exponent)

@@ -15,7 +15,7 @@ from ._objects import Object, document, make_desc
 
 @document
 class Framebuffer(Object):
-    """Framebuffer(context, width, height, samples=4, aovs="uv|normal", ...)."""
+    """Framebuffer(context, width, height, sample_count=4, aovs="uv|normal", ...)."""
 
     _kind = "shd_framebuffer"
 

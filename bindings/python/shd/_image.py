@@ -7,6 +7,7 @@ from ._convert import address
 
 KINDS = {"uint8": "8", "uint16": "16", "float16": "16F", "float32": "32F"}
 LAYOUTS = {"R": 1, "RG": 2, "RGB": 3, "RGBA": 4}
+FACES = 6  # of a cube
 
 
 def format_of(array, channels, srgb, name):
@@ -17,7 +18,7 @@ def format_of(array, channels, srgb, name):
     if srgb and kind != "8":
         raise TypeError(f"{name}: sRGB texels are of uint8, not {array.dtype}")
     if not 1 <= channels <= 4:
-        raise ValueError(f"{name}: {channels} channels, not 1 to 4")
+        raise ValueError(f"{name}: {channels} channels, not 1 to 4; images are [height][width][channels]")
     layout = next(k for k, n in LAYOUTS.items() if n == channels)
     return int(_api.enum_type("shd_format")[f"{layout}{kind}" + ("_SRGB" if srgb else "")])
 

@@ -70,6 +70,14 @@ class Object:
         """Drops the reference. Later uses raise ValueError; closing again has no effect."""
         self._reference = None
 
+    def __repr__(self):
+        if self._reference is None:
+            return f"<shd.{type(self).__name__}, closed>"
+        info = getattr(self, "info", {})
+        texel_format = info.get("format", info.get("color_format"))
+        size = f" {info['width']} x {info['height']} {texel_format.name.lower()}" if "width" in info else ""
+        return f"<shd.{type(self).__name__}{size}>"
+
     def __enter__(self):
         return self
 
@@ -123,11 +131,11 @@ class Context(Object):
 
     @property
     def simd_target(self):
-        return _api.lib.shd_context_simd_target(self.handle("shd_context", [])).decode()
+        return _api.lib.shd_context_get_simd_target(self.handle("shd_context", [])).decode()
 
     @property
     def worker_count(self):
-        return _api.lib.shd_context_worker_count(self.handle("shd_context", []))
+        return _api.lib.shd_context_get_worker_count(self.handle("shd_context", []))
 
 
 @document
@@ -196,7 +204,7 @@ class Mesh(Object):
 
     @classmethod
     def shape(cls, context, desc=None, flags=0, **values):
-        """The mesh of a shape: Mesh.shape(context, shape="torus", ...)."""
+        """The mesh of a shape: Mesh.shape(context, kind="torus", ...)."""
         keep, made = [], cls.__new__(cls)
         built = make_desc("shd_shape_desc", desc, values).build(keep)
         made._adopt(keep, _api.lib.shd_mesh_create_shape, context.handle("shd_context", keep), ctypes.addressof(built),

@@ -7,11 +7,10 @@ import numpy as np
 from . import _api
 from ._columns import answer, inputs, outputs, shape_of
 from ._convert import elements, enum_value
+from ._image import FACES
 
-FACES = 6
 
-
-def project(context, direction, projection="lat_long", want=("u", "v"), out=None, **more):
+def project(context, direction, projection="lat_long", want: "str | tuple" = ("u", "v"), out=None, **more):
     """Points of an image for directions [..., 3]: u, v = project(context, direction, "octahedral").
 
     `want` has names of columns of ProjectedPoints, such as "face" and "dudx"; direction_dx and direction_dy are further
@@ -21,18 +20,18 @@ def project(context, direction, projection="lat_long", want=("u", "v"), out=None
     made = inputs("shd_directions", {"direction": direction, **more}, keep)
     made.projection = enum_value("shd_projection", projection, "projection")
     points, arrays = outputs("shd_projected_points", want, shape, keep, out)
-    _api.check(_api.lib.shd_project_directions(context.handle("shd_context", keep), ctypes.addressof(made),
+    _api.check(_api.lib.shd_projection_project(context.handle("shd_context", keep), ctypes.addressof(made),
                                                ctypes.addressof(points)))
     return answer(want, arrays)
 
 
-def unproject(context, u, v, projection="lat_long", face=None, want="direction", out=None):
+def unproject(context, u, v, projection="lat_long", face=None, want: "str | tuple" = "direction", out=None):
     """Directions of points of an image, as an array [..., 3]; `want` may also name "solid_angle"."""
     keep = []
     made = inputs("shd_image_points", {"u": u, "v": v, "face": face}, keep)
     made.projection = enum_value("shd_projection", projection, "projection")
     directions, arrays = outputs("shd_point_directions", want, np.shape(u), keep, out)
-    _api.check(_api.lib.shd_unproject_directions(context.handle("shd_context", keep), ctypes.addressof(made),
+    _api.check(_api.lib.shd_projection_unproject(context.handle("shd_context", keep), ctypes.addressof(made),
                                                  ctypes.addressof(directions)))
     return answer(want, arrays)
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from . import _api
 from ._callback import raise_failures
-from ._columns import inputs, shape_of
-from ._convert import column
+from ._columns import inputs, outputs, shape_of
 from ._objects import _Simple, document, make_desc
 
 
@@ -46,11 +45,7 @@ class Shadow(_Simple):
         """The fraction of the light that reaches points, 0 to 1, as an array of float32."""
         keep, shape = [], shape_of(position, "position")
         lookups = inputs("shd_shadow_lookups", {"position": position, "normal": normal}, keep)
-        out = np.empty(shape, np.float32) if out is None else out
-        target = _api.struct_type("shd_f32_out")()
-        target.data, target.stride, size = column(out, np.dtype("f4"), True, "out", keep)
-        if size != lookups.count:
-            raise ValueError(f"out: {size} rows, not {lookups.count}")
+        made, arrays = outputs("shd_shadow_values", "visibility", shape, keep, out)
         _api.check(_api.lib.shd_shadow_sample(self.handle("shd_shadow", keep), ctypes.addressof(lookups),
-                                              ctypes.addressof(target)))
-        return out
+                                              ctypes.addressof(made)))
+        return arrays[0]

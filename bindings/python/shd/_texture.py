@@ -6,9 +6,9 @@ import numpy as np
 
 from . import _api
 from ._callback import Callback, raise_failures
-from ._convert import COLUMNS, address, column, columns
+from ._convert import COLUMNS, address, column, columns, enum_value
 from ._desc import desc_type
-from ._image import array_type, format_of, image, split
+from ._image import FACES, array_type, format_of, image, split
 from ._objects import Object, document, make_desc
 
 FLOAT = np.dtype("f4")
@@ -30,26 +30,57 @@ def check_padding(texels):
                          f"{_api.constants['SHD_TEXTURE_PADDING']}")
 
 
+def texture_desc(desc, values):
+    """The desc of a texture. A depth or a projection that is given without a kind decides the kind."""
+    made = make_desc("shd_texture_desc", desc, values)
+    given = [kind for name, kind in (("depth", "3d"), ("projection", "directions"))
+             if made._values.get(name) is not None]
+    if len(given) > 1 and "kind" not in made._values:
+        raise ValueError("texture.kind: depth is of 3D textures and projection of directions; give the kind, too")
+    made = made.replace(**{"kind": kind for kind in given} | made._values)
+    return made.replace(layer_count=FACES) if is_cube(made) and made.layer_count == 1 else made
+
+
+def is_kind(made, kind):
+    return enum_value("shd_texture_kind", made.kind, "texture.kind") == _api.constant(f"SHD_TEXTURE_KIND_{kind}")
+
+
+def is_cube(made):
+    return is_kind(made, "DIRECTIONS") and enum_value(
+        "shd_projection", made.projection, "texture.projection") == _api.constant("SHD_PROJECTION_CUBE")
+
+
+def image_count(made):
+    """The number of images of the base level: slices, faces or layers."""
+    return made.depth if is_kind(made, "3D") else made.layer_count
+
+
+def is_stack(made):
+    """Whether the texels have an axis of images in front."""
+    return is_cube(made) or is_kind(made, "3D") or "layer_count" in made._values
+
+
 @document
 class Texture(Object):
     """Texture(context, texels, srgb=False, tables="mipmap", ...).
 
-    `texels` is an array [height][width] or [height][width][channels] of uint8, uint16, float16 or float32; with
-    `layers` or `depth` it has one more axis in front.
+    `texels` is an array [height][width] or [height][width][channels] of uint8, uint16, float16 or float32. With
+    `layer_count`, `depth` or projection="cube" it has one more axis in front, for layers, slices or faces. `depth`
+    alone makes a texture of the kind "3d", and `projection` alone one of the kind "directions".
     """
 
     _kind = "shd_texture"
 
     def __init__(self, context, texels, desc=None, srgb=False, **values):
         keep = []
-        made = make_desc("shd_texture_desc", desc, values)
-        stacked = any(k in made._values for k in ("layers", "depth"))
+        made = texture_desc(desc, values)
+        stacked = is_stack(made)
         texels = split(texels, 3 if stacked else 2, "texture.texels")
         built = made.build(keep)
         if "format" not in made._values:
             built.format = format_of(texels, texels.shape[-1], srgb, "texture.texels")
-        if stacked and max(built.layers, built.depth) != texels.shape[0]:
-            raise ValueError(f"texture.texels: {texels.shape[0]} images, not {max(built.layers, built.depth)}")
+        if stacked and image_count(built) != texels.shape[0]:
+            raise ValueError(f"texture.texels: {texels.shape[0]} images, not {image_count(built)}")
         built.height, built.width = texels.shape[-3:-1]
         built.row_stride = texels.strides[-3] if texels.shape[-3] > 1 else 0
         built.layer_stride = texels.strides[0] if stacked and texels.shape[0] > 1 else 0
@@ -68,14 +99,14 @@ class Texture(Object):
         the blocks of all layers, packed. The blocks are copied.
         """
         keep = []
-        built = make_desc("shd_texture_desc", desc, values).build(keep)
+        built = texture_desc(desc, values).build(keep)
         block = _api.lib.shd_format_block_size(built.format)
         if not block:
             name = _api.enum_type("shd_format")(built.format).name
             raise ValueError(f"texture.format: {name} has no compressed blocks")
         if not isinstance(levels, (list, tuple)) or not levels:
             raise TypeError("levels: a list of bytes, the base first")
-        layers, stacks = max(1, built.layers), []
+        layers, stacks = image_count(built), []
         for level, blocks in enumerate(levels):
             bytes_of = np.frombuffer(blocks, np.uint8)
             width, height = max(1, built.width >> level), max(1, built.height >> level)
@@ -93,7 +124,7 @@ class Texture(Object):
             images[i] = made
         built.texels, built.row_stride, built.layer_stride, built.flags = address(stacks[0][0]), 0, 0, 0
         built.tables = int(_api.enum_type("shd_table").MIPMAP) if len(stacks) > 1 else 0
-        built.levels, built.level_count = ctypes.addressof(images), len(stacks) - 1
+        built.level_images, built.level_count = ctypes.addressof(images), len(stacks) - 1
         self = cls.__new__(cls)
         self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
         return self
@@ -103,13 +134,13 @@ class Texture(Object):
         """A texture whose tiles are written by load(tiles) when a lookup first needs them: format, width and height are
         options.
 
-        `tiles` is a list of tiles with layer, level, x, y, width, height, and `texels`, an array
+        `tiles` is a list of tiles with layer, level, area with x, y, width, height, and `texels`, an array
         [height][width][channels] to fill. `load` runs on any thread. The call that needed the tiles raises the
         exception of `load`, and the next one calls `load` again.
         """
         from ._tiles import loader
         keep = []
-        made = make_desc("shd_texture_desc", desc, values)
+        made = texture_desc(desc, values)
         texel_format = made.build([]).format
         made = made.replace(tiles={"cache": cache, "load": loader(load, texel_format)})
         built = made.build(keep)
@@ -127,7 +158,8 @@ class Texture(Object):
             _api.check(result)
 
     def load_tiles(self, **region):
-        """Loads the tiles of a region: level, layer, x, y, width and height, as in TileRegion."""
+        """Loads the tiles of a region: level, layer, and area={"x": 0, "y": 0, "width": 64, "height": 64}, as in
+        TileRegion."""
         self._region(_api.lib.shd_texture_load_tiles, region)
 
     def pin_tiles(self, **region):

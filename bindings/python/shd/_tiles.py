@@ -12,14 +12,14 @@ from ._objects import _Simple, document
 
 
 class Tile:
-    """A tile to fill: layer, level, x, y, width and height as in shd_tile, and `texels`, a writable array
+    """A tile to fill: layer, level, and area with x, y, width and height as in shd_tile, and `texels`, a writable array
     [height][width][channels]. The cache takes the texels when the callback returns."""
 
     def __init__(self, tile, dtype, channels):
-        for name in ("layer", "level", "x", "y", "width", "height"):
-            setattr(self, name, getattr(tile, name))
-        size = tile.row_stride * (tile.height - 1) + tile.width * channels * dtype.itemsize
-        self._memory = np.ndarray((tile.height, tile.width, channels), dtype,
+        self.layer, self.level = tile.layer, tile.level
+        self.area = area = type(tile.area).from_buffer_copy(tile.area)  # the tile is the library's
+        size = tile.row_stride * (area.height - 1) + area.width * channels * dtype.itemsize
+        self._memory = np.ndarray((area.height, area.width, channels), dtype,
                                   (ctypes.c_char * size).from_address(tile.texels), 0,
                                   (tile.row_stride, channels * dtype.itemsize, dtype.itemsize))
         self.texels = np.zeros(self._memory.shape, dtype)
@@ -61,7 +61,7 @@ class TileCache(_Simple):
 
     def load_requested(self, max_tiles=0):
         """Loads tiles that lookups with missing_tiles="coarser" did not find, and returns their number."""
-        keep, loaded = list(self._loads), ctypes.c_uint32()
+        keep, loaded = list(self._loads), ctypes.c_size_t()
         result = _api.lib.shd_tile_cache_load_requested(self.handle(self._kind, keep), max_tiles,
                                                         ctypes.addressof(loaded))
         if result:

@@ -48,12 +48,12 @@ class Color(_Simple):
     def _texts(self, name, *arguments):
         keep = []  # another thread may close the object
         handle = self.handle(self._kind, keep)
-        count, get = getattr(_api.lib, f"shd_color_{name}_count"), getattr(_api.lib, f"shd_color_{name}_name")
+        count, get = getattr(_api.lib, f"shd_color_get_{name}_count"), getattr(_api.lib, f"shd_color_get_{name}_name")
         return [get(handle, *arguments, i).decode() for i in range(count(handle, *arguments))]
 
     def _text(self, name, *arguments):
         keep = []
-        found = getattr(_api.lib, f"shd_color_{name}")(self.handle(self._kind, keep), *arguments)
+        found = getattr(_api.lib, f"shd_color_get_{name}")(self.handle(self._kind, keep), *arguments)
         return found.decode() if found is not None else None
 
     @property
@@ -147,6 +147,6 @@ class Color(_Simple):
         made = image(pixels, keep, "pixels")
         if not pixels.flags.writeable:
             raise ValueError("pixels: the array is read-only")
-        _api.check(_api.lib.shd_color_convert(self.handle(self._kind, keep), text_bytes(from_space, "from_space"),
-                                              text_bytes(to_space, "to_space"), ctypes.addressof(made)))
+        _api.check(_api.lib.shd_color_convert(self.handle(self._kind, keep), ctypes.addressof(made),
+                                              text_bytes(from_space, "from_space"), text_bytes(to_space, "to_space")))
         return pixels

@@ -27,14 +27,14 @@ class Bitmap(Object):
     def color_space(self) -> str:
         """The colour space of the pixels, such as "sRGB"."""
         keep = []
-        return _api.lib.shd_bitmap_color_space(self.handle(self._kind, keep)).decode("utf-8", "replace")
+        return _api.lib.shd_bitmap_get_color_space(self.handle(self._kind, keep)).decode("utf-8", "replace")
 
     @property
     def pixels(self) -> np.ndarray:
         """The pixels in place, as a read-only array [height][width][4], which keeps their memory."""
         out = _api.new("shd_image")
         keep = []
-        _api.check(_api.lib.shd_bitmap_image(self.handle(self._kind, keep), ctypes.addressof(out)))
+        _api.check(_api.lib.shd_bitmap_get_image(self.handle(self._kind, keep), ctypes.addressof(out)))
         dtype, channels = array_type(out.format)
         stride = out.row_stride or out.width * channels * dtype.itemsize
         memory = (ctypes.c_char * (stride * (out.height - 1) + out.width * channels * dtype.itemsize)).from_address(

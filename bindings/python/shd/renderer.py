@@ -55,16 +55,16 @@ def exclusive(method):
 
 
 class Renderer:
-    """Renderer(width, height, samples=4, background=(0, 0, 0, 0)): a scene, a camera and a framebuffer.
+    """Renderer(width, height, sample_count=4, background=(0, 0, 0, 0)): a scene, a camera and a framebuffer.
 
     `background` has sRGB values 0..1 and an opacity. `ambient` is ambient light, `environment` an Environment, which is
     the background if `shows_environment` is true. Without any light a headlight and some ambient light are used. Models
     and the framebuffer are kept between frames. A renderer serves one thread; objects of shd may be shared.
     """
 
-    def __init__(self, width, height, samples=4, background=(0, 0, 0, 0), context=None):
+    def __init__(self, width, height, sample_count=4, background=(0, 0, 0, 0), context=None):
         self._context = Context() if context is None else context
-        self._samples, self._lock = samples, threading.Lock()
+        self._sample_count, self._lock = sample_count, threading.Lock()
         self._framebuffer = self._ids = self._plain = None
         self.items, self.lights, self.ambient = [], [], None
         self.environment, self.shows_environment = None, False
@@ -74,7 +74,7 @@ class Renderer:
 
     def resize(self, width, height):
         """Sets the size of the pictures [pixels]."""
-        made = Framebuffer(self._context, width, height, samples=self._samples, color_format="rgba8_srgb")
+        made = Framebuffer(self._context, width, height, sample_count=self._sample_count, color_format="rgba8_srgb")
         self._framebuffer, self._size, self._ids = made, (width, height), None
 
     @property
@@ -204,7 +204,8 @@ class Renderer:
                 for part in item.parts]
 
     @exclusive
-    def render(self, alpha=False, flat=False, shadows=False, **values) -> "tuple[np.ndarray, np.ndarray]":
+    def render(self, alpha=False, flat=False, shadows: "bool | list | tuple" = False,
+               **values) -> "tuple[np.ndarray, np.ndarray]":
         """Draws a frame: color [height][width][3] of uint8 in sRGB, and depth [height][width] of float32.
 
         Depth is the distance along the view [world units], 0 in the background. `alpha` adds a channel of opacity, with

@@ -87,16 +87,16 @@ class Scene(Object):
     @property
     def warnings(self) -> list:
         """Parts of the file that were left out or changed, one text each."""
-        return self._texts(_api.lib.shd_scene_warning, self.info["warning_count"])
+        return self._texts(_api.lib.shd_scene_get_warning, self.info["warning_count"])
 
     def names(self, part) -> list:
         """The names of the parts of a kind: names("mesh"), "material", "texture" (a path), "light",
         "camera" or "animation"."""
         kind = _api.enum_type("shd_scene_part")(enum_value("shd_scene_part", part, "part"))
-        return self._texts(_api.lib.shd_scene_name, self.info[f"{kind.name.lower()}_count"], int(kind))
+        return self._texts(_api.lib.shd_scene_get_name, self.info[f"{kind.name.lower()}_count"], int(kind))
 
     def _objects(self, kind):
-        get, name = getattr(_api.lib, f"shd_scene_{kind._kind[4:]}"), kind._kind[4:]
+        get, name = getattr(_api.lib, f"shd_scene_get_{kind._kind[4:]}"), kind._kind[4:]
         keep = []
         handle = self.handle(self._kind, keep)
         return [kind.borrowed(get(handle, i), keep) for i in range(self.info[f"{name}_count"])]

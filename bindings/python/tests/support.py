@@ -47,7 +47,7 @@ def threaded_executor(workers):
                     index = next(indices, None)
                 if index is None:
                     return
-                task(task_data, index, worker)
+                task(index, worker, task_data)
 
         threads = [threading.Thread(target=run, args=(w,)) for w in range(workers)]
         for thread in threads:

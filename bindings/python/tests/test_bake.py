@@ -18,7 +18,7 @@ class Bakes(Case):
         stats = shd.bake(self.context, framebuffer, [shd.Draw(mesh=self.square(), material=material)], states=states)
         np.testing.assert_allclose(framebuffer.plane("r")[0], (np.arange(8) + 0.5) / 8, atol=1e-6)
         np.testing.assert_allclose(framebuffer.plane("g")[:, 0], (np.arange(4) + 0.5) / 4, atol=1e-6)
-        self.assertEqual((stats["centre_texels"], np.unique(states).tolist()), (32, [shd.TexelState.CENTRE]))
+        self.assertEqual((stats["center_texel_count"], np.unique(states).tolist()), (32, [shd.TexelState.CENTER]))
 
     def test_refused(self):
         framebuffer, draws = self.framebuffer(8, 4), [shd.Draw(mesh=self.square())]
@@ -48,7 +48,7 @@ class Occlusion(Case):
         self.up = np.float32([[0, 1, 0]] * 2)
 
     def test_points(self):
-        values = shd.occlusion(self.context, self.points, self.up, draws=self.draws, rays=64)
+        values = shd.occlusion(self.context, self.points, self.up, draws=self.draws, ray_count=64)
         np.testing.assert_allclose(values, [1, 0], atol=0.1)
         self.assertEqual(shd.occlusion(self.context, self.points.reshape(2, 1, 3), self.up.reshape(2, 1, 3)).shape,
                          (2, 1))
@@ -73,19 +73,20 @@ class Occlusion(Case):
         require_component("shd_embree")
         with embree.Tree(self.context, self.draws) as tree:
             tracer = tree.tracer
-            values = shd.occlusion(self.context, self.points, self.up, tracer=tracer, rays=256)
+            values = shd.occlusion(self.context, self.points, self.up, tracer=tracer, ray_count=256)
         np.testing.assert_allclose(values, [1, 0], atol=0.1)
         self.check_refused(ValueError, "tracer: the Tree is closed", shd.occlusion, self.context, self.points, self.up,
                            tracer=tracer)
         self.check_refused(TypeError, "draws.0.: int, not Draw", embree.Tree, self.context, [3])
 
     def test_atlas(self):
-        image, stats = shd.bake_occlusion(self.context, 8, 4, [self.floor], draws=self.draws, rays=16)
-        self.assertEqual((image.shape, stats["centre_texels"]), ((4, 8), 32))
+        image, stats = shd.bake_occlusion(self.context, 8, 4, [self.floor], draws=self.draws, ray_count=16)
+        self.assertEqual((image.shape, stats["center_texel_count"]), ((4, 8), 32))
         self.assertGreater(image[:, 0].mean(), image[:, 7].mean() + 0.3)
-        open_sky, _ = shd.bake_occlusion(self.context, 8, 4, [self.floor], rays=16)
+        open_sky, _ = shd.bake_occlusion(self.context, 8, 4, [self.floor], ray_count=16)
         np.testing.assert_allclose(open_sky, 1, atol=0.01)
         self.check_refused(ValueError, "out: 9 rows, not 32", shd.bake_occlusion, self.context, 8, 4, [self.floor],
                            out=np.zeros(9, np.float32))
-        self.check_refused(shd.InvalidArgument, "rays", shd.occlusion, self.context, self.points, self.up, rays=0)
+        self.check_refused(shd.InvalidArgument, "ray_count", shd.occlusion, self.context, self.points, self.up,
+                           ray_count=0)
         self.check_refused(ValueError, "different lengths", shd.occlusion, self.context, self.points, self.up[:1])

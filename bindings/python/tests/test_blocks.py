@@ -24,7 +24,7 @@ class Blocks(Case):
     def test_levels_and_layers(self):
         blank = bytes(16)  # reserved: transparent black
         texture = shd.Texture.from_blocks(self.context, [blank * 2 + BC7 * 2, bytearray(blank + BC7)], format="bc7",
-                                          width=8, height=4, layers=2)
+                                          width=8, height=4, layer_count=2)
         self.assertEqual(texture.info["level_count"], 2)
         sampler = shd.Sampler(self.context, filter="nearest_mip")
         out = texture.sample(sampler, np.float32([0.5] * 4), np.float32([0.5] * 4), lod=np.float32([0, 1, 0, 1]),
@@ -37,7 +37,7 @@ class Blocks(Case):
         for kind, message, levels, values in (
                 (ValueError, r"levels\[0\]: 31 bytes, not 32", [(BC7 * 2)[:31]], {}),
                 (ValueError, r"levels\[1\]: 32 bytes, not 16", [BC7 * 2, BC7 * 2], {}),
-                (ValueError, r"levels\[0\]: 32 bytes, not 64", [BC7 * 2], {"layers": 2}),
+                (ValueError, r"levels\[0\]: 32 bytes, not 64", [BC7 * 2], {"layer_count": 2}),
                 (ValueError, "texture.format: RGBA8 has no compressed blocks", [BC7], {"format": "rgba8"}),
                 (TypeError, "levels: a list of bytes", BC7, {})):
             self.check_refused(kind, message, make, levels, **values)

@@ -92,7 +92,7 @@ class Colors(Case):
         both, stats = self.color.render(framebuffer, clear_color=(0.25, 0.5, 1, 1), view="Plain", out=out)
         self.assertIs(both, out)
         np.testing.assert_array_equal(both, plain)
-        self.assertEqual(stats["triangles"], 0)
+        self.assertEqual(stats["triangle_count"], 0)
         pixels = framebuffer.read_color()
         np.testing.assert_array_equal(self.color.apply_image(pixels, view="Plain"), plain)
         self.assertIs(self.color.convert(pixels, "Linear Rec.709", "ACEScg"), pixels)

@@ -15,14 +15,15 @@ class Environments(Case):
     def test_values(self):
         """A sky of radiance 1 has the irradiance pi, and 1 along each direction and lobe."""
         environment = shd.Environment(self.context, np.ones((8, 16, 3), np.float32))
-        np.testing.assert_allclose(environment.irradiance(AXES), np.pi, rtol=1e-3)
-        np.testing.assert_array_equal(environment.radiance(AXES), 1)
-        lobes = environment.radiance(AXES.reshape(3, 1, 3), roughness=np.float32([0.1, 0.5, 1]))
+        np.testing.assert_allclose(environment.sample_irradiance(AXES), np.pi, rtol=1e-3)
+        np.testing.assert_array_equal(environment.sample_radiance(AXES), 1)
+        lobes = environment.sample_radiance(AXES.reshape(3, 1, 3), roughness=np.float32([0.1, 0.5, 1]))
         self.assertEqual(lobes.shape, (3, 1, 3))
         np.testing.assert_allclose(lobes, 1, rtol=1e-3)
-        np.testing.assert_allclose(environment.radiance(list(AXES.T), exponent=np.float32([1, 8, 64])), 1, rtol=1e-3)
+        lobes = environment.sample_radiance(list(AXES.T), exponent=np.float32([1, 8, 64]))
+        np.testing.assert_allclose(lobes, 1, rtol=1e-3)
         out = np.zeros((3, 4), np.float32)
-        self.assertIs(environment.radiance(AXES, out=out[:, :3]).base, out)
+        self.assertIs(environment.sample_radiance(AXES, out=out[:, :3]).base, out)
         np.testing.assert_array_equal(out, [[1, 1, 1, 0]] * 3)
         self.assertEqual(environment.info["mean"], (1, 1, 1))
 
@@ -35,20 +36,20 @@ class Environments(Case):
                    camera=shd.Camera())
         np.testing.assert_allclose(framebuffer.plane("g"), 0.5, rtol=1e-6)
         environment.close()
-        self.check_refused(ValueError, "environment is closed|Environment is closed", environment.radiance, AXES)
+        self.check_refused(ValueError, "environment is closed|Environment is closed", environment.sample_radiance, AXES)
 
     def test_refused(self):
         environment = shd.Environment(self.context, np.ones((4, 8), np.float32), tables="radiance")
         for kind, message, call, values in (
-                (ValueError, "direction: the last axis has 2", environment.radiance, {"direction": AXES[:, :2]}),
-                (TypeError, "direction.* of float64", environment.radiance, {"direction": AXES.astype(float)}),
-                (ValueError, "different lengths: direction.0. 3", environment.radiance,
+                (ValueError, "direction: the last axis has 2", environment.sample_radiance, {"direction": AXES[:, :2]}),
+                (TypeError, "direction.* of float64", environment.sample_radiance, {"direction": AXES.astype(float)}),
+                (ValueError, "different lengths: direction.0. 3", environment.sample_radiance,
                  {"direction": AXES, "roughness": np.zeros(2, np.float32)}),
-                (ValueError, "direction: 2 columns, not 3", environment.radiance, {"direction": list(AXES[:2])}),
-                (TypeError, "direction: an array .count..components.", environment.radiance, {"direction": 3}),
-                (ValueError, "out .rgb.: 2 rows, not 3", environment.radiance,
+                (ValueError, "direction: 2 columns, not 3", environment.sample_radiance, {"direction": list(AXES[:2])}),
+                (TypeError, "direction: an array .count..components.", environment.sample_radiance, {"direction": 3}),
+                (ValueError, "out .channel.: 2 rows, not 3", environment.sample_radiance,
                  {"direction": AXES, "out": np.zeros((2, 3), np.float32)}),
-                (shd.Error, "GGX|ggx|roughness", environment.radiance,
+                (shd.Error, "GGX|ggx|roughness", environment.sample_radiance,
                  {"direction": AXES, "roughness": np.zeros(3, np.float32)})):
             with self.subTest(message):
                 self.check_refused(kind, message, call, **values)
@@ -104,7 +105,8 @@ class Shadows(Case):
         draws = [self.caster[0].replace(material=shd.Material(self.context, program={"vertex": fail}))]
         self.check_refused(KeyError, "from the program", shadow.render, self.context, self.sun, draws)
         shadow.render(self.context, self.sun, self.caster)
-        self.check_refused(ValueError, "out: 2 rows, not 3", shadow.sample, self.points, out=np.zeros(2, np.float32))
+        self.check_refused(ValueError, "out .visibility.: 2 rows, not 3", shadow.sample, self.points,
+                           out=np.zeros(2, np.float32))
         shadow.close()
         self.check_refused(ValueError, "the Shadow is closed", shadow.sample, self.points)
 
@@ -117,7 +119,7 @@ class Volumes(Case):
     def test_frame(self):
         """Light through a box of depth 1 is exp(-2); columns of the transfer function are copied."""
         framebuffer = self.framebuffer()
-        volume = self.volume(color=np.float32([[0, 0, 0], [0, 0, 1]]), box_min=(-9, -9, 0), box_max=(9, 9, 1))
+        volume = self.volume(color=np.float32([[0, 0, 0], [0, 0, 1]]), bounds_min=(-9, -9, 0), bounds_max=(9, 9, 1))
         shd.render(self.context, framebuffer, volumes=[shd.VolumeDraw(volume=volume)],
                    camera=shd.Camera(eye=(0, 0, 3), fov_y=0.01))
         np.testing.assert_allclose(framebuffer.plane("b"), 1 - np.exp(-2), rtol=1e-3)
@@ -138,34 +140,33 @@ class Volumes(Case):
 class Solids(Case):
     def test_values(self):
         place = np.float32([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]])
-        np.testing.assert_array_equal(shd.evaluate_solid(place, kind="checker"), [0, 1])
+        np.testing.assert_array_equal(shd.evaluate_solid(self.context, place, kind="checker"), [0, 1])
         colors = [(1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 0.5)]
-        value, color = shd.evaluate_solid(place, kind="checker", colors=colors, want=("value", "color"),
-                                          context=self.context)
+        value, color = shd.evaluate_solid(self.context, place, kind="checker", colors=colors, want=("value", "channel"))
         np.testing.assert_array_equal(color, [colors[0], colors[2]])
         grid = np.float32(np.random.default_rng(5).uniform(-9, 9, (4, 5, 3)))
-        noise = shd.evaluate_solid(grid, kind="perlin", octaves=6)
+        noise = shd.evaluate_solid(self.context, grid, kind="perlin", octaves=6)
         self.assertEqual(noise.shape, (4, 5))
         self.assertTrue(0.1 < np.ptp(noise) < 2)
         step = np.float32([1 / 1024, 0, 0])
-        slope = shd.evaluate_solid(grid, kind="perlin", want="gradient")
-        around = [shd.evaluate_solid(grid + s, kind="perlin") for s in (step, -step)]
+        slope = shd.evaluate_solid(self.context, grid, kind="perlin", want="gradient")
+        around = [shd.evaluate_solid(self.context, grid + s, kind="perlin") for s in (step, -step)]
         np.testing.assert_allclose((around[0] - around[1]) * 512, slope[..., 0], atol=2e-3)
-        blurred = shd.evaluate_solid(grid, kind="checker", width=np.full((4, 5), 64, np.float32))
+        blurred = shd.evaluate_solid(self.context, grid, kind="checker", width=np.full((4, 5), 64, np.float32))
         np.testing.assert_allclose(blurred, 0.5, atol=0.05)
 
     def test_refused(self):
         place = np.zeros((2, 3), np.float32)
         for kind, message, values in (
-                (ValueError, "outputs: 'height' is none of value, gradient, color", {"want": "height"}),
+                (ValueError, "outputs: 'height' is none of value, gradient, channel", {"want": "height"}),
                 (ValueError, "color_count: 2, but the list has 3", {"colors": [(0, 0, 0, 1)] * 3, "color_count": 2}),
                 (ValueError, "an array of shape .9, 4., not .1..8..4.", {"colors": np.zeros((9, 4))}),
                 (shd.InvalidArgument, "octaves", {"octaves": 99}),
-                (ValueError, "1 arrays for 2 outputs", {"want": ("value", "color"), "out": [place]}),
+                (ValueError, "1 arrays for 2 outputs", {"want": ("value", "channel"), "out": [place]}),
                 (TypeError, "no field octave; did you mean octaves", {"octave": 2})):
             with self.subTest(message):
-                self.check_refused(kind, message, shd.evaluate_solid, place, **values)
-        self.check_refused(TypeError, "position.* of float64", shd.evaluate_solid, np.zeros((2, 3)))
+                self.check_refused(kind, message, shd.evaluate_solid, self.context, place, **values)
+        self.check_refused(TypeError, "position.* of float64", shd.evaluate_solid, self.context, np.zeros((2, 3)))
 
 
 class Memory(Case):

@@ -63,7 +63,7 @@ class Lookups(Case):
                 (ValueError, "v: its stride is 0 bytes", {"v": np.broadcast_to(np.float32(0), 4)}),
                 (ValueError, "different lengths: u 4, v 3", {"v": v[:3]}),
                 (ValueError, "lod 1", {"lod": [0.5]}),
-                (TypeError, "no column dx; there are u, v, dudx", {"dx": u}),
+                (TypeError, "no column dx; there are u, v, w, dudx", {"dx": u}),
                 (ValueError, "u: an array of 2 axes must be contiguous", {"u": np.zeros((4, 4), np.float32)[:, 1:2]}),
                 (ValueError, "out: 3 rows for 4 lookups", {"out": np.zeros((3, 4), np.float32)}),
                 (ValueError, "out: 5 columns, not 1 to 4", {"out": np.zeros((4, 5), np.float32)}),
@@ -107,13 +107,48 @@ class Textures(Case):
 
     def test_layers_and_slices(self):
         texels = np.arange(24, dtype=np.float32).reshape(2, 3, 4)
-        layers = shd.Texture(self.context, texels, layers=2)
+        layers = shd.Texture(self.context, texels, layer_count=2)
         np.testing.assert_array_equal(layers.read_level(layer=1)[..., 0], texels[1])
         slices = shd.Texture(self.context, texels, depth=2)
         sampler = shd.Sampler(self.context, filter="nearest")
         u = np.float32([0.1])
         out = slices.sample(sampler, u, u, w=np.float32([0.75]), channels=1)
         self.assertEqual(out[0, 0], texels[1, 0, 0])
+
+    def test_kinds(self):
+        """A depth or a projection without a kind decides the kind; of a cube each face has a texel of its own."""
+        faces = np.arange(6, dtype=np.float32).reshape(6, 1, 1, 1)
+        axes = np.float32([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
+        sampler = shd.Sampler(self.context, filter="nearest")
+        for values in ({}, {"kind": "directions"}, {"kind": shd.TextureKind.DIRECTIONS}):
+            cube = shd.Texture(self.context, faces, projection="cube", **values)
+            self.assertEqual((cube.info["kind"], cube.info["layer_count"]), (shd.TextureKind.DIRECTIONS, 6))
+            found = cube.sample(sampler, axes[:, 0], axes[:, 1], w=axes[:, 2].copy(), channels=1)
+            np.testing.assert_array_equal(found[:, 0], range(6))
+        for texels, values, kind, info in (
+                (faces, {"depth": 6}, "N3D", {"depth": 6, "layer_count": 1}),
+                (faces, {"depth": 6, "kind": "3d"}, "N3D", {"depth": 6}),
+                (faces[:1], {"depth": 1}, "N3D", {"depth": 1}),
+                (faces, {"layer_count": 6}, "N2D", {"depth": 0, "layer_count": 6}),
+                (faces[0], {}, "N2D", {"layer_count": 1}),
+                (faces, {"projection": "lat_long", "layer_count": 6}, "DIRECTIONS", {"layer_count": 6})):
+            with self.subTest(values):
+                made = shd.Texture(self.context, texels, **values).info
+                self.assertEqual((made["kind"].name, {k: made[k] for k in info}), (kind, info))
+        levels = [np.full((1, 1), 10 + i, np.float32) for i in range(6)]
+        cube = shd.Texture(self.context, np.zeros((6, 2, 2), np.float32), projection="cube", tables="mipmap",
+                           level_images=levels)
+        self.assertEqual([float(cube.read_level(1, i).item()) for i in range(6)], [10, 11, 12, 13, 14, 15])
+        for kind, message, values in (
+                (ValueError, "depth is of 3D textures and projection of directions; give the kind",
+                 {"depth": 6, "projection": "cube"}),
+                (ValueError, "6 images, not 5", {"depth": 5}),
+                (ValueError, "4 axes, not 2 or 3", {"projection": "lat_long"}),
+                (ValueError, "'4d' is none of 2d, 3d, directions", {"kind": "4d"}),
+                (ValueError, "6 images, not 0", {"kind": "3d"})):
+            with self.subTest(message):
+                self.check_refused(kind, message, lambda: shd.Texture(self.context, faces, **values))
+        self.check_refused(shd.InvalidArgument, "projection", shd.Texture, self.context, faces[0], projection="none")
 
     def test_update(self):
         texture = shd.Texture(self.context, np.zeros((4, 4, 4), np.uint8), srgb=True)
@@ -131,24 +166,25 @@ class Textures(Case):
     def test_levels(self):
         """The caller's levels of two layers: two images for each level."""
         base, levels = np.zeros((2, 4, 4), np.float32), [np.full((2, 2), i, np.float32) for i in (1, 2)]
-        texture = shd.Texture(self.context, base, layers=2, tables="mipmap", levels=levels)
+        texture = shd.Texture(self.context, base, layer_count=2, tables="mipmap", level_images=levels)
         self.assertEqual(texture.info["level_count"], 2)
         np.testing.assert_array_equal(texture.read_level(1, 1)[..., 0], levels[1])
-        self.check_refused(ValueError, "3 elements for 2 layers", shd.Texture, self.context, base, layers=2,
-                           tables="mipmap", levels=[*levels, levels[0]])
+        self.check_refused(ValueError, "3 elements for 2 layer_count", shd.Texture, self.context, base, layer_count=2,
+                           tables="mipmap", level_images=[*levels, levels[0]])
 
     def test_refused(self):
         make = lambda texels, **values: shd.Texture(self.context, texels, **values)
         for kind, message, texels, values in (
                 (TypeError, "of float64, not uint8, uint16, float16, float32", np.zeros((2, 2)), {}),
                 (TypeError, "a NumPy array, not list", [[0]], {}),
-                (ValueError, "5 channels, not 1 to 4", np.zeros((2, 2, 5), np.uint8), {}),
+                (ValueError, "5 channels, not 1 to 4; images are .height..width..channels.",
+                 np.zeros((2, 2, 5), np.uint8), {}),
                 (ValueError, "1 axes, not 2 or 3", np.zeros(4, np.uint8), {}),
                 (ValueError, "must be packed", np.zeros((4, 4, 4), np.uint8)[..., ::2], {}),
                 (ValueError, "reverse order", np.zeros((4, 4), np.uint8)[::-1], {}),
                 (ValueError, "is empty", np.zeros((0, 4), np.uint8), {}),
                 (TypeError, "sRGB texels are of uint8", np.zeros((2, 2), np.float32), {"srgb": True}),
-                (ValueError, "2 images, not 3", np.zeros((2, 2, 2), np.uint8), {"layers": 3}),
+                (ValueError, "2 images, not 3", np.zeros((2, 2, 2), np.uint8), {"layer_count": 3}),
                 (ValueError, "'mip' is none of none, mipmap", np.zeros((2, 2), np.uint8), {"tables": "mip"}),
                 (TypeError, "no field table; did you mean tables", np.zeros((2, 2), np.uint8), {"table": "mipmap"})):
             with self.subTest(message):

@@ -138,7 +138,7 @@ class Models(Case):
         self.check_refused(ValueError, "animation: .Run. is not one of", scene.pose, "Run", 1)
         self.check_refused(shd.Error, "animation: 1, but the scene has 1", scene.pose, 1, 1)
         self.check_refused(shd.Error, "", scene.pose, 0, float("nan"))
-        with shd.Renderer(16, 16, samples=1, context=self.context) as renderer:
+        with shd.Renderer(16, 16, sample_count=1, context=self.context) as renderer:
             renderer.add(scene.pose("Move", 2))
             renderer.look_at(eye=(4, 0, 4), target=(4, 0, 0))
             self.assertGreater(renderer.render(flat=True)[0][8, 8, 0], 250)
@@ -182,7 +182,7 @@ class Shown(Case):
         super().setUpClass()
 
     def rendered(self, source, **values):
-        with shd.Renderer(16, 16, samples=1, background=(0, 0, 1), context=self.context) as renderer:
+        with shd.Renderer(16, 16, sample_count=1, background=(0, 0, 1), context=self.context) as renderer:
             renderer.add(source, **values)
             renderer.look_at(eye=(0, 0, 3))
             return renderer.render(flat=True)[0][8, 8].tolist()

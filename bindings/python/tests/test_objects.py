@@ -58,6 +58,14 @@ class Lifetimes(Case):
         self.assertGreater(allocator.total, 0)
         self.assertEqual(allocator.live, 0)
 
+    def test_repr(self):
+        texture = shd.Texture(self.context, np.zeros((3, 2, 4), np.uint8), srgb=True)
+        self.assertEqual(repr(texture), "<shd.Texture 2 x 3 rgba8_srgb>")
+        self.assertEqual(repr(self.framebuffer()), "<shd.Framebuffer 16 x 8 rgba32f>")
+        self.assertEqual(repr(shd.Sampler(self.context)), "<shd.Sampler>")
+        texture.close()
+        self.assertEqual(repr(texture), "<shd.Texture, closed>")
+
     def test_out_of_memory(self):
         """An allocator that serves small blocks only."""
         allocator = Allocator()
@@ -144,6 +152,8 @@ class Descs(Case):
         self.assertIn("RenderDesc", dir(shd))
         self.assertIn("EWA", shd.Filter.__members__)
         self.check_refused(AttributeError, "no attribute nothing", lambda: shd.nothing)
+        self.assertEqual(shd.__version__, ".".join(str(part) for part in shd.version()))
+        self.assertNotIn("importlib", dir(shd))
 
 
 class Stubs(Case):
@@ -173,7 +183,7 @@ class Meshes(Case):
             np.testing.assert_array_equal(mesh.normals, [[0, 0, 1]] * 4)
         columns = shd.Mesh(self.context, [position[:, 0], position[:, 1], position[:, 2]], [0, 1, 2])
         self.assertEqual(columns.info["triangle_count"], 1)
-        self.assertEqual(shd.Mesh.shape(self.context, shape="box").info["triangle_count"], 12)
+        self.assertEqual(shd.Mesh.shape(self.context, kind="box").info["triangle_count"], 12)
 
     def test_refused(self):
         position = np.zeros((3, 3), np.float32)
@@ -182,7 +192,8 @@ class Meshes(Case):
         self.check_refused(ValueError, "position.*2 elements, not 3", make, position[:, :2].copy())
         self.check_refused(ValueError, r"different lengths: position\[0\] 3.*uv\[0\] 2", make, position,
                            uv=np.zeros((2, 2), np.float32))
-        self.check_refused(TypeError, "indices: the array is of int64", make, position, np.array([0, 1, 2]))
+        self.check_refused(TypeError, "indices: the array is of int64, not uint32; .astype.numpy.uint32. converts it",
+                           make, position, np.array([0, 1, 2]))
         self.check_refused(shd.InvalidArgument, "indices", make, position, np.uint32([0, 1, 7]))
         self.check_refused(ValueError, "vertex_count 9", make, position, vertex_count=9)
         self.check_refused(ValueError, "index_count: 6, but indices has 3", make, position, [0, 1, 2], index_count=6)

@@ -22,7 +22,7 @@ class Frames(Case):
             shd.slot("diffuse", self.checker(), shd.Sampler(self.context, filter="nearest"))])
         framebuffer = self.framebuffer(aovs="uv|draw")
         stats = shd.render(self.context, framebuffer, [shd.Draw(mesh=self.square(), material=material)])
-        self.assertEqual((stats["triangles"], stats["rasterised"]), (2, 2))
+        self.assertEqual((stats["triangle_count"], stats["rasterized_triangle_count"]), (2, 2))
         color = framebuffer.read_color()
         expected = np.zeros((8, 16), np.float32)
         expected[:4, 8:] = expected[4:, :8] = 1
@@ -206,8 +206,9 @@ class Programs(Case):
         image, lock = np.zeros((128, 256), np.float32), threading.Lock()
 
         def present(tile):
+            a = tile.area
             with lock:
-                image[tile.y:tile.y + tile.height, tile.x:tile.x + tile.width] = tile.channel[0]
+                image[a.y:a.y + a.height, a.x:a.x + a.width] = tile.channel[0]
 
         with shd.Context(executor=threaded_executor(2)) as context, shd.Framebuffer(context, 256, 128) as framebuffer:
             material = shd.Material(context, model="program", program={"fragment": self.shade})
@@ -222,9 +223,12 @@ class Programs(Case):
         framebuffer = self.framebuffer()
         shd.render(self.context, framebuffer, progress={"report": fractions.append})
         self.assertEqual(fractions[-1], 1)
-        with self.assertRaises(shd.Error) as caught:
-            shd.render(self.context, framebuffer, progress={"report": lambda fraction: True})
-        self.assertEqual(caught.exception.result, shd.Result.ERROR_CANCELLED)
+        for answer in (None, True, 0, shd.Result.OK):
+            shd.render(self.context, framebuffer, progress={"report": lambda fraction: answer})
+        for answer, result in ((False, shd.Result.ERROR_CANCELLED), (shd.Result.ERROR_LIMIT, shd.Result.ERROR_LIMIT)):
+            with self.assertRaises(shd.Error) as caught:
+                shd.render(self.context, framebuffer, progress={"report": lambda fraction: answer})
+            self.assertEqual(caught.exception.result, result)
         self.check_refused(ZeroDivisionError, "", shd.render, self.context, framebuffer,
                            progress={"report": lambda fraction: 1 // 0})
 

@@ -122,7 +122,7 @@ class Models(Renderers):
 class Frames(Renderers):
     def test_depth(self):
         """Distances along the view, of a plane that leans away; 0 in the background."""
-        renderer = shd.Renderer(40, 30, samples=1, context=self.context)
+        renderer = shd.Renderer(40, 30, sample_count=1, context=self.context)
         renderer.add(Trimesh([[-9, -1, 0], [9, -1, 0], [9, -1, -40], [-9, -1, -40]], [[0, 1, 2], [0, 2, 3]]))
         renderer.look_from(np.eye(4), yfov=1.0)
         depth = renderer.render()[1]

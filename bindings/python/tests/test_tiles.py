@@ -12,7 +12,7 @@ from shd import _api, io
 from support import Case, require_component
 
 WIDTH, HEIGHT = 100, 70
-REGION = {"level": 1, "width": 50, "height": 35}
+REGION = {"level": 1, "area": {"width": 50, "height": 35}}
 
 
 class Source:
@@ -28,7 +28,8 @@ class Source:
             problem, self.problem = self.problem, None
             raise problem
         for tile in tiles:
-            tile.texels[...] = self.levels[tile.level][tile.y:tile.y + tile.height, tile.x:tile.x + tile.width]
+            a = tile.area
+            tile.texels[...] = self.levels[tile.level][a.y:a.y + a.height, a.x:a.x + a.width]
         self.kept = tiles
 
 
@@ -53,11 +54,11 @@ class Tiles(Case):
         """The bits are those of the texture in memory, and the calls are those that the cache counts."""
         np.testing.assert_array_equal(self.sample(self.texture), self.sample(self.memory))
         stats = self.cache.stats
-        self.assertEqual((stats["loads"], stats["loaded_tiles"], stats["failed_tiles"]),
+        self.assertEqual((stats["load_count"], stats["loaded_tile_count"], stats["failed_tile_count"]),
                          (self.source.calls, self.source.tiles, 0))
-        self.assertEqual(stats["resident_tiles"], self.source.tiles)
+        self.assertEqual(stats["resident_tile_count"], self.source.tiles)
         self.sample(self.texture)
-        self.assertEqual(self.cache.stats["loads"], stats["loads"])
+        self.assertEqual(self.cache.stats["load_count"], stats["load_count"])
         self.source.kept[0].texels[...] = 99  # the array belongs to the function, not to the cache
         np.testing.assert_array_equal(self.sample(self.texture), self.sample(self.memory))
 
@@ -68,7 +69,7 @@ class Tiles(Case):
             self.source.problem = ZeroDivisionError("no tile")
             self.check_refused(ZeroDivisionError, "no tile", call, texture)
             np.testing.assert_array_equal(self.sample(texture), self.sample(self.memory))
-        self.assertGreater(self.cache.stats["failed_tiles"], 2)
+        self.assertGreater(self.cache.stats["failed_tile_count"], 2)
 
     def test_requested(self):
         """Lookups that do not wait call nothing; the function runs in load_requested(), which raises its exception."""
@@ -79,14 +80,14 @@ class Tiles(Case):
         loaded = 0
         while self.sample(self.texture, missing_tiles="coarser") is not None and (more := self.cache.load_requested(8)):
             loaded += more
-        self.assertEqual((loaded, self.cache.stats["requested_tiles"]), (self.cache.stats["loaded_tiles"], 0))
+        self.assertEqual((loaded, self.cache.stats["requested_tile_count"]), (self.cache.stats["loaded_tile_count"], 0))
         np.testing.assert_array_equal(self.sample(self.texture, missing_tiles="coarser"), self.sample(self.memory))
 
     def test_regions(self):
         self.texture.pin_tiles(**REGION)
-        self.assertEqual(self.cache.stats["pinned_tiles"], 4 * 3)
+        self.assertEqual(self.cache.stats["pinned_tile_count"], 4 * 3)
         self.texture.unpin_tiles(**REGION)
-        self.assertEqual(self.cache.stats["pinned_tiles"], 0)
+        self.assertEqual(self.cache.stats["pinned_tile_count"], 0)
         self.check_refused(shd.InvalidArgument, "pinned", self.texture.unpin_tiles, **REGION)
         calls = self.source.calls
         self.texture.load_tiles(**REGION)
@@ -111,7 +112,7 @@ class Tiles(Case):
 
     def test_refused(self):
         for kind, message, values in (
-                (shd.Error, "texture.format", {"format": "rgb8"}), (shd.Error, "texture.layers", {"depth": 2, "layers": 2}),
+                (shd.Error, "texture.format", {"format": "rgb8"}), (shd.Error, "layer_count", {"layer_count": 0}),
                 (TypeError, "no field size", {"size": 3})):
             self.check_refused(kind, message, self.make, **values)
         self.check_refused(TypeError, "cache: Sampler, not TileCache", shd.Texture.from_tiles, self.context,
@@ -125,8 +126,9 @@ class Tiles(Case):
     def test_file(self):
         require_component("shd_io")
         path = pathlib.Path(__file__).resolve().parents[2] / "tiled.tif"
-        texture, info = io.open_texture(self.context, path, self.cache, color_space="linear")
-        self.assertEqual(info, {"columns": 1, "rows": 1, "files": 1, "tile_width": 16, "tile_height": 16})
+        texture, info = io.open_texture(self.context, path, self.cache, encoding="linear")
+        self.assertEqual(info, {"column_count": 1, "row_count": 1, "file_count": 1, "tile_width": 16,
+                                "tile_height": 16})
         memory = shd.Texture(self.context, np.arange(256, dtype=np.uint8).reshape(16, 16))
         sampler = shd.Sampler(self.context)
         np.testing.assert_array_equal(texture.sample(sampler, self.u, self.v), memory.sample(sampler, self.u, self.v))

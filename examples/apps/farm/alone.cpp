@@ -29,10 +29,6 @@ void render_band(const Options& options, Stage* stage, uint32_t y, FrameFile* fi
 }  // namespace
 
 int render_alone(const Options& options) {
-  if (options.single % options.window && options.single < options.height) {
-    std::fprintf(stderr, "shd-farm: --single: %u is no multiple of --window, %u\n", options.single, options.window);
-    return kExitUsage;
-  }
   const Clock::time_point begin = Clock::now();
   const shd::context context = shd::context_create(nullptr);
   const std::vector<char> block = make_scene_block(context, options);

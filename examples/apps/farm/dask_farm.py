@@ -32,7 +32,7 @@ def stage():
     texture = shd.Texture(context, texels, srgb=True, tables="mipmap")
     sampler = shd.Sampler(context, filter="ewa", max_anisotropy=16)
     material = shd.Material(context, model="blinn_phong", slots=[shd.slot("diffuse", texture, sampler)])
-    draw = shd.Draw(mesh=shd.Mesh.shape(context, shape="torus"), material=material)
+    draw = shd.Draw(mesh=shd.Mesh.shape(context, kind="torus"), material=material)
     sun = shd.Light(context, kind="directional", direction=(-0.5, -1, -0.25))
     return context, texture, sampler, draw, sun
 
@@ -50,7 +50,7 @@ def window(size, x, y):
     """The window of the picture that begins at (x, y): the bits of the whole picture."""
     context, _, _, draw, sun = stage()
     edge_x, edge_y = min(WINDOW, size - x), min(WINDOW, size - y)
-    framebuffer = shd.Framebuffer(context, edge_x, edge_y, samples=8)
+    framebuffer = shd.Framebuffer(context, edge_x, edge_y, sample_count=8)
     shd.render(context, framebuffer, [draw], camera=shd.Camera(eye=(0.5, 1.5, 2)), lights=[sun], picture_width=size,
                picture_height=size, crop_x=x, crop_y=y, supersampling=4)
     return framebuffer.read_color("rgba16f")
@@ -58,7 +58,7 @@ def window(size, x, y):
 
 def whole(size):
     context, _, _, draw, sun = stage()
-    framebuffer = shd.Framebuffer(context, size, size, samples=8)
+    framebuffer = shd.Framebuffer(context, size, size, sample_count=8)
     shd.render(context, framebuffer, [draw], camera=shd.Camera(eye=(0.5, 1.5, 2)), lights=[sun], supersampling=4)
     return framebuffer.read_color("rgba16f")
 

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
+#include "command/program.h"
 #include "node_memory.h"
 #include "part_file.h"
 #include "ranks.h"
@@ -58,7 +58,7 @@ int run_rank(const Options& options) {
   return status;
 }
 
-/// Throws std::invalid_argument for bad options.
+/// Throws Failure for bad options.
 int run(int argc, char** argv) {
   Options options;
   if (!read_options(argc, argv, &options)) return 0;
@@ -79,17 +79,9 @@ int main(int argc, char** argv) {
   std::memcpy(&first, &one, 1);
   if (first != 1) {
     std::fprintf(stderr, "shd-farm: OpenEXR files are little-endian, and this machine is not\n");
-    return farm::kExitFailed;
+    return kExitFailed;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files becomes an error of write()
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  try {
-    return farm::run(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "shd-farm: %s\n", error.what());
-    return farm::kExitUsage;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "shd-farm: %s\n", error.what());
-    return farm::kExitFailed;
-  }
+  return command::run("shd-farm", [&] { return farm::run(argc, argv); });
 }

@@ -2,132 +2,82 @@
 #include "options.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <map>
-#include <stdexcept>
+
+#include "command/values.h"
 
 namespace farm {
 namespace {
 
-constexpr char kUsage[] =
-    "Usage: mpirun -n RANKS shd-farm [option...]\n"
-    "  --size WxH         pixels of a picture, 1..65536 each; default 1024x1024\n"
-    "  --window N         edge length of windows and of tiles of the file, 16..4096; default 256\n"
-    "  --samples N        samples of a pixel: 1, 2, 4, 8 or 16; default 4\n"
-    "  --supersampling N  average N x N pixels, 1..16; size times N is at most 65536; default 1\n"
-    "  --frames N         frames of one turn around the scene, 1..9999; default 1\n"
-    "  --frame N          only this frame, 0..frames - 1, for arrays of jobs\n"
-    "  --model FILE       a model with its textures; default a scene made in code\n"
-    "  --copies N         the model stands in N x N places, 1..32; default 3\n"
-    "  --orbit A,E        azimuth and elevation of the camera in degrees; default 35,30\n"
-    "  --threads N        threads of each rank, 1..1024; default 1\n"
-    "  --single ROWS      one process without MPI, bands of up to ROWS rows; 1..16384\n"
-    "  --through-root     send windows to rank 0, which alone writes; default: each rank writes its windows\n"
-    "  --no-reserve       do not allocate the space of a file when it is begun\n"
-    "  --timeout SECONDS  end the job when a rank does not answer, 1..86400; default 60\n"
-    "  --fresh            remove earlier work instead of resuming it\n"
-    "  --times FILE       write seconds of each window as CSV\n"
-    "  -o FILE            picture, ends with .exr; default farm.exr\n";
+using namespace command;
 
-double number(const std::string& option, const std::string& text, double low, double high) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(value >= low && value <= high)) {
-    char range[80];
-    std::snprintf(range, sizeof range, " is not in %g..%g", low, high);
-    throw std::invalid_argument(option + ": " + text + range);
-  }
-  return value;
+Values sample_values(uint32_t& out) {
+  const auto read = [&out](const std::string& text) { return number(out, 1, 16).read(text) && (out & (out - 1)) == 0; };
+  return {"1, 2, 4, 8 or 16", {}, std::to_string(out), read};
 }
 
-uint32_t whole(const std::string& option, const std::string& text, uint32_t low, uint32_t high) {
-  const double value = number(option, text, low, high);
-  if (value != std::floor(value)) throw std::invalid_argument(option + ": " + text + " is not a whole number");
-  return static_cast<uint32_t>(value);
-}
-
-/// "A<separator>B" in two parts.
-std::pair<std::string, std::string> halves(const std::string& option, const std::string& text, char separator) {
-  const size_t at = text.find(separator);
-  if (at == std::string::npos) throw std::invalid_argument(option + ": " + text + " has no '" + separator + "'");
-  return {text.substr(0, at), text.substr(at + 1)};
-}
-
-using Setter = std::function<void(const std::string&)>;
-
-std::map<std::string, Setter> setters(Options* o) {
-  const auto count = [](const char* name, uint32_t low, uint32_t high, uint32_t* to) {
-    return [=](const std::string& text) { *to = whole(name, text, low, high); };
+Values orbit_values(Options& out) {
+  const auto read = [&out](const std::string& text) {
+    const std::vector<std::string> angles = split(text, ',');
+    return angles.size() == 2 && number(out.azimuth, -360, 360).read(angles[0]) &&
+           number(out.elevation, -5, 85).read(angles[1]);
   };
-  const auto string = [](std::string* to) { return [=](const std::string& text) { *to = text; }; };
-  return {{"--size",
-           [=](const std::string& text) {
-             const auto [w, h] = halves("--size", text, 'x');
-             o->width = whole("--size", w, 1, 65536), o->height = whole("--size", h, 1, 65536);
-           }},
-          {"--orbit",
-           [=](const std::string& text) {
-             const auto [a, e] = halves("--orbit", text, ',');
-             o->azimuth = static_cast<float>(number("--orbit", a, -360, 360));
-             o->elevation = static_cast<float>(number("--orbit", e, -5, 85));
-           }},
-          {"--window", count("--window", 16, 4096, &o->window)},
-          {"--samples", count("--samples", 1, 16, &o->samples)},
-          {"--supersampling", count("--supersampling", 1, 16, &o->supersampling)},
-          {"--frames", count("--frames", 1, 9999, &o->frames)},
-          {"--frame", [=](const std::string& text) { o->frame = whole("--frame", text, 0, 9998); }},
-          {"--threads", count("--threads", 1, 1024, &o->threads)},
-          {"--copies", count("--copies", 1, 32, &o->copies)},
-          {"--single", count("--single", 1, 16384, &o->single)},
-          {"--timeout", [=](const std::string& text) { o->timeout = number("--timeout", text, 1, 86400); }},
-          {"--model", string(&o->model)},
-          {"--times", string(&o->times)},
-          {"-o", string(&o->output)}};
+  return {"AZIMUTH,ELEVATION in degrees, -360..360 and -5..85", {}, "35,30", read};
+}
+
+Group picture_options(Options& out) {
+  return {"Picture",
+          {{"-o,--output", "FILE", file(out.output), "The picture, which ends with .exr."},
+           {"--size", "WxH", size({out.width, out.height}, 65536), "Pixels of a picture."},
+           {"--samples", "N", sample_values(out.samples), "Samples of a pixel."},
+           {"--supersampling", "N", number(out.supersampling, 1, 16),
+            "Average N x N pixels. Size times N is at most 65536."},
+           {"--frames", "N", number(out.frames, 1, 9999), "Frames of one turn around the scene."},
+           {"--frame", "N", initially(number(out.frame, 0, 9998), "all"), "Only this frame, for arrays of jobs."},
+           {"--model", "FILE", initially(file(out.model), "a scene made in code"), "A model with its textures."},
+           {"--copies", "N", number(out.copies, 1, 32), "The model stands in N x N places."},
+           {"--orbit", "A,E", orbit_values(out), "Azimuth and elevation of the camera."}}};
+}
+
+Group job_options(Options& out) {
+  return {
+      "Job",
+      {{"--window", "N", number(out.window, 16, 4096), "Edge length of windows and of tiles of the file."},
+       {"--threads", "N", number(out.threads, 1, 1024), "Threads of each rank."},
+       {"--single", "ROWS", initially(number(out.single, 1, 16384), ""),
+        "One process without MPI, in bands of up to ROWS rows."},
+       {"--through-root", "", flag(out.through_root),
+        "Send windows to rank 0, which alone writes. Without it each rank writes its windows."},
+       {"--no-reserve", "", flag(out.reserve, false), "Do not allocate the space of a file when it is begun."},
+       {"--timeout", "SECONDS", number(out.timeout, 1, 86400, " seconds"), "End the job when a rank does not answer."},
+       {"--fresh", "", flag(out.fresh), "Remove earlier work instead of resuming it."},
+       {"--times", "FILE", file(out.times), "Write seconds of each window as CSV."}}};
 }
 
 void check_together(const Options& o) {
-  if (o.frame >= int64_t{o.frames}) {
-    throw std::invalid_argument("--frame: " + std::to_string(o.frame) + " is not in 0.." +
-                                std::to_string(o.frames - 1) + ", the range of --frames");
-  }
-  if (o.samples & (o.samples - 1)) {
-    throw std::invalid_argument("--samples: " + std::to_string(o.samples) + " is not 1, 2, 4, 8 or 16");
-  }
-  if (uint64_t{std::max(o.width, o.height)} * o.supersampling > 65536) {
-    throw std::invalid_argument("--supersampling: " + std::to_string(o.supersampling) + " times --size is above 65536");
-  }
-  if (o.output.size() < 5 || o.output.substr(o.output.size() - 4) != ".exr") {
-    throw std::invalid_argument("-o: " + o.output + " does not end with .exr");
-  }
-  if (o.single && o.width > 16384) throw std::invalid_argument("--single: pictures are at most 16384 pixels wide");
+  refuse_if(o.frame >= int64_t{o.frames}, "--frame: " + std::to_string(o.frame) + " is not in 0.." +
+                                              std::to_string(o.frames - 1) + ", the range of --frames");
+  refuse_if(uint64_t{std::max(o.width, o.height)} * o.supersampling > 65536,
+            "--supersampling: " + std::to_string(o.supersampling) + " times --size is above 65536");
+  const bool is_exr = o.output.size() > 4 && o.output.substr(o.output.size() - 4) == ".exr";
+  refuse_if(!is_exr, "-o: " + o.output + " does not end with .exr");
+  refuse_if(o.single && o.single % o.window && o.single < o.height,
+            "--single: " + std::to_string(o.single) + " is no multiple of --window, " + std::to_string(o.window));
+  refuse_if(o.single && o.width > 16384, "--single: pictures are at most 16384 pixels wide");
 }
 
 }  // namespace
 
 bool read_options(int argc, char** argv, Options* options) {
-  const std::map<std::string, bool*> flags = {{"--through-root", &options->through_root}, {"--fresh", &options->fresh}};
-  const auto values = setters(options);
-  for (int i = 1; i < argc; ++i) {
-    const std::string name = argv[i];
-    if (name == "--help") {
-      std::fputs(kUsage, stdout);
-      return false;
-    }
-    if (name == "--no-reserve") {
-      options->reserve = false;
-    } else if (const auto flag = flags.find(name); flag != flags.end()) {
-      *flag->second = true;
-    } else if (const auto value = values.find(name); value == values.end()) {
-      throw std::invalid_argument(name + ": no such option; --help lists them");
-    } else if (++i == argc) {
-      throw std::invalid_argument(name + ": its value is missing");
-    } else {
-      value->second(argv[i]);
-    }
-  }
+  const Program program = {"shd-farm",
+                           "render a picture on the ranks of an MPI job",
+                           "[options]",
+                           "Renders one picture, or frames of a turn around a scene, under mpirun.",
+                           {picture_options(*options), job_options(*options)},
+                           {}};
+  std::vector<std::string> rest;
+  if (!parse(program, argc, argv, rest)) return false;
+  if (!rest.empty()) throw Failure(kExitUsage, "\"" + rest[0] + "\" is not an option");
   check_together(*options);
   return true;
 }

@@ -28,7 +28,7 @@ struct Options {
   std::string times;                // CSV of the seconds of each window; "" = none
 };
 
-/// Throws std::invalid_argument that names the option, its value and its range. False after --help.
+/// Throws Failure that names the option, its value and its range. False after --help.
 bool read_options(int argc, char** argv, Options* options);
 
 /// Name of the file of a frame.

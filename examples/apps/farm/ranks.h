@@ -3,12 +3,13 @@
 #ifndef SHD_FARM_RANKS_H
 #define SHD_FARM_RANKS_H
 
+#include "command/failure.h"
 #include "options.h"
 #include "stage.h"
 
 namespace farm {
 
-constexpr int kExitFailed = 1, kExitUsage = 2, kExitSilent = 4;
+constexpr int kExitSilent = 4;  // beside those of command/failure.h
 
 /// Returns the exit status of the job.
 int serve(const Options& options, uint64_t scene_sum, Stage* stage);

@@ -59,7 +59,7 @@ void add_floor(shd_context* context, BlockBuilder* block) {
   const float width =
       std::max(block->bounds_max[0] - block->bounds_min[0], block->bounds_max[2] - block->bounds_min[2]);
   shd_shape_desc plane = shd_shape_desc_default();
-  plane.shape = SHD_SHAPE_PLANE;
+  plane.kind = SHD_SHAPE_PLANE;
   plane.size[0] = plane.size[2] = 4.0f * width;
   const shd::mesh mesh = shd::mesh_create_shape(context, &plane, SHD_MESH_NONE);
   shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, nullptr, nullptr);

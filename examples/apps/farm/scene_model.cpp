@@ -17,10 +17,11 @@ using TextureRows = std::vector<std::pair<const shd_texture*, uint32_t>>;
 TextureRows add_textures(const shd_scene* scene, uint32_t count, BlockBuilder* out) {
   TextureRows rows;
   for (uint32_t i = 0; i < count; ++i) {
-    const shd_texture* texture = shd_scene_texture(scene, i);
+    const shd_texture* texture = shd_scene_get_texture(scene, i);
     const shd_texture_info info = shd::texture_get_info(texture);
     const uint32_t size = texel_size(info.format);
-    if (!size || info.layers != 1 || info.depth) throw std::runtime_error("a texture of the model has no plain texels");
+    if (!size || info.layer_count != 1 || info.depth)
+      throw std::runtime_error("a texture of the model has no plain texels");
     std::vector<char> texels(size_t{size} * info.width * info.height);
     shd_image image = shd_image_default();
     image.format = info.format, image.width = info.width, image.height = info.height;
@@ -51,7 +52,7 @@ void add_model(shd_context* context, const std::string& path, BlockBuilder* out)
   const shd_scene_info info = shd::scene_get_info(scene);
   const TextureRows rows = add_textures(scene, info.texture_count, out);
   add_materials(scene, info.material_count, rows, out);
-  for (uint32_t i = 0; i < info.mesh_count; ++i) out->add_mesh(shd_scene_mesh(scene, i), true);
+  for (uint32_t i = 0; i < info.mesh_count; ++i) out->add_mesh(shd_scene_get_mesh(scene, i), true);
   for (uint32_t i = 0; i < info.instance_count; ++i) {
     shd_scene_instance instance = shd_scene_instance_default();
     shd::check(shd_scene_get_instance(scene, i, &instance));

@@ -28,7 +28,7 @@ uint32_t add_pattern(BlockBuilder* out, const uint8_t (&light)[3], const uint8_t
 
 void add_shape(shd_context* context, BlockBuilder* out, shd_shape shape, float x, float y, uint32_t texture) {
   shd_shape_desc desc = shd_shape_desc_default();
-  desc.shape = shape;
+  desc.kind = shape;
   desc.segments[0] = shape == SHD_SHAPE_TEAPOT ? 24 : 96;
   desc.segments[1] = shape == SHD_SHAPE_TEAPOT ? 0 : 48;
   const shd::mesh mesh = shd::mesh_create_shape(context, &desc, SHD_MESH_NONE);

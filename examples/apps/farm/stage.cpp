@@ -147,7 +147,7 @@ void fit_framebuffer(Stage* stage, const Window& window) {
   if (stage->framebuffer && stage->width == window.width && stage->height == window.height) return;
   shd_framebuffer_desc desc = shd_framebuffer_desc_default();
   desc.width = window.width, desc.height = window.height;
-  desc.samples = stage->options.samples;
+  desc.sample_count = stage->options.samples;
   desc.color_format = SHD_FORMAT_RGBA16F;
   stage->framebuffer = shd::framebuffer_create(stage->context, &desc);
   stage->width = window.width, stage->height = window.height;
@@ -194,7 +194,7 @@ Pixels render_window(Stage* stage, uint32_t frame, const Window& window) {
   desc.draws = stage->draws.data(), desc.draw_count = stage->draws.size();
   desc.lights = lights, desc.shadows = shadows, desc.light_count = 2;
   desc.picture_width = stage->options.width, desc.picture_height = stage->options.height;
-  desc.supersampling = stage->options.supersampling;
+  desc.supersampling = std::max(stage->options.supersampling, 1u);
   desc.crop_x = window.x, desc.crop_y = window.y;
   shd::render(stage->context, &desc);
   shd_image view = shd_image_default();

@@ -51,12 +51,12 @@ static shd_result fly_frame(const struct options *o, const struct scene *scene, 
     uint64_t resident;
     if (result == SHD_OK) result = shd_tile_cache_get_stats(scene->cache, &stats);
     if (result != SHD_OK) return result;
-    resident = (uint64_t)stats.resident_tiles * stats.tile_bytes;
+    resident = (uint64_t)stats.resident_tile_count * stats.tile_bytes;
     out->hash = hash_bytes(out->hash, pixels, (size_t)o->width * o->height * 4);
     if (resident > out->peak_resident) out->peak_resident = resident;
     out->allocated[frame != 0] = stats.allocated_bytes;
-    out->evicted = stats.evicted_tiles;
-    out->loaded = stats.loaded_tiles;
+    out->evicted = stats.evicted_tile_count;
+    out->loaded = stats.loaded_tile_count;
     if (csv) record_frame(csv, frame, flight.altitude, &stats, time);
     if (csv && frame % o->every == 0) result = record_picture(o->folder, frame, scene, pixels);
     return result;

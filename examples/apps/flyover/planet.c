@@ -44,11 +44,11 @@ static shd_solid_desc terrain(void)
 static void find_places(const shd_tile *tile, uint32_t row, const double (*longitude)[2], struct row *out)
 {
     const double texel = ldexp(1.0, (int)tile->level) / PLANET_EDGE;
-    const double colatitude = k_pi * ((double)(tile->y + row) + 0.5) * texel;
+    const double colatitude = k_pi * ((double)(tile->area.y + row) + 0.5) * texel;
     const double ring = sin(colatitude), up = cos(colatitude);
     const double side = texel * k_pi * fmax(1.0, 2.0 * ring);
     uint32_t i;
-    for (i = 0; i < tile->width; ++i) {
+    for (i = 0; i < tile->area.width; ++i) {
         out->place[0][i] = (float)(ring * longitude[i][0]);
         out->place[1][i] = (float)up;
         out->place[2][i] = (float)(ring * longitude[i][1]);
@@ -56,7 +56,7 @@ static void find_places(const shd_tile *tile, uint32_t row, const double (*longi
     }
 }
 
-static shd_result evaluate(uint32_t count, struct row *row)
+static shd_result evaluate(shd_context *context, uint32_t count, struct row *row)
 {
     const shd_solid_desc desc = terrain();
     shd_solid_points points = shd_solid_points_default();
@@ -69,7 +69,7 @@ static shd_result evaluate(uint32_t count, struct row *row)
     }
     points.width.data = row->width;
     values.value.data = row->height;
-    return shd_solid_evaluate(NULL, &desc, &points, &values); /* NULL: on the thread that needs the tile */
+    return shd_solid_evaluate(context, &desc, &points, &values);
 }
 
 /* Brightness of a slope, compared with flat ground. */
@@ -107,35 +107,34 @@ static void paint(const struct row *row, uint32_t i, uint8_t *out)
 }
 
 /* Computes one tile. Columns have the same longitude in each of its rows. */
-static shd_result load_tile(const shd_tile *tile)
+static shd_result load_tile(shd_context *context, const shd_tile *tile)
 {
     const double texel = ldexp(1.0, (int)tile->level) / PLANET_EDGE;
     double longitude[ROW][2];
     struct row row;
     uint32_t x, y;
-    if (tile->width > ROW) return SHD_ERROR_UNSUPPORTED;
-    for (x = 0; x < tile->width; ++x) {
-        const double angle = 2.0 * k_pi * (((double)(tile->x + x) + 0.5) * texel - 0.5);
+    if (tile->area.width > ROW) return SHD_ERROR_UNSUPPORTED;
+    for (x = 0; x < tile->area.width; ++x) {
+        const double angle = 2.0 * k_pi * (((double)(tile->area.x + x) + 0.5) * texel - 0.5);
         longitude[x][0] = sin(angle), longitude[x][1] = cos(angle);
     }
-    for (y = 0; y < tile->height; ++y) {
+    for (y = 0; y < tile->area.height; ++y) {
         uint8_t *const out = (uint8_t *)tile->texels + y * tile->row_stride;
         shd_result result;
         find_places(tile, y, (const double(*)[2])longitude, &row);
-        result = evaluate(tile->width, &row);
+        result = evaluate(context, tile->area.width, &row);
         if (result != SHD_OK) return result;
-        for (x = 0; x < tile->width; ++x) paint(&row, x, out + 4 * x);
+        for (x = 0; x < tile->area.width; ++x) paint(&row, x, out + 4 * x);
     }
     return SHD_OK;
 }
 
 /* Called by every thread that looks up; it has no state, so it needs no lock. */
-static shd_result load(void *user_data, const shd_tile *tiles, size_t count)
+static shd_result load(const shd_tile *tiles, size_t count, void *user_data)
 {
     shd_result result = SHD_OK;
     size_t i;
-    (void)user_data;
-    for (i = 0; i < count && result == SHD_OK; ++i) result = load_tile(&tiles[i]);
+    for (i = 0; i < count && result == SHD_OK; ++i) result = load_tile((shd_context *)user_data, &tiles[i]);
     return result;
 }
 
@@ -147,6 +146,7 @@ shd_result planet_create_texture(shd_context *context, shd_tile_cache *cache, sh
     desc.tables = SHD_TABLE_MIPMAP;
     desc.tiles.cache = cache;
     desc.tiles.load = load;
+    desc.tiles.user_data = context; /* retained by the texture */
     return shd_texture_create(context, &desc, out);
 }
 
@@ -155,7 +155,7 @@ shd_result planet_pin_coarse_levels(const shd_texture *planet, uint32_t first_le
     shd_tile_region region = shd_tile_region_default();
     shd_result result = SHD_OK;
     for (region.level = first_level; PLANET_EDGE >> region.level != 0 && result == SHD_OK; ++region.level) {
-        region.width = region.height = PLANET_EDGE >> region.level;
+        region.area.width = region.area.height = PLANET_EDGE >> region.level;
         result = shd_texture_pin_tiles(planet, &region);
     }
     return result;

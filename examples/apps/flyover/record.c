@@ -33,9 +33,9 @@ void record_frame(FILE *out, uint32_t frame, float altitude, const shd_tile_cach
     const struct process_memory memory = process_memory();
     fprintf(out, "%u,%.1f,%llu,%llu,%llu,%llu,%llu,%llu,%u,%.1f\n", (unsigned)frame, 6371.0 * (double)altitude,
             (unsigned long long)memory.resident, (unsigned long long)memory.peak,
-            (unsigned long long)stats->resident_tiles * stats->tile_bytes, (unsigned long long)stats->budget_bytes,
-            (unsigned long long)stats->loaded_tiles, (unsigned long long)stats->evicted_tiles,
-            (unsigned)stats->requested_tiles, milliseconds);
+            (unsigned long long)stats->resident_tile_count * stats->tile_bytes, (unsigned long long)stats->budget_bytes,
+            (unsigned long long)stats->loaded_tile_count, (unsigned long long)stats->evicted_tile_count,
+            (unsigned)stats->requested_tile_count, milliseconds);
     fflush(out);
 }
 

@@ -35,7 +35,7 @@ static shd_result create_surface(struct scene *scene, uint64_t budget, shd_missi
 static shd_result create_globe(struct scene *scene)
 {
     shd_shape_desc desc = shd_shape_desc_default();
-    desc.shape = SHD_SHAPE_SPHERE;
+    desc.kind = SHD_SHAPE_SPHERE;
     desc.segments[0] = 512;
     desc.segments[1] = 256;
     return shd_mesh_create_shape(scene->context, &desc, SHD_MESH_NONE, &scene->globe);
@@ -65,7 +65,7 @@ shd_result scene_create(struct scene *scene, uint32_t width, uint32_t height, ui
     memset(scene, 0, sizeof *scene);
     fd.width = scene->width = width;
     fd.height = scene->height = height;
-    fd.samples = 4;
+    fd.sample_count = 4;
     result = shd_context_create(NULL, &scene->context);
     if (result == SHD_OK) result = create_surface(scene, budget, missing);
     if (result == SHD_OK) result = create_globe(scene);

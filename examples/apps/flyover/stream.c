@@ -10,7 +10,7 @@ static void *run(void *user_data)
     struct stream *const stream = (struct stream *)user_data;
     const struct timespec pause = {0, 1000000};
     for (;;) {
-        uint32_t loaded = 0;
+        size_t loaded = 0;
         const shd_result result = shd_tile_cache_load_requested(stream->cache, 16, &loaded);
         int stop;
         pthread_mutex_lock(&stream->lock);

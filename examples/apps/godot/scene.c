@@ -39,9 +39,9 @@ static shd_result create_meshes(struct scene *scene)
 {
     shd_shape_desc floor_desc = shd_shape_desc_default(), torus_desc = shd_shape_desc_default();
     shd_result result;
-    floor_desc.shape = SHD_SHAPE_PLANE;
+    floor_desc.kind = SHD_SHAPE_PLANE;
     floor_desc.size[0] = floor_desc.size[2] = 80.0f;
-    torus_desc.shape = SHD_SHAPE_TORUS;
+    torus_desc.kind = SHD_SHAPE_TORUS;
     torus_desc.tube_radius = 0.4f;
     result = shd_mesh_create_shape(scene->context, &floor_desc, 0, &scene->meshes[FLOOR]);
     if (result != SHD_OK) return result;
@@ -72,7 +72,7 @@ static shd_result create_objects(struct scene *scene)
     sampler_desc.filter = SHD_FILTER_ANISOTROPIC;
     sampler_desc.max_anisotropy = 16.0f;
     framebuffer_desc.width = scene->width, framebuffer_desc.height = scene->height;
-    framebuffer_desc.samples = 4;
+    framebuffer_desc.sample_count = 4;
     framebuffer_desc.color_format = SHD_FORMAT_RGBA8_SRGB;
     if (result == SHD_OK) result = shd_framebuffer_create(scene->context, &framebuffer_desc, &scene->framebuffer);
     if (result == SHD_OK) result = create_texture(scene);

@@ -44,12 +44,12 @@ function scene.new(width, height)
       teapot = create_material(context, texture, filter, 1)}
   end
   self.context = context
-  self.teapot = shd.mesh_create_shape(context, {shape = "teapot"}, 0)
-  self.floor = shd.mesh_create_shape(context, {shape = "plane", size = {240, 1, 240}}, 0)
+  self.teapot = shd.mesh_create_shape(context, {kind = "teapot"}, 0)
+  self.floor = shd.mesh_create_shape(context, {kind = "plane", size = {240, 1, 240}}, 0)
   self.lights = {
     shd.light(context, {kind = "directional", direction = {-0.5, -1, -0.4}, intensity = {1.4, 1.35, 1.25}}),
     shd.light(context, {kind = "ambient", intensity = {0.5, 0.55, 0.65}})}
-  self.framebuffer = shd.framebuffer(context, {width = width, height = height, samples = 4,
+  self.framebuffer = shd.framebuffer(context, {width = width, height = height, sample_count = 4,
     color_format = "rgba8_srgb"})
   return self
 end

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // shd-shootout: filters of shd and of other libraries beside ground truth. See README.md here.
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
+#include "command/values.h"
 #include "report/png.h"
 #include "report/report.h"
 #include "shd_pass.h"
@@ -13,15 +12,7 @@
 namespace shootout {
 namespace {
 
-constexpr char kUsage[] =
-    "Usage: shd-shootout [option...]\n"
-    "  -o FOLDER           folder of the report or figure; default out/shootout\n"
-    "  --quick             small frames and two textures: seconds\n"
-    "  --figure NAME       one figure of a course as NAME.png; `all` makes each\n"
-    "  --verdicts COUNT    judge COUNT lookups of each implementation, 1000..1000000000, and make no report\n"
-    "  --photograph FILE   photograph among the textures; default the map of the package xplanet-images\n"
-    "  --threads N         threads for pictures, 1..256; default one a core. Times are of one thread\n"
-    "  --list              names of workloads, textures, settings and figures\n";
+using namespace command;
 
 void list() {
   Options options;
@@ -42,16 +33,6 @@ void list() {
   for (const std::string& peer : missing_peers()) std::printf("missing peer: %s\n", peer.c_str());
 }
 
-uint32_t number(const char* option, const char* text, long low, long high) {
-  char* end = nullptr;
-  const long value = std::strtol(text, &end, 10);
-  if (*text == '\0' || *end != '\0' || value < low || value > high) {
-    throw std::invalid_argument(std::string(option) + ": " + text + " is not in " + std::to_string(low) + ".." +
-                                std::to_string(high));
-  }
-  return static_cast<uint32_t>(value);
-}
-
 void make_quick(Options* options) {
   options->quick = true;
   options->edge = 64;
@@ -62,41 +43,42 @@ void make_quick(Options* options) {
   options->verdicts = 20000;
 }
 
-/// Returns false where there is nothing left to do.
-bool parse(int count, char** arguments, Options* options) {
-  for (int i = 1; i < count; ++i) {
-    const std::string option = arguments[i];
-    const auto value = [&] {
-      if (i + 1 == count) throw std::invalid_argument(option + " needs a value");
-      return arguments[++i];
-    };
-    if (option == "-o") {
-      options->out = value();
-    } else if (option == "--quick") {
-      make_quick(options);
-    } else if (option == "--figure") {
-      options->figure = value();
-    } else if (option == "--verdicts") {
-      options->verdicts = number("--verdicts", value(), 1000, 1000000000);
-      options->only_verdicts = true;
-    } else if (option == "--photograph") {
-      options->photograph = value();
-      if (!std::filesystem::is_regular_file(options->photograph)) {
-        throw std::invalid_argument("--photograph: " + options->photograph + " is not a file");
-      }
-    } else if (option == "--threads") {
-      options->threads = number("--threads", value(), 1, 256);
-    } else if (option == "--list") {
-      list();
-      return false;
-    } else if (option == "-h" || option == "--help") {
-      std::fputs(kUsage, stdout);
-      return false;
-    } else {
-      throw std::invalid_argument("unknown option " + option + "\n" + kUsage);
-    }
-  }
-  return true;
+Group option_group(Options& out, bool& lists) {
+  const auto quick = [&out](const std::string&) { return make_quick(&out), true; };
+  const auto photograph = [&out](const std::string& text) {
+    return out.photograph = text, std::filesystem::is_regular_file(text);
+  };
+  std::vector<std::string> figures = {"all"};
+  for (const FigureName& figure : figure_names()) figures.push_back(figure.name);
+  return {"Options",
+          {{"-o,--output", "FOLDER", file(out.out), "Folder of the report or figure."},
+           {"--quick", "", {"", {}, "", quick}, "Small frames and two textures: seconds."},
+           {"--figure", "NAME", one_of(out.figure, figures), "One figure of a course as NAME.png, or all."},
+           {"--verdicts", "COUNT", initially(marked(number(out.verdicts, 1000, 1e9), out.only_verdicts), ""),
+            "Judge COUNT lookups of each implementation, and make no report."},
+           {"--photograph",
+            "FILE",
+            {"a file", {}, "the map of the package xplanet-images", photograph, true},
+            "Photograph among the textures."},
+           {"--threads", "N", initially(number(out.threads, 1, 256), "one for each core"),
+            "Threads for pictures. Times are of one thread."},
+           {"--list", "", flag(lists), "Print the names of workloads, textures, settings and figures."}}};
+}
+
+/// Returns false if nothing is left to do.
+bool read_options(int count, char** arguments, Options* options) {
+  bool lists = false;
+  const Program program = {"shd-shootout",
+                           "compare filters with ground truth and with other libraries",
+                           "[options]",
+                           "Writes a report, or figures, or verdicts.",
+                           {option_group(*options, lists)},
+                           {}};
+  std::vector<std::string> rest;
+  if (!parse(program, count, arguments, rest)) return false;
+  if (!rest.empty()) throw Failure(kExitUsage, "\"" + rest[0] + "\" is not an option");
+  if (lists) list();
+  return !lists;
 }
 
 void make_figures(const Options& options) {
@@ -179,26 +161,17 @@ void run(const Options& options, void (*make)(const Options& options)) {
 }  // namespace shootout
 
 int main(int count, char** arguments) {
-  try {
+  return command::run("shd-shootout", [&] {
     shootout::Options options;
     options.web = SHOOTOUT_WEB;
-    if (!shootout::parse(count, arguments, &options)) return 0;
-    const auto& names = shootout::figure_names();
+    if (!shootout::read_options(count, arguments, &options)) return kExitOk;
     if (options.only_verdicts) {
       shootout::run(options, shootout::make_verdicts);
     } else if (options.figure.empty()) {
       shootout::run(options, shootout::make_report);
     } else {
-      if (options.figure != "all") {
-        bool known = false;
-        for (const auto& name : names) known = known || options.figure == name.name;
-        if (!known) throw std::invalid_argument("--figure: " + options.figure + " is not in the list of --list");
-      }
       shootout::make_figures(options);
     }
-    return 0;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "shd-shootout: %s\n", e.what());
-    return 1;
-  }
+    return kExitOk;
+  });
 }

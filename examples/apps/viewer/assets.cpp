@@ -65,10 +65,10 @@ void add_scene(shd_context* context, const std::string& path, shd_table_flags ta
   assets.scene = shd::scene_load(context, path.c_str(), &desc);
   assets.from_file = true;
   const shd_scene_info info = shd::scene_get_info(assets.scene);
-  for (uint32_t i = 0; i < info.warning_count; ++i) assets.warnings.push_back(shd_scene_warning(assets.scene, i));
+  for (uint32_t i = 0; i < info.warning_count; ++i) assets.warnings.push_back(shd_scene_get_warning(assets.scene, i));
   for (uint32_t i = 0; i < info.material_count; ++i) {
     SurfaceAsset surface;
-    surface.name = shd_scene_name(assets.scene, SHD_SCENE_PART_MATERIAL, i);
+    surface.name = shd_scene_get_name(assets.scene, SHD_SCENE_PART_MATERIAL, i);
     surface.desc = shd::scene_get_material_desc(assets.scene, i);
     for (uint32_t k = 0; k < surface.desc.slot_count; ++k) {
       const shd_slot& slot = surface.desc.slots[k];
@@ -80,7 +80,7 @@ void add_scene(shd_context* context, const std::string& path, shd_table_flags ta
   for (uint32_t i = 0; i < info.instance_count; ++i) {
     const shd_scene_instance instance = shd::scene_get_instance(assets.scene, i);
     Part part;
-    part.mesh = shd_scene_mesh(assets.scene, instance.mesh);
+    part.mesh = shd_scene_get_mesh(assets.scene, instance.mesh);
     part.surface = instance.material;
     std::copy(instance.object_to_world, instance.object_to_world + 16, part.object_to_world.begin());
     assets.parts.push_back(part);

@@ -138,7 +138,8 @@ int main(int argc, char** argv) {
   if (argc < 2) return std::puts("usage: check_screen SCREENSHOT [options]"), 2;
   try {
     if (argc == 3 && std::strcmp(argv[2], "--error") == 0) return check_error(argv[1]);
-    return compare(argv[1], parse_options(argc - 1, argv + 1));
+    Options options;
+    return read_options(argc - 1, argv + 1, options) ? compare(argv[1], options) : 2;
   } catch (const std::exception& error) {
     std::printf("%s: %s\n", argv[1], error.what());
     return 1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// shd-viewer: a window that shows a model, and explains the texture lookup of each pixel.
 #include <cstdio>
-#include <exception>
 
 #include "app.h"
+#include "command/program.h"
 
 namespace {
 
@@ -26,22 +26,13 @@ int write_picture(viewer::Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const viewer::Options options = viewer::parse_options(argc, argv);
-    if (options.help) {
-      std::fputs(viewer::help_text(), stdout);
-      return 0;
-    }
+  return command::run("shd-viewer", [&] {
+    viewer::Options options;
+    if (!viewer::read_options(argc, argv, options)) return 0;
     if (!options.picture.empty()) return write_picture(options);
     viewer::App app(options);
     if (!options.screenshot.empty()) return app.screenshot();
     app.run();
     return 0;
-  } catch (const viewer::UsageError& error) {
-    std::fprintf(stderr, "shd-viewer: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "shd-viewer: %s\n", error.what());
-    return 1;
-  }
+  });
 }

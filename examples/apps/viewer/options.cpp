@@ -1,300 +1,232 @@
 // SPDX-License-Identifier: MIT
 #include "options.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <vector>
+
+#include "command/values.h"
 
 namespace viewer {
 namespace {
 
-/// The arguments that are left, and the sides that options of a side change.
-struct Parser {
-  Options options;
-  std::string name, value;
-  bool only_b = false;
-  bool has_size = false;
+using namespace command;
 
-  [[noreturn]] void fail(const std::string& valid) const {
-    throw UsageError(name + ": \"" + value + "\" is not " + valid);
-  }
+constexpr Name<bool> kSwitch[] = {{"on", true}, {"off", false}};
+
+/// The sides that options of a side change.
+struct Sides {
+  State& state;
+  bool only_b = false;
 
   template <class Change>
-  void change_sides(Change change) {
-    if (!only_b) change(options.state.side[0]);
-    change(options.state.side[1]);
-  }
-
-  std::vector<float> numbers(size_t least, size_t most, float low, float high, char separator = ',') const {
-    const std::string valid =
-        (most == 1 ? "a number" : std::to_string(least) + " to " + std::to_string(most) + " numbers") + " in " +
-        text_of(low) + ".." + text_of(high);
-    std::vector<float> list;
-    const char* at = value.c_str();
-    for (;;) {
-      char* end = nullptr;
-      const float number = std::strtof(at, &end);
-      if (end == at || !(number >= low && number <= high)) fail(valid);
-      list.push_back(number);
-      at = end;
-      if (*at == '\0') break;
-      if (*at != separator) fail(valid);
-      ++at;
-    }
-    if (list.size() < least || list.size() > most) fail(valid);
-    return list;
-  }
-
-  float number(float low, float high) const { return numbers(1, 1, low, high)[0]; }
-
-  uint32_t whole(float low, float high) const {
-    const float x = number(low, high);
-    if (x != std::floor(x)) fail("a whole number");
-    return static_cast<uint32_t>(x);
-  }
-
-  Pixel pixel() const {
-    const std::vector<float> xy = numbers(2, 2, 0.0f, 16383.0f);
-    return {static_cast<uint32_t>(xy[0]), static_cast<uint32_t>(xy[1])};
-  }
-
-  bool flag() const {
-    if (value != "on" && value != "off") fail("on or off");
-    return value == "on";
-  }
-
-  template <size_t N>
-  int choice(const Choices<N>& choices) const {
-    std::string words;
-    for (const Choice& choice : choices) {
-      if (value == choice.word) return choice.value;
-      words += std::string(words.empty() ? "" : ", ") + choice.word;
-    }
-    fail("one of " + words);
-  }
-
-  static std::string text_of(float x) {
-    const std::string text = std::to_string(x);
-    return text.substr(0, text.find_last_not_of('0') + (text[text.find_last_not_of('0')] == '.' ? 0 : 1));
+  void change(Change change) {
+    if (!only_b) change(state.side[0]);
+    change(state.side[1]);
   }
 };
 
-struct Option {
-  const char* name;
-  void (*read)(Parser&);
-};
-
-void read_view(Parser& p) {
-  const size_t slash = p.value.find('/');
-  if (p.value == "plain") {
-    p.options.state.display = Display();
-  } else if (slash == std::string::npos) {
-    p.fail("plain, or a display and a view as in sRGB/Plain");
-  } else {
-    p.options.state.display = {p.value.substr(0, slash), p.value.substr(slash + 1)};
-  }
+/// A number that `set` stores in each side.
+template <class Set>
+Values side_number(Sides& sides, float initial, float low, float high, Set set) {
+  Values values = number(initial, low, high);
+  values.read = [&sides, low, high, set](const std::string& text) {
+    float x = 0;
+    if (!number(x, low, high).read(text)) return false;
+    sides.change([&](Side& side) { set(side, x); });
+    return true;
+  };
+  return values;
 }
 
-void read_orbit(Parser& p) {
-  const std::vector<float> list = p.numbers(2, 3, -360.0f, 360.0f);
-  if (std::abs(list[1]) > 89.0f) p.fail("an azimuth, an elevation in -89..89 and a distance");
-  if (list.size() > 2 && !(list[2] >= 0.05f && list[2] <= 60.0f)) p.fail("with a distance in 0.05..60");
-  Orbit& orbit = p.options.state.orbit;
-  orbit.azimuth = list[0], orbit.elevation = list[1];
-  if (list.size() > 2) orbit.distance = list[2];
+/// One of the words, whose value `set` stores in each side.
+template <size_t N, class Set>
+Values side_choice(Sides& sides, const Choices<N>& choices, Set set) {
+  std::vector<Name<int>> table;
+  for (const Choice& choice : choices) table.push_back({choice.word, choice.value});
+  int unused = -1;
+  Values values = named(unused, table);
+  values.read = [&sides, table, set](const std::string& text) {
+    int value = 0;
+    if (!named(value, table).read(text)) return false;
+    sides.change([&](Side& side) { set(side, value); });
+    return true;
+  };
+  return values;
 }
 
-void read_size(Parser& p) {
-  const std::vector<float> list = p.numbers(2, 2, 64.0f, 8192.0f, 'x');
-  p.options.width = static_cast<int>(list[0]), p.options.height = static_cast<int>(list[1]);
-}
-
-void read_samples(Parser& p) {
-  if (p.value != "1" && p.value != "4") p.fail("1 or 4");
-  p.change_sides([&](Side& side) { side.samples = p.value == "1" ? 1 : 4; });
-}
-
-void read_color(Parser& p) {
-  const std::vector<float> rgb = p.numbers(3, 3, 0.0f, 1.0f);
-  p.change_sides([&](Side& side) {
-    side.surface.color = {rgb[0], rgb[1], rgb[2]};
-    side.surface.from_file = false;
-  });
-}
-
-template <float Surface::*member, int most>
-void read_coefficient(Parser& p) {
-  const float x = p.number(0.0f, most);
-  p.change_sides([&](Side& side) {
+/// A coefficient of the surface, which replaces those of the file.
+Values coefficient(Sides& sides, float Surface::*member, float high) {
+  return side_number(sides, Surface().*member, 0, high, [member](Side& side, float x) {
     side.surface.*member = x;
     side.surface.from_file = false;
   });
 }
 
-void read_panel(Parser& p) {
-  if (p.value != "settings" && p.value != "pixel") p.fail("settings or pixel");
-  p.options.pixel_tab = p.value == "pixel";
+Values color_values(Sides& sides) {
+  const auto read = [&sides](const std::string& text) {
+    const auto rgb = read_numbers(text);
+    if (!rgb || rgb->size() != 3) return false;
+    sides.change([&](Side& side) {
+      std::copy(rgb->begin(), rgb->end(), side.surface.color.begin());
+      side.surface.from_file = false;
+    });
+    return std::all_of(rgb->begin(), rgb->end(), [](float c) { return c >= 0.0f && c <= 1.0f; });
+  };
+  return {"R,G,B, each 0..1", {}, "", read};
 }
 
-void read_light(Parser& p) {
-  const std::vector<float> list = p.numbers(2, 2, -360.0f, 360.0f);
-  p.options.state.lighting.azimuth = list[0];
-  p.options.state.lighting.elevation = list[1];
+/// Numbers between commas, each in low..high; `set` stores them, and returns false for numbers that do not fit.
+template <class Set>
+Values list_values(const std::string& wanted, float low, float high, Set set) {
+  const auto read = [low, high, set](const std::string& text) {
+    const auto list = read_numbers(text);
+    return list && std::all_of(list->begin(), list->end(), [=](float x) { return x >= low && x <= high; }) &&
+           set(*list);
+  };
+  return {wanted, {}, "", read};
 }
 
-void read_target(Parser& p) {
-  const std::vector<float> list = p.numbers(3, 3, -50.0f, 50.0f);
-  p.options.state.orbit.shift = {list[0], list[1], list[2]};
+template <class Set>
+Values pixel_values(Set set) {
+  return list_values("X,Y, each 0..16383", 0, 16383, [set](const std::vector<float>& xy) {
+    const bool whole = xy.size() == 2 && xy[0] == std::floor(xy[0]) && xy[1] == std::floor(xy[1]);
+    if (whole) set(Pixel{static_cast<uint32_t>(xy[0]), static_cast<uint32_t>(xy[1])});
+    return whole;
+  });
 }
 
-const Option kOptions[] = {
-    {"--model", [](Parser& p) { p.options.state.content.model = p.value; }},
-    {"--texture", [](Parser& p) { p.options.state.content.texture = p.value; }},
-    {"--floor", [](Parser& p) { p.options.state.content.floor = p.flag(); }},
-    {"--occlusion", [](Parser& p) { p.options.state.content.occlusion = p.flag(); }},
-    {"--environment", [](Parser& p) { p.options.state.lighting.environment = p.value; }},
-    {"--environment-intensity",
-     [](Parser& p) { p.options.state.lighting.environment_intensity = p.number(0.0f, 1000.0f); }},
-    {"--light", read_light},
-    {"--intensity", [](Parser& p) { p.options.state.lighting.intensity = p.number(0.0f, 1000.0f); }},
-    {"--ambient", [](Parser& p) { p.options.state.lighting.ambient = p.number(0.0f, 1000.0f); }},
-    {"--shadows", [](Parser& p) { p.options.state.lighting.shadows = p.flag(); }},
-    {"--view", read_view},
-    {"--orbit", read_orbit},
-    {"--target", read_target},
-    {"--fov", [](Parser& p) { p.options.state.orbit.fov = p.number(5.0f, 120.0f); }},
-    {"--wipe",
-     [](Parser& p) {
-       p.options.state.wipe = true;
-       p.options.state.divider = p.number(0.0f, 1.0f);
-     }},
-    {"--filter",
-     [](Parser& p) {
-       const auto filter = static_cast<shd_filter>(p.choice(kFilters));
-       p.change_sides([&](Side& side) { side.sampling.filter = filter; });
-     }},
-    {"--anisotropy",
-     [](Parser& p) {
-       const float most = p.number(1.0f, 64.0f);
-       p.change_sides([&](Side& side) { side.sampling.max_anisotropy = most; });
-     }},
-    {"--precision",
-     [](Parser& p) {
-       const auto precision = static_cast<shd_precision>(p.choice(kPrecisions));
-       p.change_sides([&](Side& side) { side.sampling.precision = precision; });
-     }},
-    {"--lod-bias",
-     [](Parser& p) {
-       const float bias = p.number(-15.0f, 15.0f);
-       p.change_sides([&](Side& side) { side.sampling.lod_bias = bias; });
-     }},
-    {"--profile",
-     [](Parser& p) {
-       const auto profile = static_cast<shd_profile>(p.choice(kProfiles));
-       p.change_sides([&](Side& side) { side.sampling.profile = profile; });
-     }},
-    {"--surface",
-     [](Parser& p) {
-       const auto model = static_cast<shd_model>(p.choice(kModels));
-       p.change_sides([&](Side& side) {
-         side.surface.model = model;
-         side.surface.from_file = false;
-       });
-     }},
-    {"--color", read_color},
-    {"--roughness", read_coefficient<&Surface::roughness, 1>},
-    {"--metallic", read_coefficient<&Surface::metallic, 1>},
-    {"--clearcoat", read_coefficient<&Surface::clearcoat, 1>},
-    {"--specular", read_coefficient<&Surface::specular, 1>},
-    {"--exponent", read_coefficient<&Surface::exponent, 1000>},
-    {"--show",
-     [](Parser& p) {
-       const auto show = static_cast<Show>(p.choice(kShows));
-       p.change_sides([&](Side& side) { side.show = show; });
-     }},
-    {"--samples", read_samples},
-    {"--size", read_size},
-    {"--scale", [](Parser& p) { p.options.scale = p.number(0.5f, 4.0f); }},
-    {"--font", [](Parser& p) { p.options.font = p.value; }},
-    {"--screenshot", [](Parser& p) { p.options.screenshot = p.value; }},
-    {"--picture", [](Parser& p) { p.options.picture = p.value; }},
-    {"--frames", [](Parser& p) { p.options.frames = static_cast<int>(p.whole(1.0f, 1000.0f)); }},
-    {"--click",
-     [](Parser& p) {
-       p.options.state.pick = p.pixel();
-       p.options.pixel_tab = true;
-     }},
-    {"--magnify", [](Parser& p) { p.options.magnify = p.pixel(); }},
-    {"--panel", read_panel},
-    {"--threads", [](Parser& p) { p.options.threads = p.whole(0.0f, 1024.0f); }},
-};
+Group scene_options(Options& out) {
+  Content& content = out.state.content;
+  Lighting& light = out.state.lighting;
+  const auto direction = [&light](const std::vector<float>& angles) {
+    if (angles.size() != 2) return false;
+    light.azimuth = angles[0], light.elevation = angles[1];
+    return true;
+  };
+  return {
+      "Scene",
+      {{"--model", "M", file(content.model),
+        "A teapot, sphere, box, torus, plane, or a file (glTF, OBJ, PLY, FBX ...)."},
+       {"--texture", "T", file(content.texture), "The texture default, porcelain, tiles or none, or an image file."},
+       {"--floor", "S", named(content.floor, kSwitch), "A floor under the model."},
+       {"--occlusion", "S", named(content.occlusion, kSwitch), "Ambient occlusion at the vertices."},
+       {"--light", "AZ,EL", list_values("two angles -360..360 degrees", -360, 360, direction),
+        "Direction to the light."},
+       {"--intensity", "X", number(light.intensity, 0, 1000), "Intensity of the light."},
+       {"--ambient", "X", number(light.ambient, 0, 1000), "Ambient light."},
+       {"--shadows", "S", named(light.shadows, kSwitch), "Shadows."},
+       {"--environment", "E", file(light.environment),
+        "The environment studio or none, or an image of latitude and longitude."},
+       {"--environment-intensity", "X", number(light.environment_intensity, 0, 1000), "Factor of the environment."}}};
+}
+
+Group camera_options(Orbit& orbit) {
+  const auto place = [&orbit](const std::vector<float>& list) {
+    if (list.size() < 2 || list.size() > 3 || std::abs(list[1]) > 89.0f) return false;
+    orbit.azimuth = list[0], orbit.elevation = list[1];
+    if (list.size() > 2) orbit.distance = list[2];
+    return list.size() == 2 || (list[2] >= 0.05f && list[2] <= 60.0f);
+  };
+  const auto target = [&orbit](const std::vector<float>& list) {
+    if (list.size() != 3) return false;
+    std::copy(list.begin(), list.end(), orbit.shift.begin());
+    return true;
+  };
+  const char* wanted = "an azimuth, an elevation -89..89 in degrees, and a distance 0.05..60";
+  return {"Camera",
+          {{"--orbit", "AZ,EL[,D]", list_values(wanted, -360, 360, place),
+            "Direction to the eye, and its distance in radii of the model."},
+           {"--target", "X,Y,Z", list_values("three numbers -50..50", -50, 50, target),
+            "Shift of the point of interest in radii."},
+           {"--fov", "DEGREES", number(orbit.fov, 5, 120, " degrees"), "Vertical field of view."}}};
+}
+
+Group side_options(State& state, Sides& sides) {
+  const auto begin_b = [&sides](const std::string&) { return sides.state.wipe = sides.only_b = true; };
+  constexpr Choices<2> kSamples = {{{"1", "", 1}, {"4", "", 4}}};
+  const auto surface = [](Side& side, int model) {
+    side.surface.model = static_cast<shd_model>(model);
+    side.surface.from_file = false;
+  };
+  return {
+      "Sides: options behind --b change side B alone",
+      {{"--filter", "F",
+        side_choice(sides, kFilters, [](Side& s, int v) { s.sampling.filter = static_cast<shd_filter>(v); }),
+        "Filter of textures."},
+       {"--anisotropy", "N", side_number(sides, 16, 1, 64, [](Side& s, float x) { s.sampling.max_anisotropy = x; }),
+        "Largest ratio of the anisotropic filters."},
+       {"--lod-bias", "X", side_number(sides, 0, -15, 15, [](Side& s, float x) { s.sampling.lod_bias = x; }),
+        "Added to the level of detail."},
+       {"--precision", "P",
+        side_choice(sides, kPrecisions, [](Side& s, int v) { s.sampling.precision = static_cast<shd_precision>(v); }),
+        "Precision of filters."},
+       {"--profile", "P",
+        side_choice(sides, kProfiles, [](Side& s, int v) { s.sampling.profile = static_cast<shd_profile>(v); }),
+        "Rules of the lookups."},
+       {"--surface", "S", side_choice(sides, kModels, surface), "Model of reflectance."},
+       {"--color", "R,G,B", color_values(sides), "Colour that multiplies the texture."},
+       {"--roughness", "X", coefficient(sides, &Surface::roughness, 1), "Roughness."},
+       {"--metallic", "X", coefficient(sides, &Surface::metallic, 1), "Metallic factor."},
+       {"--clearcoat", "X", coefficient(sides, &Surface::clearcoat, 1), "Clear coat."},
+       {"--specular", "X", coefficient(sides, &Surface::specular, 1), "Strength of the highlight."},
+       {"--exponent", "X", coefficient(sides, &Surface::exponent, 1000), "Sharpness of the highlight."},
+       {"--show", "V", side_choice(sides, kShows, [](Side& s, int v) { s.show = static_cast<Show>(v); }),
+        "Value to show."},
+       {"--samples", "N", side_choice(sides, kSamples, [](Side& s, int v) { s.samples = static_cast<uint32_t>(v); }),
+        "Samples of a pixel."},
+       {"--b", "", {"", {}, "", begin_b}, "Begin the options of side B, and turn the wipe on."},
+       {"--wipe", "X", marked(number(state.divider, 0, 1), state.wipe),
+        "Place of the divider, as a part of the width."}}};
+}
+
+Group window_options(Options& out) {
+  const auto view = [&out](const std::string& text) {
+    const size_t slash = text.find('/');
+    out.state.display = Display();
+    if (slash != std::string::npos) out.state.display = {text.substr(0, slash), text.substr(slash + 1)};
+    return text == "plain" || slash != std::string::npos;
+  };
+  const auto window = [&out](const std::string& text) {
+    const std::vector<std::string> sides = split(text, 'x');
+    return sides.size() == 2 && number(out.width, 64, 8192).read(sides[0]) &&
+           number(out.height, 64, 8192).read(sides[1]);
+  };
+  constexpr Name<bool> kTabs[] = {{"settings", false}, {"pixel", true}};
+  const auto click = [&out](Pixel pixel) { out.state.pick = pixel, out.pixel_tab = true; };
+  const auto magnify = [&out](Pixel pixel) { out.magnify = pixel; };
+  return {
+      "Window",
+      {{"--view",
+        "V",
+        {"plain, or a display and a view as in sRGB/Plain", {}, "plain", view},
+        "Display of libshd_color, and its view."},
+       {"--size", "WxH", {"WIDTHxHEIGHT, each 64..8192", {}, "1280x800", window}, "Size of the window."},
+       {"--scale", "X", initially(number(out.scale, 0.5, 4), "that of the screen"), "Size of texts."},
+       {"--font", "FILE", file(out.font), "Font of texts."},
+       {"--panel", "TAB", named(out.pixel_tab, kTabs), "Tab of the panel."},
+       {"--click", "X,Y", pixel_values(click), "Explain the lookup of this pixel."},
+       {"--magnify", "X,Y", pixel_values(magnify), "Magnify the pixels around this one."},
+       {"--screenshot", "FILE", file(out.screenshot), "Write the window as PNG, and end."},
+       {"--frames", "N", number(out.frames, 1, 1000), "Frames of the window before the screenshot."},
+       {"--picture", "FILE", file(out.picture), "Write the viewport as PNG without a window, and end."},
+       {"--threads", "N", initially(number(out.threads, 0, 1024), "one for each core"), "Workers of the library."}}};
+}
 
 }  // namespace
 
-Options parse_options(int argc, const char* const* argv) {
-  Parser parser;
-  for (int i = 1; i < argc; ++i) {
-    parser.name = argv[i];
-    if (parser.name == "--help" || parser.name == "-h") {
-      parser.options.help = true;
-      continue;
-    }
-    if (parser.name == "--b") {
-      parser.only_b = true;
-      parser.options.state.wipe = true;
-      continue;
-    }
-    if (!parser.name.empty() && parser.name[0] != '-') {  // a file, as a desktop starts programs
-      parser.options.state.content.model = parser.name;
-      continue;
-    }
-    const Option* found = nullptr;
-    for (const Option& option : kOptions) {
-      if (parser.name == option.name) found = &option;
-    }
-    if (!found) throw UsageError(parser.name + ": there is no such option; --help lists all");
-    if (i + 1 == argc) throw UsageError(parser.name + ": the value is missing");
-    parser.value = argv[++i];
-    found->read(parser);
-  }
-  return parser.options;
-}
-
-const char* help_text() {
-  return R"(shd-viewer [options] [model]: shows a model and explains its texture lookups.
-
-Model
-  --model M          teapot, sphere, box, torus, plane, or a file (glTF, OBJ, PLY, FBX ...); default teapot
-  --texture T        default, porcelain, tiles, none, or an image file
-  --floor on|off     default on
-  --occlusion on|off ambient occlusion at the vertices; default on
-Light
-  --light AZ,EL      direction to the light [degrees]
-  --intensity X      of the light;  --ambient X: ambient light;  --shadows on|off
-  --environment E    studio, none, or an image of latitude and longitude;  --environment-intensity X
-Camera
-  --orbit AZ,EL[,D]  direction to the eye [degrees] and its distance [radii of the model]
-  --target X,Y,Z     shift of the point of interest [radii];  --fov D: vertical field of view [degrees]
-Sides (options after --b change side B alone)
-  --filter F         nearest, bilinear, bicubic, nearest-mip, bilinear-mip, trilinear, ripmap, summed-area,
-                     anisotropic, ewa, stochastic or exact
-  --anisotropy N     1..64;  --lod-bias X: -15..15;  --precision full|fast
-  --profile P        least-error, vulkan, d3d11, oiio or exact
-  --surface S        metallic-roughness, blinn-phong, blinn-phong-normalized, phong, combined, lambert, gooch, toon,
-                     glass or unlit
-  --color R,G,B  --roughness X  --metallic X  --clearcoat X  --specular X  --exponent X
-  --show V           model, normals, uv, level, barycentrics, overdraw or depth
-  --samples 1|4
-  --b                begins the options of side B and turns the wipe on;  --wipe X: divider at this part of the width
-Window
-  --view V           plain, or a display and a view of libshd_color, as in "sRGB/ACES 1.0 SDR-video"
-  --size WxH         default 1280x800;  --scale X: size of texts;  --font FILE;  --panel settings|pixel
-  --click X,Y        explains the lookup of that pixel;  --magnify X,Y: magnifies the pixels around it
-  --screenshot FILE  writes the window as PNG and ends;  --frames N: frames of the window before that, default 3
-  --picture FILE     writes the viewport as PNG without a window and ends
-  --threads N        workers of the library, 0 = one per core
-)";
+bool read_options(int argc, const char* const* argv, Options& out) {
+  Sides sides = {out.state};
+  const Program program = {
+      "shd-viewer",
+      "show a model and explain its texture lookups",
+      "[options] [MODEL]",
+      "Shows a model and explains its texture lookups. MODEL is a file, as --model.",
+      {scene_options(out), camera_options(out.state.orbit), side_options(out.state, sides), window_options(out)},
+      {}};
+  std::vector<std::string> files;
+  if (!parse(program, argc, argv, files)) return false;
+  if (!files.empty()) out.state.content.model = files.back();
+  return true;
 }
 
 }  // namespace viewer

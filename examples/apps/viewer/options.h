@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "state.h"
 
 namespace viewer {
 
-/// A command line that cannot be used: the text names the option, its value and the valid ones.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The command line, checked.
 struct Options {
-  bool help = false;
   State state;  // its width and height follow from the window
   int width = 1280, height = 800;
   float scale = 0.0f;      // scale of texts; 0 = by the resolution of the screen
@@ -28,9 +21,8 @@ struct Options {
   uint32_t threads = 0;
 };
 
-/// Throws UsageError.
-Options parse_options(int argc, const char* const* argv);
-
-const char* help_text();
+/// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure that names the
+/// option, its value and the valid ones.
+bool read_options(int argc, const char* const* argv, Options& out);
 
 }  // namespace viewer

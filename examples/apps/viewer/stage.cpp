@@ -92,10 +92,10 @@ shd_image rgba(std::vector<uint8_t>& pixels, const Image& image, shd_format form
 Stage::Stage(uint32_t workers) : context_(make_context(workers)) {
 #ifdef VIEWER_WITH_COLOR
   color_ = shd::color_create(context_, nullptr);
-  for (uint32_t d = 0; d < shd_color_display_count(color_); ++d) {
-    const std::string name = shd_color_display_name(color_, d);
-    for (uint32_t v = 0; v < shd_color_view_count(color_, name.c_str()); ++v) {
-      displays_.push_back({name, shd_color_view_name(color_, name.c_str(), v)});
+  for (uint32_t d = 0; d < shd_color_get_display_count(color_); ++d) {
+    const std::string name = shd_color_get_display_name(color_, d);
+    for (uint32_t v = 0; v < shd_color_get_view_count(color_, name.c_str()); ++v) {
+      displays_.push_back({name, shd_color_get_view_name(color_, name.c_str(), v)});
     }
   }
 #endif
@@ -221,8 +221,8 @@ std::shared_ptr<const Image> Stage::render(const State& state, int index, const 
 Picture Stage::show(const State& state, const shd_progress& progress, const Picture* previous, Tiles* tiles) {
   Picture picture;
   picture.state = state;
-  picture.simd = shd_context_simd_target(context_);
-  picture.workers = shd_context_worker_count(context_);
+  picture.simd = shd_context_get_simd_target(context_);
+  picture.workers = shd_context_get_worker_count(context_);
   try {
     const bool is_rendered =
         previous && !previous->cancelled && previous->side[0] && same_pixels(previous->state, state);

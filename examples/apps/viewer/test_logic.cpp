@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "command/failure.h"
 #include "layout.h"
 #include "options.h"
 #include "stage.h"
@@ -62,9 +63,10 @@ void test_pan() {
 void expect_usage(std::vector<const char*> arguments, const char* part) {
   arguments.insert(arguments.begin(), "shd-viewer");
   try {
-    parse_options(static_cast<int>(arguments.size()), arguments.data());
+    Options options;
+    read_options(static_cast<int>(arguments.size()), arguments.data(), options);
     check(false, part);
-  } catch (const UsageError& error) {
+  } catch (const Failure& error) {
     if (!std::strstr(error.what(), part)) std::printf("%s\n", error.what());
     check(std::strstr(error.what(), part) != nullptr, part);
   }
@@ -72,18 +74,19 @@ void expect_usage(std::vector<const char*> arguments, const char* part) {
 
 void test_options() {
   const char* const line[] = {"shd-viewer", "--filter", "nearest", "--b", "--filter", "ewa", "--wipe", "0.25"};
-  const Options options = parse_options(8, line);
+  Options options;
+  check(read_options(8, line, options), "no page");
   check(options.state.side[0].sampling.filter == SHD_FILTER_NEAREST, "side A");
   check(options.state.side[1].sampling.filter == SHD_FILTER_EWA, "side B");
   check(options.state.wipe && options.state.divider == 0.25f, "wipe");
   expect_usage({"--filter", "fancy"}, "--filter: \"fancy\" is not one of nearest, bilinear");
-  expect_usage({"--roughness", "nan"}, "--roughness: \"nan\" is not a number in 0..1");
-  expect_usage({"--size", "1280"}, "--size: \"1280\" is not 2 to 2 numbers");
+  expect_usage({"--roughness", "nan"}, "--roughness: \"nan\" is not a number 0..1");
+  expect_usage({"--size", "1280"}, "--size: \"1280\" is not WIDTHxHEIGHT, each 64..8192");
   expect_usage({"--click", "3,-1"}, "--click: \"3,-1\"");
   expect_usage({"--view", "sRGB"}, "--view");
   expect_usage({"--orbit", "0,95"}, "--orbit");
-  expect_usage({"--nothing", "1"}, "there is no such option");
-  expect_usage({"--wipe"}, "the value is missing");
+  expect_usage({"--fliter", "ewa"}, "--fliter is not an option: did you mean --filter?");
+  expect_usage({"--wipe"}, "--wipe needs a value: a number 0..1");
 }
 
 void test_places() {
@@ -244,7 +247,7 @@ void test_failures(Stage& stage) {
   check(!stage.show(state, shd_progress{}, nullptr).error.empty(), "texture");
   const Picture again = stage.show(small_state(), shd_progress{}, nullptr);
   check(again.error.empty() && again.side[0]->display == good.side[0]->display, "the same picture after failures");
-  const shd_progress stop = {[](void*, float) -> int32_t { return 1; }, nullptr};
+  const shd_progress stop = {[](float, void*) -> shd_result { return 1; }, nullptr};
   state = small_state();
   state.orbit.azimuth = 90.0f;
   check(stage.show(state, stop, nullptr).cancelled, "a progress callback cancels");

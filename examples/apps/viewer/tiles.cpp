@@ -51,7 +51,7 @@ bool Tiles::take(uint64_t& version, TileImage& out) const {
   return true;
 }
 
-shd_result Tiles::add(void* user_data, const shd_present_tile* tile) {
+shd_result Tiles::add(const shd_present_tile* tile, void* user_data) {
   static const Codes light = make_codes(true), numbers = make_codes(false);
   auto* const self = static_cast<Tiles*>(user_data);
   const std::lock_guard<std::mutex> lock(self->mutex_);

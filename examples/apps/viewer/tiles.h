@@ -32,7 +32,7 @@ class Tiles {
   bool take(uint64_t& version, TileImage& out) const;
 
  private:
-  static shd_result add(void* user_data, const shd_present_tile* tile);
+  static shd_result add(const shd_present_tile* tile, void* user_data);
 
   mutable std::mutex mutex_;
   TileImage image_;

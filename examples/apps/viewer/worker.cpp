@@ -77,7 +77,7 @@ double Worker::seconds() const {
   return static_cast<double>(now() - start_) * 1e-9;
 }
 
-int32_t Worker::report(void* user_data, float fraction) {
+shd_result Worker::report(float fraction, void* user_data) {
   auto* const self = static_cast<Worker*>(user_data);
   self->progress_ = fraction;
   const int64_t time = now();

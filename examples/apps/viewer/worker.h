@@ -47,7 +47,7 @@ class Worker {
  private:
   void run(uint32_t workers);
   std::shared_ptr<const Picture> make_picture(Stage* stage, const State& state, const Picture* previous);
-  static int32_t report(void* user_data, float fraction);
+  static shd_result report(float fraction, void* user_data);
 
   std::function<void()> changed_;
   std::string stage_error_;  // "" = the stage exists; only the worker's thread uses it

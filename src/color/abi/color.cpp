@@ -41,7 +41,7 @@ shd_object* object_of(shd_color* handle) {
 
 const Body& body_of(const shd_color* handle) {
   if (!handle) refuse(SHD_ERROR_INVALID_ARGUMENT, "color: NULL");
-  const void* body = shd_object_body(object_of(handle), kColorType);
+  const void* body = shd_object_get_body(object_of(handle), kColorType);
   if (!body) refuse(SHD_ERROR_INVALID_ARGUMENT, "color: not a live handle of its type");
   return *static_cast<const Body*>(body);
 }
@@ -125,7 +125,7 @@ shd_framebuffer_info read_framebuffer(const char* owner, const shd_framebuffer* 
   shd_framebuffer_info info = shd_framebuffer_info_default();
   const shd_result result = shd_framebuffer_get_info(framebuffer, &info);
   if (result != SHD_OK) refuse(result, "%s%s", owner, shd_last_error());
-  if (shd_framebuffer_context(framebuffer) != context) {
+  if (shd_framebuffer_get_context(framebuffer) != context) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "%sframebuffer: of another context than color", owner);
   }
   return info;
@@ -173,19 +173,19 @@ struct Screen {
 
 /// shd_present.tile that brings a tile to its rectangle of a screen.
 template <class Transform>
-shd_result show_tile(void* screen, const shd_present_tile* tile) {
+shd_result show_tile(const shd_present_tile* tile, void* screen) {
   return guard([&]() -> shd_result {
     const auto& to = *static_cast<const Screen<Transform>*>(screen);
-    color::Planes planes{{}, {}, tile->width, tile->height};
+    color::Planes planes{{}, {}, tile->area.width, tile->area.height};
     for (int c = 0; c < 4; ++c) {
       planes.plane[c] = tile->channel[c];
       planes.row_stride[c] = tile->row_stride;
     }
     shd_image out = to.out;
-    out.width = tile->width;
-    out.height = tile->height;
-    out.pixels = static_cast<unsigned char*>(to.out.pixels) + tile->y * to.out.row_stride +
-                 tile->x * shd_format_size(to.out.format);
+    out.width = tile->area.width;
+    out.height = tile->area.height;
+    out.pixels = static_cast<unsigned char*>(to.out.pixels) + tile->area.y * to.out.row_stride +
+                 tile->area.x * shd_format_size(to.out.format);
     color::apply_tile(to.context, to.transform, planes, out);
     return SHD_OK;
   });
@@ -254,7 +254,7 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
                                    const char* view, const shd_image* out) {
   return guard([&]() -> shd_result {
     const Body& body = body_of(color);
-    shd_context* context = shd_object_context(object_of(color));
+    shd_context* context = shd_object_get_context(object_of(color));
     const shd_framebuffer_info info = read_framebuffer("", framebuffer, context);
     const shd_image image = read_output_image("out", out, info.width, info.height);
     const color::ViewKey key = find_view(body, body.working_space, display, view);
@@ -266,7 +266,7 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
   });
 }
 
-shd_result shd_color_apply_view(void* color_view, const shd_framebuffer* framebuffer, const shd_image* out) {
+shd_result shd_color_apply_view(const shd_framebuffer* framebuffer, const shd_image* out, void* color_view) {
   return guard([&]() -> shd_result {
     if (!color_view) refuse(SHD_ERROR_INVALID_ARGUMENT, "color_view: NULL");
     const auto& view = *static_cast<const shd_color_view*>(color_view);
@@ -278,7 +278,7 @@ shd_result shd_color_render(const shd_color* color, const shd_render_desc* rende
                             const char* view, const shd_image* out) {
   return guard([&]() -> shd_result {
     const Body& body = body_of(color);
-    shd_context* context = shd_object_context(object_of(color));
+    shd_context* context = shd_object_get_context(object_of(color));
     shd_render_desc frame = read_render(render);
     const shd_framebuffer_info info = read_framebuffer("render.", frame.framebuffer, context);
     const shd_image image = read_output_image("out", out, info.width, info.height);
@@ -303,14 +303,14 @@ shd_result shd_color_apply_display_image(const shd_color* color, const shd_image
     require_no_overlap(source, image);
     const std::string from = read_space(body, "from_space", from_space);
     with_transform(body, find_view(body, from, display, view), image.format, [&](const auto& transform) {
-      color::apply_image(shd_object_context(object_of(color)), transform, source, image);
+      color::apply_image(shd_object_get_context(object_of(color)), transform, source, image);
     });
     return SHD_OK;
   });
 }
 
-shd_result shd_color_convert(const shd_color* color, const char* from_space, const char* to_space,
-                             const shd_image* in_out) {
+shd_result shd_color_convert(const shd_color* color, const shd_image* in_out, const char* from_space,
+                             const char* to_space) {
   return guard([&]() -> shd_result {
     const Body& body = body_of(color);
     if (!from_space) refuse(SHD_ERROR_INVALID_ARGUMENT, "from_space: NULL");
@@ -318,56 +318,56 @@ shd_result shd_color_convert(const shd_color* color, const char* from_space, con
     const std::string from = read_space(body, "from_space", from_space);
     const std::string to = read_space(body, "to_space", to_space);
     const color::TransformRef transform = body.config->between(from, to);
-    color::apply_in_place(shd_object_context(object_of(color)), *transform, image);
+    color::apply_in_place(shd_object_get_context(object_of(color)), *transform, image);
     return SHD_OK;
   });
 }
 
-uint32_t shd_color_display_count(const shd_color* color) {
-  return ask(0u, [&] { return static_cast<uint32_t>(body_of(color).config->catalog().displays.size()); });
+size_t shd_color_get_display_count(const shd_color* color) {
+  return ask(size_t{0}, [&] { return body_of(color).config->catalog().displays.size(); });
 }
 
-const char* shd_color_display_name(const shd_color* color, uint32_t index) {
+const char* shd_color_get_display_name(const shd_color* color, size_t index) {
   return ask<const char*>(nullptr, [&] {
     const auto& displays = body_of(color).config->catalog().displays;
     return index < displays.size() ? displays[index].name.c_str() : nullptr;
   });
 }
 
-const char* shd_color_default_display(const shd_color* color) {
+const char* shd_color_get_default_display(const shd_color* color) {
   return ask<const char*>(nullptr, [&] { return body_of(color).config->catalog().display(nullptr).name.c_str(); });
 }
 
-uint32_t shd_color_view_count(const shd_color* color, const char* display) {
-  return ask(0u, [&] {
+size_t shd_color_get_view_count(const shd_color* color, const char* display) {
+  return ask(size_t{0}, [&] {
     const color::Display* found = body_of(color).config->catalog().find_display(display);
-    return found ? static_cast<uint32_t>(found->views.size()) : 0u;
+    return found ? found->views.size() : size_t{0};
   });
 }
 
-const char* shd_color_view_name(const shd_color* color, const char* display, uint32_t index) {
+const char* shd_color_get_view_name(const shd_color* color, const char* display, size_t index) {
   return ask<const char*>(nullptr, [&] {
     const color::Display* found = body_of(color).config->catalog().find_display(display);
     return found ? name_at(found->views, index) : nullptr;
   });
 }
 
-const char* shd_color_default_view(const shd_color* color, const char* display) {
+const char* shd_color_get_default_view(const shd_color* color, const char* display) {
   return ask<const char*>(nullptr, [&] {
     const color::Display* found = body_of(color).config->catalog().find_display(display);
     return found ? found->default_view.c_str() : nullptr;
   });
 }
 
-uint32_t shd_color_space_count(const shd_color* color) {
-  return ask(0u, [&] { return static_cast<uint32_t>(body_of(color).config->catalog().spaces.size()); });
+size_t shd_color_get_space_count(const shd_color* color) {
+  return ask(size_t{0}, [&] { return body_of(color).config->catalog().spaces.size(); });
 }
 
-const char* shd_color_space_name(const shd_color* color, uint32_t index) {
+const char* shd_color_get_space_name(const shd_color* color, size_t index) {
   return ask<const char*>(nullptr, [&] { return name_at(body_of(color).config->catalog().spaces, index); });
 }
 
-const char* shd_color_working_space(const shd_color* color) {
+const char* shd_color_get_working_space(const shd_color* color) {
   return ask<const char*>(nullptr, [&] { return body_of(color).working_space.c_str(); });
 }
 

@@ -120,7 +120,7 @@ shd_result shd_embree_get_tracer(const shd_embree* embree, shd_tracer* out_trace
     if (!out_tracer) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_tracer: NULL");
     *out_tracer = shd_tracer{nullptr, nullptr};
     if (!embree) refuse(SHD_ERROR_INVALID_ARGUMENT, "embree: NULL");
-    void* tree = shd_object_body(object_of(embree), kEmbreeType);
+    void* tree = shd_object_get_body(object_of(embree), kEmbreeType);
     if (!tree) throw Failure(SHD_ERROR_INVALID_ARGUMENT, shd_last_error());
     *out_tracer = shd_tracer{trace, tree};
     return SHD_OK;

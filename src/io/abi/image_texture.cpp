@@ -23,7 +23,7 @@ shd_result make_texture(shd_context* context, const io::Bitmap& bitmap, uint32_t
   if (bitmap.info.flags & SHD_BITMAP_PREMULTIPLIED) texture.flags |= SHD_TEXTURE_PREMULTIPLIED;
   shd_image levels[kMaxLevels];
   texture.level_count = bitmap.level_count - 1;
-  texture.levels = bitmap.level_count > 1 ? levels : nullptr;
+  texture.level_images = bitmap.level_count > 1 ? levels : nullptr;
   const size_t pixel = shd_format_size(texture.format);
   const auto* next = static_cast<const unsigned char*>(texture.texels);
   for (uint32_t l = 1; l < bitmap.level_count; ++l) {

@@ -27,7 +27,7 @@ void destroy_bitmap(void* memory) {
 }
 
 const BitmapBody* body_of(const shd_bitmap* bitmap) {
-  const void* body = shd_object_body(reinterpret_cast<const shd_object*>(bitmap), kBitmapType);
+  const void* body = shd_object_get_body(reinterpret_cast<const shd_object*>(bitmap), kBitmapType);
   if (!body) {
     (void)fail(SHD_ERROR_INVALID_ARGUMENT, "bitmap: %s", bitmap ? "not a live handle of its type" : "NULL");
   }
@@ -148,7 +148,7 @@ void shd_bitmap_release(shd_bitmap* bitmap) {
   shd_object_release(reinterpret_cast<shd_object*>(bitmap), kBitmapType);
 }
 
-shd_result shd_bitmap_image(const shd_bitmap* bitmap, shd_image* out_image) {
+shd_result shd_bitmap_get_image(const shd_bitmap* bitmap, shd_image* out_image) {
   if (const shd_result result = begin_output("out_image", out_image)) return result;
   const BitmapBody* body = body_of(bitmap);
   if (!body) return SHD_ERROR_INVALID_ARGUMENT;
@@ -162,7 +162,7 @@ shd_result shd_bitmap_image(const shd_bitmap* bitmap, shd_image* out_image) {
   return SHD_OK;
 }
 
-const char* shd_bitmap_color_space(const shd_bitmap* bitmap) {
+const char* shd_bitmap_get_color_space(const shd_bitmap* bitmap) {
   const BitmapBody* body = body_of(bitmap);
   return body ? body->bitmap.color_space : "";
 }

@@ -15,9 +15,12 @@ namespace shd::extension {
 
 namespace {
 
-/// A budget where 0 is the default and everything else must be positive and finite.
-double positive(const char* field, double value, double standard) {
-  if (value == 0) return standard;
+uint64_t budget(const char* field, uint64_t value) {
+  if (value == 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: 0 is below 1", field);
+  return value;
+}
+
+double positive(const char* field, double value) {
   if (!(value > 0) || !std::isfinite(value)) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: %g is not positive", field, value);
   return value;
 }
@@ -34,29 +37,30 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   read_desc("load", in, &desc);
   constexpr uint32_t kFormats = 0x7fff | SHD_FILE_FORMAT_ANY;
   require_flags("load.formats", desc.formats, kFormats);
+  if (!desc.formats) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.formats: 0 accepts no format");
   require_flags("load.flags", desc.flags,
                 SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V | SHD_LOAD_FILE_LEVELS | SHD_LOAD_LINEAR |
                     SHD_LOAD_ALPHA_WEIGHTED | SHD_LOAD_PREMULTIPLY);
   if (desc.flags & SHD_LOAD_ALPHA_WEIGHTED && desc.flags & SHD_LOAD_PREMULTIPLY) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "load.flags: both SHD_LOAD_ALPHA_WEIGHTED and SHD_LOAD_PREMULTIPLY");
   }
-  if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
-           static_cast<int>(desc.color_space));
+  if (static_cast<uint32_t>(desc.encoding) > SHD_COLOR_ENCODING_DATA) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.encoding: %d is not a shd_color_encoding",
+           static_cast<int>(desc.encoding));
   }
   if (desc.subimage > 65535) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.subimage: %u is not in 0..65535", desc.subimage);
   if (desc.worker_path && !*desc.worker_path) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.worker_path: empty");
   io::LoadOptions& options = request.options;
-  if (desc.formats) options.formats = desc.formats;
+  options.formats = desc.formats;
   options.flags = desc.flags;
-  options.encoding = desc.color_space;
+  options.encoding = desc.encoding;
   options.subimage = desc.subimage;
   io::Limits& limits = options.limits;
-  if (desc.max_file_bytes) limits.file_bytes = desc.max_file_bytes;
-  if (desc.max_pixels) limits.pixels = desc.max_pixels;
-  if (desc.max_bytes) limits.bytes = desc.max_bytes;
-  limits.ratio = positive("load.max_ratio", desc.max_ratio, limits.ratio);
-  limits.seconds = positive("load.time_limit", desc.time_limit, limits.seconds);
+  limits.file_bytes = budget("load.max_file_bytes", desc.max_file_bytes);
+  limits.pixels = budget("load.max_pixels", desc.max_pixels);
+  limits.bytes = budget("load.max_bytes", desc.max_bytes);
+  limits.ratio = positive("load.max_ratio", desc.max_ratio);
+  limits.seconds = positive("load.time_limit", desc.time_limit);
   return request;
 }
 

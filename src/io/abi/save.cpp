@@ -51,9 +51,9 @@ const Extension& extension_of(const char* path) {
 shd_save_desc read_save_desc(const shd_save_desc* in) {
   shd_save_desc desc = shd_save_desc_default();
   read_desc("save", in, &desc);
-  if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.color_space: %d is not a shd_color_encoding",
-           static_cast<int>(desc.color_space));
+  if (static_cast<uint32_t>(desc.encoding) > SHD_COLOR_ENCODING_DATA) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.encoding: %d is not a shd_color_encoding",
+           static_cast<int>(desc.encoding));
   }
   if (core::enum_bits(desc.dither) > SHD_DITHER_ORDERED) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.dither: %u is not a shd_dither", core::enum_bits(desc.dither));
@@ -159,7 +159,7 @@ void describe_codes(const Planes& planes, uint32_t depth, const shd_save_desc& d
   rows->width = job->width;
   rows->bits = depth;
   std::copy(planes.view, planes.view + 4, rows->plane);
-  rows->curve = desc.color_space == SHD_COLOR_ENCODING_AUTO || desc.color_space == SHD_COLOR_ENCODING_SRGB;
+  rows->curve = desc.encoding == SHD_COLOR_ENCODING_AUTO || desc.encoding == SHD_COLOR_ENCODING_SRGB;
   rows->dither = desc.dither == SHD_DITHER_ORDERED;
   describe_color(job, depth == 8 ? Sample::kU8 : Sample::kU16, 4);
   job->straight = true;
@@ -188,10 +188,10 @@ io::Buffer show(const shd_framebuffer* framebuffer, const shd_display& display, 
   image.width = job.width;
   image.height = job.height;
   const size_t size = size_t{16} * job.width * job.height;
-  io::Buffer pixels(memory_of(shd_framebuffer_context(framebuffer)), size);
+  io::Buffer pixels(memory_of(shd_framebuffer_get_context(framebuffer)), size);
   std::memset(pixels.data(), 0, size);
   image.pixels = pixels.data();
-  require(display.apply(display.user_data, framebuffer, &image));
+  require(display.apply(framebuffer, &image, display.user_data));
   return pixels;
 }
 
@@ -215,7 +215,7 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
     describe_planes(planes, extension.kind == Kind::kExr ? kPlaneCount : 4, depth, &plane_rows, &job);
     job.color_space = "Linear";
   } else {
-    code_rows.simd = core::find_simd_target(shd_context_simd_target(shd_framebuffer_context(framebuffer)));
+    code_rows.simd = core::find_simd_target(shd_context_get_simd_target(shd_framebuffer_get_context(framebuffer)));
     describe_codes(planes, depth, desc, &code_rows, &job);
     if (desc.display.apply) shown = show(framebuffer, desc.display, job);
     if (shown.size()) code_rows.display = reinterpret_cast<const float*>(shown.data());
@@ -285,7 +285,7 @@ void save_image(const shd_image& image, const char* path, const shd_save_desc& d
   job.height = image.height;
   job.user_data = &image;
   job.straight = extension.kind != Kind::kExr;
-  job.color_space = tag_of(desc.color_space, image.format);
+  job.color_space = tag_of(desc.encoding, image.format);
   job.row = extension.kind == Kind::kHdr ? image_row_rgb : image_row;
   if (image.format == SHD_FORMAT_R8) {
     job.channels.push_back({"Y", Sample::kU8});

@@ -21,7 +21,8 @@ bool is_blocks(shd_format format) {
   return image::block_info(format).block_size != 0;
 }
 
-/// Images of levels 1 and up, in the order of shd_texture_desc.levels: those of a level follow one another in memory.
+/// Images of levels 1 and up, in the order of shd_texture_desc.level_images: those of a level follow one another in
+/// memory.
 std::vector<shd_image> list_levels(const io::Bitmap& bitmap) {
   const io::TextureLayout& layout = bitmap.layout;
   const shd_texture_file_info& info = layout.info;
@@ -57,7 +58,7 @@ shd_result make_texture(shd_context* context, const io::TextureLayout& layout, c
   shd_texture_desc desc = describe_stored(layout.info, layout.image_count, layout.swizzle, layout.fill);
   desc.texels = texels;
   desc.level_count = layout.level_count - 1;
-  desc.levels = levels.empty() ? nullptr : levels.data();
+  desc.level_images = levels.empty() ? nullptr : levels.data();
   desc.tables = tables;
   // Blocks have only the levels of the file.
   if (is_blocks(desc.format) && layout.level_count == 1) desc.tables &= ~uint32_t{SHD_TABLE_MIPMAP};
@@ -122,9 +123,15 @@ shd_texture_desc describe_stored(const shd_texture_file_info& info, uint32_t ima
   desc.format = info.format;
   desc.width = info.width;
   desc.height = info.height;
-  desc.depth = info.depth;
-  desc.layers = image_count;
-  desc.projection = info.faces == 6 && image_count == 6 ? SHD_PROJECTION_CUBE : SHD_PROJECTION_NONE;
+  if (info.depth != 0) {
+    desc.kind = SHD_TEXTURE_KIND_3D;
+    desc.depth = info.depth;
+  } else if (info.face_count == 6 && image_count == 6) {
+    desc.kind = SHD_TEXTURE_KIND_DIRECTIONS;
+    desc.projection = SHD_PROJECTION_CUBE;
+  } else {
+    desc.layer_count = image_count;
+  }
   if (info.flags & SHD_TEXTURE_FILE_PREMULTIPLIED) desc.flags = SHD_TEXTURE_PREMULTIPLIED;
   std::copy(swizzle, swizzle + 4, desc.swizzle);
   std::copy(fill, fill + 4, desc.fill);
@@ -189,7 +196,7 @@ io::Bitmap expand_stored(shd_context* context, io::Bitmap&& stored, const LoadRe
   Lookup lookup;
   layout.info.format = io::without_srgb(layout.info.format);
   layout.info.depth = 0;
-  layout.info.faces = 1;
+  layout.info.face_count = 1;
   require(make_texture(context, layout, stored.pixels.data(), {}, 0, &lookup.texture));
   shd_sampler_desc nearest = shd_sampler_desc_default();
   nearest.filter = SHD_FILTER_NEAREST;

@@ -34,8 +34,8 @@ shd_ktx2_desc read_ktx2_desc(const shd_ktx2_desc* in) {
   if (desc.effort < 0 || desc.effort > most) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "ktx2.effort: %d is not in 0..%d", desc.effort, most);
   }
-  if (desc.channels != 0 && desc.channels != 3) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "ktx2.channels: %u is not 0 or 3", desc.channels);
+  if (desc.channel_count != 0 && desc.channel_count != 3) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "ktx2.channel_count: %zu is not 0 or 3", desc.channel_count);
   }
   return desc;
 }
@@ -50,7 +50,7 @@ shd_format three_channels(shd_format format) {
     case SHD_FORMAT_RGBA32F: return SHD_FORMAT_RGB32F;
     default:
       refuse(SHD_ERROR_INVALID_ARGUMENT,
-             "ktx2.channels: 3, but format %d of the texture has no four channels of "
+             "ktx2.channel_count: 3, but format %d of the texture has no four channels of "
              "pixels",
              static_cast<int>(format));
   }
@@ -74,7 +74,7 @@ std::vector<unsigned char> read_images(const shd_texture* texture, const shd_tex
   image.width = io::level_side(info.width, level);
   image.height = io::level_side(info.height, level);
   const image::RowLayout rows = image::row_layout(info.format, image.width, image.height);
-  const uint32_t count = info.depth != 0 ? io::level_side(info.depth, level) : info.layers;
+  const uint32_t count = info.depth != 0 ? io::level_side(info.depth, level) : info.layer_count;
   std::vector<unsigned char> pixels;
   pixels.reserve(rows.row_size * rows.rows * count);
   for (uint32_t i = 0; i < count; ++i) {
@@ -97,14 +97,14 @@ io::Ktx2Content read_texture(const shd_texture* texture, const shd_ktx2_desc& de
   }
   const bool cube = info.projection == SHD_PROJECTION_CUBE;
   io::Ktx2Content content;
-  content.format = desc.channels == 3 ? three_channels(info.format) : info.format;
+  content.format = desc.channel_count == 3 ? three_channels(info.format) : info.format;
   content.width = info.width;
   content.height = info.height;
   content.depth = info.depth;
   content.faces = cube ? 6 : 1;
-  content.layers = cube || info.layers == 1 ? 0 : info.layers;
+  content.layers = cube || info.layer_count == 1 ? 0 : info.layer_count;
   for (uint32_t l = 0; l < info.level_count; ++l) {
-    content.levels.push_back(read_images(texture, info, l, desc.channels == 3));
+    content.levels.push_back(read_images(texture, info, l, desc.channel_count == 3));
   }
   return content;
 }

@@ -55,8 +55,8 @@ struct Overlap {
 void fill_tile(const Provider& provider, const shd_tile& tile, const Overlap& x, const Overlap& y) {
   const size_t pixel = shd_format_size(provider.info.format);
   for (uint32_t row = y.begin; row < y.end; ++row) {
-    auto* texel =
-        static_cast<unsigned char*>(tile.texels) + (row - tile.y) * tile.row_stride + (x.begin - tile.x) * pixel;
+    auto* texel = static_cast<unsigned char*>(tile.texels) + (row - tile.area.y) * tile.row_stride +
+                  (x.begin - tile.area.x) * pixel;
     for (uint32_t i = x.begin; i < x.end; ++i, texel += pixel) std::memcpy(texel, provider.fill, pixel);
   }
 }
@@ -65,16 +65,17 @@ void load_tile(const Provider& provider, const shd_tile& tile) {
   const io::FileGrid& grid = provider.grid;
   const uint32_t width = io::level_side(provider.info.width, tile.level);
   const uint32_t height = io::level_side(provider.info.height, tile.level);
-  for (uint32_t row = tile.y / height; row * height < tile.y + tile.height; ++row) {
-    for (uint32_t column = tile.x / width; column * width < tile.x + tile.width; ++column) {
-      const Overlap x(tile.x, tile.width, column * width, width), y(tile.y, tile.height, row * height, height);
+  for (uint32_t row = tile.area.y / height; row * height < tile.area.y + tile.area.height; ++row) {
+    for (uint32_t column = tile.area.x / width; column * width < tile.area.x + tile.area.width; ++column) {
+      const Overlap x(tile.area.x, tile.area.width, column * width, width),
+          y(tile.area.y, tile.area.height, row * height, height);
       const int32_t file = grid.file[size_t{grid.rows - 1 - row} * grid.columns + column];
       if (file < 0) {
         fill_tile(provider, tile, x, y);
         continue;
       }
-      auto* texels = static_cast<unsigned char*>(tile.texels) + (y.begin - tile.y) * tile.row_stride +
-                     (x.begin - tile.x) * shd_format_size(provider.info.format);
+      auto* texels = static_cast<unsigned char*>(tile.texels) + (y.begin - tile.area.y) * tile.row_stride +
+                     (x.begin - tile.area.x) * shd_format_size(provider.info.format);
       io::read_tiled_set(*provider.set, {static_cast<size_t>(file), tile.level, x.at, y.at, x.end - x.begin,
                                          y.end - y.begin, texels, tile.row_stride});
     }
@@ -82,7 +83,7 @@ void load_tile(const Provider& provider, const shd_tile& tile) {
 }
 
 template <class Source>
-shd_result load_tiles(void* user_data, const shd_tile* tiles, size_t count) {
+shd_result load_tiles(const shd_tile* tiles, size_t count, void* user_data) {
   return guard([&] {
     for (size_t i = 0; i < count; ++i) load_tile(*static_cast<const Source*>(user_data), tiles[i]);
     return SHD_OK;
@@ -99,12 +100,12 @@ shd_tile_file_desc read_file_desc(const shd_tile_file_desc* in) {
   if (!in) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file: NULL");
   read_desc("tile_file", in, &desc);
   if (!desc.cache) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.cache: NULL");
-  if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.color_space: %d is not a shd_color_encoding",
-           static_cast<int>(desc.color_space));
+  if (static_cast<uint32_t>(desc.encoding) > SHD_COLOR_ENCODING_DATA) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.encoding: %d is not a shd_color_encoding",
+           static_cast<int>(desc.encoding));
   }
-  if (desc.max_readers > 4096) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.max_readers: %zu is not in 0..4096", desc.max_readers);
+  if (desc.max_readers < 1 || desc.max_readers > 4096) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.max_readers: %zu is not in 1..4096", desc.max_readers);
   }
   for (int c = 0; c < 4; ++c) {
     if (!std::isfinite(desc.fill[c])) refuse(SHD_ERROR_INVALID_ARGUMENT, "tile_file.fill[%d]: not finite", c);
@@ -117,8 +118,8 @@ std::unique_ptr<Provider> open_provider(const io::FileGrid& grid, const shd_tile
   provider->grid = grid;
   io::TiledPaths paths;
   paths.paths = provider->grid.paths;
-  paths.encoding = desc.color_space;
-  if (desc.max_readers) paths.max_readers = desc.max_readers;
+  paths.encoding = desc.encoding;
+  paths.max_readers = desc.max_readers;
   provider->set.reset(io::open_tiled_set(paths, &provider->info));
   store_fill(image::format_info(provider->info.format), desc.fill, provider->fill);
   return provider;
@@ -158,7 +159,8 @@ shd_texture_desc describe(const Provider& provider) {
 shd_texture_desc describe(const io::StoredTiles& file) {
   const io::TextureFile& parsed = file.parsed;
   const shd_texture_file_info& info = parsed.info;
-  shd_texture_desc texture = describe_stored(info, info.faces == 6 ? 6 : info.layers, parsed.swizzle, parsed.fill);
+  shd_texture_desc texture =
+      describe_stored(info, info.face_count == 6 ? 6 : info.layer_count, parsed.swizzle, parsed.fill);
   if (image::has_three_numbers(image::format_info(info.format))) {
     texture.format = expanded_format(info.format);
     if (texture.swizzle[3] == SHD_CHANNEL_DEFAULT) texture.swizzle[3] = SHD_CHANNEL_FILL;
@@ -170,9 +172,9 @@ shd_texture_desc describe(const io::StoredTiles& file) {
 
 shd_tile_file_info info_of(const Provider& provider) {
   shd_tile_file_info info = shd_tile_file_info_default();
-  info.columns = provider.grid.columns;
-  info.rows = provider.grid.rows;
-  info.files = static_cast<uint32_t>(provider.grid.paths.size());
+  info.column_count = provider.grid.columns;
+  info.row_count = provider.grid.rows;
+  info.file_count = static_cast<uint32_t>(provider.grid.paths.size());
   info.tile_width = provider.info.tile_width;
   info.tile_height = provider.info.tile_height;
   return info;
@@ -180,7 +182,7 @@ shd_tile_file_info info_of(const Provider& provider) {
 
 shd_tile_file_info info_of(const io::StoredTiles& file) {
   shd_tile_file_info info = shd_tile_file_info_default();
-  info.columns = info.rows = info.files = 1;
+  info.column_count = info.row_count = info.file_count = 1;
   info.tile_width = file.parsed.storage.block_width;
   info.tile_height = file.parsed.storage.block_height;
   return info;
@@ -209,7 +211,7 @@ extern "C" shd_result shd_texture_open(shd_context* context, const char* path, c
       if (out_info) write_desc(info_of(owned), out_info);
       return result;
     };
-    auto stored = io::open_stored_tiles(grid.paths[0], desc.color_space, memory_of(context));
+    auto stored = io::open_stored_tiles(grid.paths[0], desc.encoding, memory_of(context));
     if (!stored) return open(open_provider(grid, desc));
     if (grid.file.size() == 1) return open(std::move(stored));
     refuse(SHD_ERROR_UNSUPPORTED, "\"%s\": sets of KTX2 or DDS files", io::printable(path).c_str());

@@ -30,6 +30,7 @@ shd_result make_texture(shd_context* context, const Voxels& voxels, uint32_t tab
   desc.format = voxels.format;
   desc.width = voxels.width;
   desc.height = voxels.height;
+  desc.kind = SHD_TEXTURE_KIND_3D;
   desc.depth = voxels.depth;
   desc.texels = voxels.texels.data();
   desc.tables = tables;
@@ -62,13 +63,12 @@ shd_raw_desc read_raw_desc(const shd_raw_desc* in) {
   if (core::enum_bits(desc.sample) > SHD_RAW_SAMPLE_I32) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "raw.sample: %u is not a shd_raw_sample", core::enum_bits(desc.sample));
   }
-  if (desc.channels < 1 || desc.channels > 4) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "raw.channels: %u is not in 1..4", desc.channels);
+  if (desc.channel_count < 1 || desc.channel_count > 4) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "raw.channel_count: %zu is not in 1..4", desc.channel_count);
   }
   if (core::enum_bits(desc.byte_order) > SHD_BYTE_ORDER_BIG) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "raw.byte_order: %u is not a shd_byte_order", core::enum_bits(desc.byte_order));
   }
-  require_flags("raw.flags", desc.flags, 0);
   return desc;
 }
 
@@ -101,9 +101,9 @@ void read_at(const Input& input, uint64_t at, size_t size, unsigned char* out) {
 
 Voxels load_voxels(shd_context* context, const Input& input, const shd_raw_desc& raw, const LoadRequest& request) {
   const io::Limits& limits = request.options.limits;
-  Voxels voxels = {io::raw_format(raw.sample, raw.channels), raw.width, raw.height, raw.depth, {}};
+  Voxels voxels = {io::raw_format(raw.sample, raw.channel_count), raw.width, raw.height, raw.depth, {}};
   io::check_volume(limits, raw.width, raw.height, raw.depth);
-  const size_t numbers = size_t{raw.width} * raw.height * raw.depth * raw.channels;
+  const size_t numbers = size_t{raw.width} * raw.height * raw.depth * raw.channel_count;
   const size_t bytes = numbers * io::raw_sample_size(raw.sample);
   const uint64_t header = find_voxels(raw, bytes, input.size);
   voxels.texels = allocate_texels(context, limits, voxels, input.size);
@@ -128,10 +128,10 @@ shd_stack_desc read_stack_desc(const shd_stack_desc* in) {
   shd_stack_desc desc = shd_stack_desc_default();
   read_desc("stack", in, &desc);
   if (desc.path_count > io::kMaxSide) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "stack.path_count: %u is not in 0..65536", desc.path_count);
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "stack.path_count: %zu is not in 0..65536", desc.path_count);
   }
   if (desc.path_count > 0 && !desc.paths) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "stack.paths: NULL, but path_count is %u", desc.path_count);
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "stack.paths: NULL, but path_count is %zu", desc.path_count);
   }
   for (uint32_t i = 0; i < desc.path_count; ++i) {
     if (!desc.paths[i] || !*desc.paths[i]) {
@@ -163,7 +163,7 @@ std::vector<std::string> stack_paths(const shd_stack_desc& desc) {
 void check_encoding(const LoadRequest& request, shd_format format) {
   const bool bytes = format == SHD_FORMAT_R8_SRGB || format == SHD_FORMAT_RGBA8_SRGB;
   if (request.options.encoding == SHD_COLOR_ENCODING_SRGB && !bytes) {
-    refuse(SHD_ERROR_UNSUPPORTED, "load.color_space: SRGB, but the slices are not of 8 bits");
+    refuse(SHD_ERROR_UNSUPPORTED, "load.encoding: SRGB, but the slices are not of 8 bits");
   }
 }
 
@@ -216,12 +216,13 @@ shd_vdb_desc read_vdb_desc(const shd_vdb_desc* in) {
   }
   constexpr int32_t kMost = 1 << 30;
   for (int a = 0; a < 3 && (desc.flags & SHD_VDB_BOX); ++a) {
-    const int32_t low = desc.box_min[a], high = desc.box_max[a];
+    const int32_t low = desc.bounds_min[a], high = desc.bounds_max[a];
     if (low < -kMost || low > kMost) {
-      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.box_min[%d]: %d is not in -2^30..2^30", a, low);
+      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.bounds_min[%d]: %d is not in -2^30..2^30", a, low);
     }
     if (high < low || high > kMost) {
-      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.box_max[%d]: %d is not in box_min..2^30, box_min is %d", a, high, low);
+      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.bounds_max[%d]: %d is not in bounds_min..2^30, bounds_min is %d", a, high,
+             low);
     }
   }
   return desc;
@@ -230,8 +231,8 @@ shd_vdb_desc read_vdb_desc(const shd_vdb_desc* in) {
 io::GridRequest grid_request(const shd_vdb_desc& desc) {
   io::GridRequest grid;
   grid.flags = desc.flags;
-  std::copy(std::begin(desc.box_min), std::end(desc.box_min), grid.box_min);
-  std::copy(std::begin(desc.box_max), std::end(desc.box_max), grid.box_max);
+  std::copy(std::begin(desc.bounds_min), std::end(desc.bounds_min), grid.box_min);
+  std::copy(std::begin(desc.bounds_max), std::end(desc.bounds_max), grid.box_max);
   if (desc.grid) std::memcpy(grid.name, desc.grid, std::strlen(desc.grid));
   return grid;
 }
@@ -243,7 +244,7 @@ shd_vdb_info describe_grid(const io::Bitmap& bitmap) {
   info.grid_class = static_cast<shd_vdb_class>(grid.grid_class);
   std::copy(std::begin(grid.index_min), std::end(grid.index_min), info.index_min);
   info.background = grid.background;
-  info.active_voxels = grid.active_voxels;
+  info.active_voxel_count = grid.active_voxels;
   const double side[3] = {double(bitmap.width), double(bitmap.height), double(bitmap.depth)};
   for (size_t row = 0; row < 4; ++row) {
     double corner = grid.index_to_world[12 + row];

@@ -78,7 +78,7 @@ bool find(void* owner, const char* name, io::Given* out) {
   const auto& task = *static_cast<const shd_worker_task*>(owner);
   if (!task.find) return false;
   shd_worker_file file = {-1, nullptr, 0};
-  const shd_result result = task.find(task.user_data, name, &file);
+  const shd_result result = task.find(name, &file, task.user_data);
   out->file.fd = static_cast<int>(file.descriptor);
   out->bytes = file.bytes;
   out->size = file.size;
@@ -97,7 +97,7 @@ shd_result shd_worker_run(const shd_worker_task* task) {
     const io::Deadline deadline(read.time_limit);
     io::ModuleRun run(read.worker_path, request_of(read), {&read, find}, deadline);
     shd_worker_stream stream = {run};
-    require(read.receive(read.user_data, &stream));
+    require(read.receive(&stream, read.user_data));
     run.finish();
     return SHD_OK;
   });

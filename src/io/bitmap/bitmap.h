@@ -26,7 +26,7 @@ enum class Parts : uint32_t {
 
 /// Grid and box of a load of Parts::kGrid.
 struct GridRequest {
-  uint32_t flags = SHD_VDB_DEFAULT;
+  uint32_t flags = SHD_VDB_NONE;
   int32_t box_min[3] = {}, box_max[3] = {};
   char name[256] = {};  // "" = the first grid of float or double
 };
@@ -46,7 +46,7 @@ struct GridInfo {
 struct LoadOptions {
   Parts parts = Parts::kImage;
   uint32_t formats = SHD_FILE_FORMAT_DEFAULT;
-  uint32_t flags = SHD_LOAD_DEFAULT;
+  uint32_t flags = SHD_LOAD_NONE;
   shd_color_encoding encoding = SHD_COLOR_ENCODING_AUTO;
   uint32_t subimage = 0;
   GridRequest grid;

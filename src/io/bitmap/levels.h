@@ -8,7 +8,7 @@
 
 namespace shd::io {
 
-/// Width or height of mip level `level`; as shd_texture_desc.levels requires it.
+/// Width or height of mip level `level`; as shd_texture_desc.level_images requires it.
 inline uint32_t level_side(uint32_t base, uint32_t level) {
   return std::max(1u, base >> level);
 }

@@ -18,7 +18,7 @@ struct Transfer {
   double gamma = 1;
 };
 
-/// The curve of a colour space by name; shd_bitmap_color_space lists the names.
+/// The curve of a colour space by name; shd_bitmap_get_color_space lists the names.
 Transfer transfer_of(const std::string& color_space);
 
 /// Name of the colour space of a file. `reported` is the name from the decoder, "" = none; `chromaticities` are x, y of

@@ -56,9 +56,9 @@ Declared read_dx10(ByteReader& in, TextureFile* parsed) {
   const uint32_t format = in.u32(128), alpha = in.u32(144) & 7;
   const uint32_t dimension = in.u32(132) == 0 ? k2d : in.u32(132);  // some writers leave it out
   info.file_code = format;
-  info.layers = std::max(in.u32(140), 1u);
-  if (info.layers > 1) info.flags |= SHD_TEXTURE_FILE_ARRAY;
-  info.faces = in.u32(136) & 4 ? 6 : 1;
+  info.layer_count = std::max(in.u32(140), 1u);
+  if (info.layer_count > 1) info.flags |= SHD_TEXTURE_FILE_ARRAY;
+  info.face_count = in.u32(136) & 4 ? 6 : 1;
   if (dimension < 2 || dimension > 4) {
     core::refuse(SHD_ERROR_CORRUPT, "DDS: resourceDimension %u is not in 2..4", dimension);
   }
@@ -157,7 +157,7 @@ void read_caps(ByteReader& in, TextureFile* parsed) {
   const uint32_t caps = in.u32(112);
   shd_texture_file_info& info = parsed->info;
   if (caps & kCube) {
-    info.faces = 6;
+    info.face_count = 6;
     if ((caps & kAllFaces) != kAllFaces) {
       core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: a cube map without all faces, dwCaps2 0x%x", caps);
     }
@@ -176,11 +176,11 @@ uint64_t level_bytes(const TextureFile& parsed, uint32_t count) {
 /// Some writers count the faces of a cube map as layers.
 void count_cubes(const ByteReader& in, uint64_t first, uint64_t image, TextureFile* parsed) {
   const shd_texture_file_info& info = parsed->info;
-  if (info.faces != 6 || info.layers % 6 != 0 || in.file_has(first, image * parsed->images)) return;
+  if (info.face_count != 6 || info.layer_count % 6 != 0 || in.file_has(first, image * parsed->images)) return;
   if (in.file_has(first, image * (parsed->images / 6))) {
     parsed->images /= 6;
-    parsed->info.layers /= 6;
-    if (info.layers == 1) parsed->info.flags &= ~uint32_t{SHD_TEXTURE_FILE_ARRAY};
+    parsed->info.layer_count /= 6;
+    if (info.layer_count == 1) parsed->info.flags &= ~uint32_t{SHD_TEXTURE_FILE_ARRAY};
   }
 }
 
@@ -192,10 +192,10 @@ void place_levels(ByteReader& in, uint64_t first, uint32_t stored, bool partial,
   if (!in.file_has(first, all)) {
     if (!partial || parsed->images > 1) {
       core::refuse(SHD_ERROR_CORRUPT,
-                   "DDS: %llu bytes are below %llu of the header and %llu of %u levels and %u images",
+                   "DDS: %llu bytes are below %llu of the header and %llu of %zu levels and %u images",
                    wide(in.file_size()), wide(first), wide(all), parsed->info.level_count, parsed->images);
     }
-    uint32_t& count = parsed->info.level_count;
+    size_t& count = parsed->info.level_count;
     while (count > 1 && !in.has(first, level_bytes(*parsed, count))) --count;
     const uint64_t end = first + level_bytes(*parsed, count);
     parsed->absent = end - std::min<uint64_t>(end, in.size);
@@ -225,7 +225,7 @@ TextureFile parse_dds(ByteReader in, shd_color_encoding encoding, bool partial, 
   info.kind = SHD_TEXTURE_FILE_KIND_DDS;
   info.height = in.u32(12);
   info.width = in.u32(16);
-  info.layers = info.faces = 1;
+  info.layer_count = info.face_count = 1;
   info.level_count = std::max(in.u32(28), 1u);
   const bool code = (in.u32(80) & kFourCc) != 0;
   const bool dx10 = code && in.is(84, "DX10", 4);

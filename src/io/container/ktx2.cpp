@@ -40,8 +40,8 @@ void read_header(ByteReader& in, TextureFile* parsed) {
   info.width = in.u32(20);
   info.height = in.u32(24);
   info.depth = in.u32(28);
-  info.layers = in.u32(32);
-  info.faces = in.u32(36);
+  info.layer_count = in.u32(32);
+  info.face_count = in.u32(36);
   info.level_count = std::max(in.u32(40), 1u);  // 0 leaves the levels to the reader
   const uint32_t scheme = in.u32(44);
   if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu bytes end within the header", in.size);
@@ -49,8 +49,8 @@ void read_header(ByteReader& in, TextureFile* parsed) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "KTX2: supercompressionScheme %u is not in 0..3", scheme);
   }
   info.supercompression = static_cast<shd_supercompression>(scheme);
-  if (info.layers != 0) info.flags |= SHD_TEXTURE_FILE_ARRAY;
-  info.layers = std::max(info.layers, 1u);
+  if (info.layer_count != 0) info.flags |= SHD_TEXTURE_FILE_ARRAY;
+  info.layer_count = std::max<size_t>(info.layer_count, 1);
   if (info.height == 0 && info.depth != 0) {
     core::refuse(SHD_ERROR_CORRUPT, "KTX2: pixelHeight 0, but pixelDepth %u", info.depth);
   }
@@ -142,7 +142,7 @@ TextureFile parse_ktx2(ByteReader in, shd_color_encoding encoding, const Limits&
   TextureFile parsed;
   read_header(in, &parsed);
   if (parsed.info.level_count > kMaxFileLevels) {
-    core::refuse(SHD_ERROR_CORRUPT, "KTX2: %u levels are above %u", parsed.info.level_count, kMaxFileLevels);
+    core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu levels are above %u", parsed.info.level_count, kMaxFileLevels);
   }
   const uint64_t first = kKtx2Header + parsed.info.level_count * kKtx2Level;
   if (!in.has(0, first)) core::refuse(SHD_ERROR_CORRUPT, "KTX2: %zu bytes end within the level index", in.size);

@@ -22,12 +22,14 @@ void check_kind(const char* file, const TextureFile& parsed) {
   if (info.width == 0 || info.height == 0) {
     core::refuse(SHD_ERROR_CORRUPT, "%s: %u x %u texels", file, info.width, info.height);
   }
-  if (info.faces != 1 && info.faces != 6) core::refuse(SHD_ERROR_CORRUPT, "%s: %u faces, not 1 or 6", file, info.faces);
-  if (info.faces == 6 && (info.width != info.height || info.depth != 0)) {
+  if (info.face_count != 1 && info.face_count != 6) {
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %zu faces, not 1 or 6", file, info.face_count);
+  }
+  if (info.face_count == 6 && (info.width != info.height || info.depth != 0)) {
     core::refuse(SHD_ERROR_CORRUPT, "%s: a cube map of %u x %u texels and %u slices", file, info.width, info.height,
                  info.depth);
   }
-  if (info.depth != 0 && info.layers != 1) {
+  if (info.depth != 0 && info.layer_count != 1) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "%s: an array of 3D textures", file);
   }
 }
@@ -67,16 +69,16 @@ void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
   check_side(file, "height", info.height, limits.side);
   check_side(file, "depth", info.depth, kMaxSide);
   check_kind(file, *parsed);
-  if (info.layers == 0) core::refuse(SHD_ERROR_CORRUPT, "%s: no layers", file);
-  const uint64_t images = uint64_t{info.layers} * info.faces;
-  if (images > kMaxLayers * (info.faces == 6 ? 6 : 1)) {
-    core::refuse(SHD_ERROR_LIMIT, "%s: %u layers are above %llu", file, info.layers, wide(kMaxLayers));
+  if (info.layer_count == 0) core::refuse(SHD_ERROR_CORRUPT, "%s: no layers", file);
+  const uint64_t images = uint64_t{info.layer_count} * info.face_count;
+  if (images > kMaxLayers * (info.face_count == 6 ? 6 : 1)) {
+    core::refuse(SHD_ERROR_LIMIT, "%s: %zu layers are above %llu", file, info.layer_count, wide(kMaxLayers));
   }
   parsed->images = static_cast<uint32_t>(images);
   // A texture has one cube map of an array.
   const uint64_t slices = std::max(info.depth, 1u);
   const uint64_t slice = uint64_t{info.width} * info.height;
-  const uint64_t read = slice * slices * (info.faces == 6 ? 6 : info.layers);  // at most 2^56
+  const uint64_t read = slice * slices * (info.face_count == 6 ? 6 : info.layer_count);  // at most 2^56
   const uint64_t all = slice * slices * images;
   if (read > limits.texels) core::refuse(SHD_ERROR_LIMIT, "%s: %llu texels are above 2^28", file, wide(read));
   if (all > limits.pixels) {
@@ -84,7 +86,7 @@ void check_sizes(const char* file, const Limits& limits, TextureFile* parsed) {
                  wide(limits.pixels));
   }
   if (info.level_count == 0 || info.level_count > whole_level_count(info)) {
-    core::refuse(SHD_ERROR_CORRUPT, "%s: %u levels, not 1..%u for %u x %u x %u texels", file, info.level_count,
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %zu levels, not 1..%u for %u x %u x %u texels", file, info.level_count,
                  whole_level_count(info), info.width, info.height, std::max(info.depth, 1u));
   }
   const uint64_t bytes = texture_bytes(*parsed);

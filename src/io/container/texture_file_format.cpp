@@ -177,7 +177,7 @@ shd_format choose_curve(const char* file, shd_format stored, Declared declared, 
   if (encoding == SHD_COLOR_ENCODING_LINEAR || encoding == SHD_COLOR_ENCODING_DATA) return without_srgb(stored);
   if (encoding == SHD_COLOR_ENCODING_SRGB) {
     if (srgb != SHD_FORMAT_NONE) return srgb;
-    core::refuse(SHD_ERROR_UNSUPPORTED, "load.color_space: SRGB, but format %d of the %s file has no _SRGB format",
+    core::refuse(SHD_ERROR_UNSUPPORTED, "load.encoding: SRGB, but format %d of the %s file has no _SRGB format",
                  static_cast<int>(stored), file);
   }
   switch (declared) {

@@ -21,8 +21,8 @@ bool is_blocks(shd_format format) {
 /// The part of the file that becomes the texture.
 Selection select_texture(const shd_texture_file_info& info, const LoadOptions& options) {
   Selection selection;
-  selection.image_count = info.faces == 6 ? 6 : info.layers;
-  const uint32_t choices = info.faces == 6 ? info.layers : 1;
+  selection.image_count = info.face_count == 6 ? 6 : info.layer_count;
+  const uint32_t choices = info.face_count == 6 ? info.layer_count : 1;
   if (options.subimage >= choices) {
     core::refuse(SHD_ERROR_INVALID_ARGUMENT, "load.subimage: %u is not in 0..%u of the cube maps of the file",
                  options.subimage, choices - 1);
@@ -44,7 +44,7 @@ Selection select_image(const shd_texture_file_info& info, const LoadOptions& opt
   if (info.depth > 1) core::refuse(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
   Selection selection;
   selection.first_image = options.subimage;
-  if (options.subimage >= info.layers * info.faces) {
+  if (options.subimage >= info.layer_count * info.face_count) {
     core::refuse(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no image %u", options.subimage);
   }
   return selection;
@@ -82,7 +82,7 @@ shd_bitmap_info info_of(const TextureFile& parsed) {
   shd_bitmap_info info = {};
   info.file_format = parsed.info.kind == SHD_TEXTURE_FILE_KIND_DDS ? SHD_FILE_FORMAT_DDS : SHD_FILE_FORMAT_KTX2;
   const size_t channels = is_blocks(format) ? image::block_info(format).channels : image::format_info(format).channels;
-  info.channels = static_cast<uint32_t>(channels);
+  info.channel_count = static_cast<uint32_t>(channels);
   if (parsed.info.flags & SHD_TEXTURE_FILE_PREMULTIPLIED) info.flags |= SHD_BITMAP_PREMULTIPLIED;
   if (parsed.absent > 0) info.flags |= SHD_BITMAP_PARTIAL;
   return info;

@@ -35,8 +35,8 @@ void require_stored(const TextureFile& parsed) {
   if (error) refuse_errno("cannot read", tiles.path.c_str(), error);
   core::refuse(SHD_ERROR_CORRUPT,
                "\"%s\": mip level %u, layer %u, columns %u to %u, rows %u to %u: the file ends there",
-               printable(tiles.path).c_str(), tile.level, tile.layer, tile.x, tile.x + tile.width - 1, tile.y,
-               tile.y + tile.height - 1);
+               printable(tiles.path).c_str(), tile.level, tile.layer, tile.area.x, tile.area.x + tile.area.width - 1,
+               tile.area.y, tile.area.y + tile.area.height - 1);
 }
 
 /// Moves pixels of three numbers apart, from the end of a row to its whole length.
@@ -78,20 +78,20 @@ void load_tile(const StoredTiles& tiles, const shd_tile& tile) {
   const auto rows = [&](uint32_t texels) { return uint64_t{texels + storage.block_height - 1} / storage.block_height; };
   const uint64_t pitch = columns(level_side(parsed.info.width, tile.level)) * storage.unit_size;
   const uint64_t slice = rows(level_side(parsed.info.height, tile.level)) * pitch;
-  uint64_t at = parsed.levels[tile.level].offset + columns(tile.x) * storage.unit_size + rows(tile.y) * pitch +
-                tile.layer * (parsed.info.depth ? slice : parsed.image_stride[tile.level]);
-  const size_t row = static_cast<size_t>(columns(tile.width) * storage.unit_size);
+  uint64_t at = parsed.levels[tile.level].offset + columns(tile.area.x) * storage.unit_size +
+                rows(tile.area.y) * pitch + tile.layer * (parsed.info.depth ? slice : parsed.image_stride[tile.level]);
+  const size_t row = static_cast<size_t>(columns(tile.area.width) * storage.unit_size);
   const bool three = image::has_three_numbers(pixels);
   auto* texels = static_cast<unsigned char*>(tile.texels);
-  for (uint64_t y = 0; y < rows(tile.height); ++y, at += pitch, texels += tile.row_stride) {
-    unsigned char* const to = three ? texels + tile.width * pixels.channel_size : texels;
+  for (uint64_t y = 0; y < rows(tile.area.height); ++y, at += pitch, texels += tile.row_stride) {
+    unsigned char* const to = three ? texels + tile.area.width * pixels.channel_size : texels;
     int error = 0;
     if (core::read_at(tiles.file.fd, at, row, to, &error) < row) refuse_read(tiles, tile, error);
     if (pixels.channel_size > 1) {
       order_bytes(SHD_BYTE_ORDER_LITTLE, pixels.channel_size == 2 ? SHD_RAW_SAMPLE_U16 : SHD_RAW_SAMPLE_F32,
                   row / pixels.channel_size, to);
     }
-    if (three) expand_row(tile.width, pixels.channel_size, texels);
+    if (three) expand_row(tile.area.width, pixels.channel_size, texels);
   }
 }
 

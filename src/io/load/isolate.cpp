@@ -139,7 +139,7 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent wrong properties");
   }
   info.file_format = sent.file_format;
-  info.channels = sent.channels;
+  info.channel_count = sent.channel_count;
   info.flags = sent.flags;
   return info;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: io/maketx, the program shd-maketx. Installed with its manual, shd-maketx.1.
+/// Stage contract: io/maketx, the program shd-maketx. Its manual page is made of its options.
 ///
 /// Input:      the command line; an image file, of any size, that OpenImageIO reads. The file is untrusted.
 /// Output:     a tiled TIFF or OpenEXR file with all mip levels.

@@ -7,7 +7,6 @@ enum class Encoding { kFile, kSrgb, kLinear };
 
 /// The command line of shd-maketx, checked.
 struct Options {
-  bool help = false, version = false;
   std::string input, output;
   std::string format;  // "" = of the input, else uint8, uint16, half or float
   std::string compression = "zip";
@@ -24,7 +23,6 @@ struct Options {
   bool force = false, quiet = false;
 };
 
-extern const char* const kHelp;
-
-/// Throws Failure (kExitUsage) that names the option and its valid values.
-Options read_options(int argc, const char* const* argv);
+/// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure
+/// (kExitUsage) that names the option and its valid values.
+bool read_options(int argc, const char* const* argv, Options& out);

@@ -462,7 +462,7 @@ void describe(const Decoder& d, Bitmap* out) {
   const bool always = d.file.format == SHD_FILE_FORMAT_EXR;
   const bool may = always || d.file.format == SHD_FILE_FORMAT_TIFF || d.file.format == SHD_FILE_FORMAT_ANY;
   out->info.file_format = d.file.format;
-  out->info.channels = static_cast<uint32_t>(spec.nchannels);
+  out->info.channel_count = static_cast<uint32_t>(spec.nchannels);
   if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 

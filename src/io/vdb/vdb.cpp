@@ -109,7 +109,7 @@ void describe(const Grid& grid, const Box& box, Bitmap* out) {
   out->height = static_cast<uint32_t>(box.side(1));
   out->depth = static_cast<uint32_t>(box.side(2));
   out->info.file_format = SHD_FILE_FORMAT_ANY;
-  out->info.channels = 1;
+  out->info.channel_count = 1;
   std::memcpy(out->color_space, "data", 5);
 }
 

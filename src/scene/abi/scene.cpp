@@ -28,7 +28,7 @@ shd_object* object_of(const shd_scene* handle) {
 }
 
 const Body* body_of(const shd_scene* handle) {
-  return static_cast<const Body*>(shd_object_body(object_of(handle), kSceneType));
+  return static_cast<const Body*>(shd_object_get_body(object_of(handle), kSceneType));
 }
 
 /// The body of a live handle; throws Failure.
@@ -47,23 +47,23 @@ struct Request {
   bool in_process = false, any_folder = false;
 };
 
-void set_budget(uint64_t value, uint64_t* limit) {
-  if (value) *limit = value;
+uint64_t budget(const char* field, uint64_t value) {
+  if (value == 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.%s: 0 is below 1", field);
+  return value;
 }
 
 void read_limits(const shd_scene_desc& desc, scene::Limits* limits) {
-  set_budget(desc.max_file_bytes, &limits->file_bytes);
-  set_budget(desc.max_vertices, &limits->vertices);
-  set_budget(desc.max_triangles, &limits->triangles);
-  set_budget(desc.max_nodes, &limits->nodes);
-  set_budget(desc.max_instances, &limits->instances);
-  set_budget(desc.max_reader_bytes, &limits->reader_bytes);
-  set_budget(desc.max_texture_bytes, &limits->texture_bytes);
+  limits->file_bytes = budget("max_file_bytes", desc.max_file_bytes);
+  limits->vertices = budget("max_vertices", desc.max_vertices);
+  limits->triangles = budget("max_triangles", desc.max_triangles);
+  limits->nodes = budget("max_nodes", desc.max_nodes);
+  limits->instances = budget("max_instances", desc.max_instances);
+  limits->reader_bytes = budget("max_reader_bytes", desc.max_reader_bytes);
+  limits->texture_bytes = budget("max_texture_bytes", desc.max_texture_bytes);
   if (limits->instances > kMaxInstances) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.max_instances: %llu is not in 0..%llu",
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.max_instances: %llu is not in 1..%llu",
            static_cast<unsigned long long>(limits->instances), static_cast<unsigned long long>(kMaxInstances));
   }
-  if (desc.time_limit == 0) return;
   if (!(desc.time_limit > 0) || !std::isfinite(desc.time_limit)) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.time_limit: %g is not positive", desc.time_limit);
   }
@@ -94,7 +94,7 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   read_desc("scene.sampler", desc.sampler, &request.options.sampler);
   read_desc("scene.texture", desc.texture, &request.options.load);
   if (!desc.sampler) request.options.sampler.filter = SHD_FILTER_TRILINEAR;
-  request.options.load.color_space = SHD_COLOR_ENCODING_AUTO;
+  request.options.load.encoding = SHD_COLOR_ENCODING_AUTO;
   request.options.all_textures_required = (desc.flags & SHD_SCENE_REQUIRE_TEXTURES) != 0;
   request.options.host_filters = (desc.flags & SHD_SCENE_HOST_FILTERS) != 0;
   read_limits(desc, &request.limits);
@@ -267,66 +267,66 @@ shd_result shd_scene_get_info(const shd_scene* scene, shd_scene_info* out_info) 
   });
 }
 
-const char* shd_scene_warning(const shd_scene* scene, uint32_t index) {
+const char* shd_scene_get_warning(const shd_scene* scene, size_t index) {
   const Body* body = body_of(scene);
   return body && index < body->warnings.size() ? body->warnings[index].c_str() : nullptr;
 }
 
-const char* shd_scene_name(const shd_scene* scene, shd_scene_part part, uint32_t index) {
+const char* shd_scene_get_name(const shd_scene* scene, shd_scene_part part, size_t index) {
   const Body* body = body_of(scene);
   const std::vector<std::string>* names = body ? names_of(*body, part) : nullptr;
   return names && index < names->size() ? (*names)[index].c_str() : nullptr;
 }
 
-shd_mesh* shd_scene_mesh(const shd_scene* scene, uint32_t index) {
+shd_mesh* shd_scene_get_mesh(const shd_scene* scene, size_t index) {
   const Body* body = body_of(scene);
   return body ? handle_of(body->meshes, index) : nullptr;
 }
 
-shd_material* shd_scene_material(const shd_scene* scene, uint32_t index) {
+shd_material* shd_scene_get_material(const shd_scene* scene, size_t index) {
   const Body* body = body_of(scene);
   return body ? handle_of(body->parts->materials.materials, index) : nullptr;
 }
 
-shd_texture* shd_scene_texture(const shd_scene* scene, uint32_t index) {
+shd_texture* shd_scene_get_texture(const shd_scene* scene, size_t index) {
   const Body* body = body_of(scene);
   return body && index < body->parts->found_textures.size() ? body->parts->found_textures[index] : nullptr;
 }
 
-shd_light* shd_scene_light(const shd_scene* scene, uint32_t index) {
+shd_light* shd_scene_get_light(const shd_scene* scene, size_t index) {
   const Body* body = body_of(scene);
   return body ? handle_of(body->lights, index) : nullptr;
 }
 
-shd_result shd_scene_get_material_desc(const shd_scene* scene, uint32_t index, shd_material_desc* out_desc) {
+shd_result shd_scene_get_material_desc(const shd_scene* scene, size_t index, shd_material_desc* out_desc) {
   const auto rows = [](const Body& body) -> auto& {
     return body.parts->materials.descs;
   };
   return read_row(scene, rows, "materials", index, "out_desc", out_desc);
 }
 
-shd_result shd_scene_get_light_desc(const shd_scene* scene, uint32_t index, shd_light_desc* out_desc) {
+shd_result shd_scene_get_light_desc(const shd_scene* scene, size_t index, shd_light_desc* out_desc) {
   const auto rows = [](const Body& body) -> auto& {
     return body.light_descs;
   };
   return read_row(scene, rows, "lights", index, "out_desc", out_desc);
 }
 
-shd_result shd_scene_get_camera(const shd_scene* scene, uint32_t index, shd_camera* out_camera) {
+shd_result shd_scene_get_camera(const shd_scene* scene, size_t index, shd_camera* out_camera) {
   const auto rows = [](const Body& body) -> auto& {
     return body.cameras;
   };
   return read_row(scene, rows, "cameras", index, "out_camera", out_camera);
 }
 
-shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_scene_instance* out_instance) {
+shd_result shd_scene_get_instance(const shd_scene* scene, size_t index, shd_scene_instance* out_instance) {
   const auto rows = [](const Body& body) -> auto& {
     return body.instances;
   };
   return read_row(scene, rows, "instances", index, "out_instance", out_instance);
 }
 
-shd_result shd_scene_get_animation_times(const shd_scene* scene, uint32_t index, double* out_first, double* out_last) {
+shd_result shd_scene_get_animation_times(const shd_scene* scene, size_t index, double* out_first, double* out_last) {
   return guard([&]() -> shd_result {
     if (out_first) *out_first = 0;
     if (out_last) *out_last = 0;
@@ -339,7 +339,7 @@ shd_result shd_scene_get_animation_times(const shd_scene* scene, uint32_t index,
   });
 }
 
-shd_result shd_scene_pose(const shd_scene* scene, uint32_t animation, double seconds, shd_scene** out_scene) {
+shd_result shd_scene_pose(const shd_scene* scene, size_t animation, double seconds, shd_scene** out_scene) {
   return guard([&]() -> shd_result {
     if (!out_scene) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_scene: NULL");
     *out_scene = nullptr;

@@ -16,7 +16,7 @@ void allocate(const core::Allocator& allocator, DirectionFloats* out) {
 void borrow(const core::Context& context, const DirectionFloats& image, Texture* out) {
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = SHD_FORMAT_RGBA32F;
-  desc.width = image.width, desc.height = image.height, desc.layers = projection::face_count(image.projection);
+  desc.width = image.width, desc.height = image.height, desc.layer_count = projection::face_count(image.projection);
   desc.projection = image.projection;
   desc.texels = image.texels.data();
   desc.flags = SHD_TEXTURE_BORROW;

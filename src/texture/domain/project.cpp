@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/double-inl.h"  // before the maps, which take doubles, too
+
 #include "projection/projection-inl.h"
 #include "texture/domain/fold-inl.h"
 #include "texture/domain/project-inl.h"

@@ -36,11 +36,11 @@ HWY_INLINE hn::Vec<D> BlurOf(D d, const LodBlock& block, size_t i) {
 
 /// Quads along a parallel in place of one: fewer for each probe of a line.
 template <class D>
-HWY_INLINE hn::Vec<D> MostOf(D d, const PointBlock&, size_t) {
+HWY_INLINE hn::Vec<D> QuadLimit(D d, const PointBlock&, size_t) {
   return hn::Set(d, kMaxParallel);
 }
 template <class D>
-HWY_INLINE hn::Vec<D> MostOf(D d, const ProbeBlock& block, size_t i) {
+HWY_INLINE hn::Vec<D> QuadLimit(D d, const ProbeBlock& block, size_t i) {
   return hn::Min(RoundDown(hn::Set(d, kMaxQuads) / hn::Load(d, block.probes + i)), hn::Set(d, kMaxParallel));
 }
 
@@ -94,7 +94,7 @@ HWY_NOINLINE size_t RunDirections(const FilterCall& given) {
     sink.begin(first, Filter::is_scattered(call.texture, block));
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
       if constexpr (kPicks) sink.start(d, hn::Load(hn::RebindToUnsigned<BatchTag>(), random + i));
-      sink.place(d, points, i, BlurOf(d, block, i), MostOf(d, block, i));
+      sink.place(d, points, i, BlurOf(d, block, i), QuadLimit(d, block, i));
       filter.emit(d, block, i, sink);
     }
     sink.flush();

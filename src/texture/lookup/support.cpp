@@ -77,24 +77,4 @@ const char* name_of(Use use) {
   return kNames[static_cast<uint32_t>(use)];
 }
 
-const char* name_of(shd_filter filter) {
-  switch (filter) {
-    case SHD_FILTER_TRILINEAR: return "TRILINEAR";
-    case SHD_FILTER_NEAREST: return "NEAREST";
-    case SHD_FILTER_BILINEAR: return "BILINEAR";
-    case SHD_FILTER_BICUBIC: return "BICUBIC";
-    case SHD_FILTER_NEAREST_MIP: return "NEAREST_MIP";
-    case SHD_FILTER_BILINEAR_MIP: return "BILINEAR_MIP";
-    case SHD_FILTER_RIPMAP: return "RIPMAP";
-    case SHD_FILTER_SUMMED_AREA: return "SUMMED_AREA";
-    case SHD_FILTER_ANISOTROPIC: return "ANISOTROPIC";
-    case SHD_FILTER_EWA: return "EWA";
-    case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
-    case SHD_FILTER_EXACT: return "EXACT";
-    case SHD_FILTER_NEAREST_MIP_LINEAR: return "NEAREST_MIP_LINEAR";
-    case SHD_FILTER_MAX_ENUM: break;
-  }
-  return "unknown";
-}
-
 }  // namespace shd::texture

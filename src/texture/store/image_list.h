@@ -34,15 +34,16 @@ inline shd_image image_at(const shd_image* images, size_t i) {
 template <class Body>
 void for_given_levels(const core::Context& context, const shd_texture_desc& desc, const Body& body) {
   if (desc.depth == 0) {
-    return core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
-      body(image_at(desc.levels, task), task / desc.level_count, task % desc.level_count + 1);
+    return core::parallel_for(context, desc.layer_count * desc.level_count, [&](uint32_t task, uint32_t) {
+      body(image_at(desc.level_images, task), task / desc.level_count, task % desc.level_count + 1);
     });
   }
   size_t first = 0;
   for (uint32_t level = 1; level <= desc.level_count; ++level) {
     const uint32_t slices = level_size(desc.depth, level);
-    core::parallel_for(context, slices,
-                       [&](uint32_t slice, uint32_t) { body(image_at(desc.levels, first + slice), slice, level); });
+    core::parallel_for(context, slices, [&](uint32_t slice, uint32_t) {
+      body(image_at(desc.level_images, first + slice), slice, level);
+    });
     first += slices;
   }
 }

@@ -76,7 +76,7 @@ void allocate(const core::Context& context, const shd_texture_desc& desc, size_t
   if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     // Several layers have no other levels.
-    texture->borrowed_units = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layers);
+    texture->borrowed_units = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layer_count);
     if (desc.flags & SHD_TEXTURE_BORROW_LEVELS) texture->borrowed_units = static_cast<uint32_t>(texels);
   }
   const size_t size = core::checked_mul(texels - texture->borrowed_units, texel_size(*texture));

@@ -42,7 +42,7 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
 void set_size(const shd_texture_desc& desc, Texture* texture) {
   texture->width = desc.width;
   texture->height = desc.height;
-  texture->layers = desc.layers;
+  texture->layers = desc.layer_count;
   texture->depth = desc.depth;
   texture->projection = desc.projection;
   texture->tables = desc.tables;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/table/decoded.h"
 
+#include "texture/store/storage.h"
 #include "texture/store/stores.h"
 
 namespace shd::texture {
@@ -61,11 +62,11 @@ void build_decoded(const core::Context& context, Texture* texture) {
   desc.format = decoded_format(*texture);
   desc.width = texture->width;
   desc.height = texture->height;
-  desc.layers = texture->layers;
+  desc.layer_count = texture->layers;
   desc.tables = texture->tables;
   desc.texels = levels.texels.data();
   desc.level_count = texture->level_count - 1;
-  desc.levels = levels.images.data() + texture->layers;
+  desc.level_images = levels.images.data() + texture->layers;
   Owned<DecodedTexture> decoded(core::create<DecodedTexture>(context.allocator));
   decoded->allocator = &context.allocator;
   build(context, desc, &decoded->texture);

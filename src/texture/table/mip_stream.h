@@ -204,14 +204,14 @@ class NormalStream {
       const AxisSpan down(y, levels_.height, height);
       const uint32_t begin = down.first < rows.first ? rows.first : down.first;
       const uint32_t end = down.last < rows.end() ? down.last + 1 : rows.end();
-      for (uint32_t row = begin; row < end; ++row) add_row_of(rows.row(row), down.weight(row), sums);
+      for (uint32_t row = begin; row < end; ++row) accumulate_row(rows.row(row), down.weight(row), sums);
       if (down.last >= rows.end()) continue;
       store(level, sums, levels_.texel(out, rows.first, level, 0, y));
       for (size_t i = 0; i < levels_.pitch(0); ++i) sums[i] = 0;
     }
   }
 
-  void add_row_of(const uint8_t* texels, double weight, double* sums) const {
+  void accumulate_row(const uint8_t* texels, double weight, double* sums) const {
     const TexelCodec& codec = levels_.codec;
     for_runs(codec, texels, levels_.width, [&](const double* numbers, size_t count) {
       for (size_t x = 0; x < count; ++x, numbers += codec.channels) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // shd-check: judges texture lookups of any implementation by <shd/bounds.h>.
 #include <cstdio>
-#include <exception>
 
-#include "command/failure.h"
+#include "command/program.h"
 #include "tool/check/judge.h"
 #include "tool/check/picture.h"
 
@@ -69,16 +68,9 @@ int run(Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const Options options = read_options(argc, argv);
-    if (!options.help) return run(options);
-    std::fputs(kHelp, stdout);
-    return kExitOk;
-  } catch (const Failure& failure) {
-    std::fprintf(stderr, "shd-check: %s\n", failure.what());
-    return failure.code;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "shd-check: %s\n", error.what());
-    return kExitInput;
-  }
+  const auto body = [&] {
+    Options options;
+    return read_options(argc, argv, options) ? run(options) : kExitOk;
+  };
+  return command::run("shd-check", body, kExitInput);
 }

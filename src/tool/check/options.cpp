@@ -1,197 +1,154 @@
 // SPDX-License-Identifier: MIT
 #include "tool/check/options.h"
 
-#include <charconv>
-#include <cstring>
-#include <functional>
+#include <algorithm>
 
-#include "command/failure.h"
-#include "tool/check/table.h"
+#include "command/names.h"
 
-const char* const kHelp =
-    R"(Usage: shd-check [options] TEXTURE LOOKUPS
-Judges the texture lookups of any implementation: which results are outside of what a graphics API allows.
-
-TEXTURE is a .npy array [height][width][channels], or [layers][height][width][channels], of uint8, uint16, float16 or
-float32, or an image file that libshd_io reads. LOOKUPS is one of
-  CSV           the first line names the columns
-  .npy          a structured array, or [rows][columns] with --columns
-  SHDLOOK1      this word, uint32 columns, uint64 rows, names of 16 bytes, columns of float32; little-endian
-Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod reference layer, and the results r g b a.
-
-  --results FILE       results as a .npy array or an image of floats, row by row, in place of the columns r g b a
-  --columns LIST       names of the columns of a .npy array [rows][columns]
-  --rules NAME         vulkan (default), d3d11, webgpu or opengl
-  --subtexel-bits N    --level-bits N    --weight-bits N    --result-bits N
-  --coordinate-error X --derivative-error X --level-error X --relative-error X --srgb-error X
-  --filter NAME        nearest, bilinear, nearest-mip, nearest-mip-linear, bilinear-mip, trilinear (default) or
-                       anisotropic
-  --compare NAME       compare reference NAME texel: less, less-equal, equal, greater-equal, greater, not-equal, always
-                       or never
-  --wrap U[,V]         repeat (default), clamp, mirror, border or mirror-once
-  --border R,G,B,A     --bias X  --lod-min X  --lod-max X  --max-anisotropy X
-  --srgb               8-bit texels are sRGB
-  --cube               the six layers are the faces +X -X +Y -Y +Z -Z
-  --level FILE         mip level 1, then 2 and so on, in place of averages
-  --no-mipmap          level 0 alone
-  --list N             most illegal lookups to describe, default 20
-
-Exit codes: 0 all results are legal, 1 some are not, 2 bad command line, 3 bad file.
-)";
+using namespace command;
 
 namespace {
 
-struct Name {
-  const char* name;
-  int value;
-};
-constexpr Name kRules[] = {{"vulkan", SHD_RULES_VULKAN},
-                           {"d3d11", SHD_RULES_D3D11},
-                           {"webgpu", SHD_RULES_WEBGPU},
-                           {"opengl", SHD_RULES_OPENGL}};
-constexpr Name kFilters[] = {{"nearest", SHD_FILTER_NEAREST},
-                             {"bilinear", SHD_FILTER_BILINEAR},
-                             {"nearest-mip", SHD_FILTER_NEAREST_MIP},
-                             {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
-                             {"trilinear", SHD_FILTER_TRILINEAR},
-                             {"anisotropic", SHD_FILTER_ANISOTROPIC},
-                             {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR}};
-constexpr Name kComparisons[] = {{"less", SHD_COMPARE_LESS},       {"less-equal", SHD_COMPARE_LESS_EQUAL},
-                                 {"equal", SHD_COMPARE_EQUAL},     {"greater-equal", SHD_COMPARE_GREATER_EQUAL},
-                                 {"greater", SHD_COMPARE_GREATER}, {"not-equal", SHD_COMPARE_NOT_EQUAL},
-                                 {"always", SHD_COMPARE_ALWAYS},   {"never", SHD_COMPARE_NEVER}};
-constexpr Name kWraps[] = {{"repeat", SHD_WRAP_REPEAT},
-                           {"clamp", SHD_WRAP_CLAMP},
-                           {"mirror", SHD_WRAP_MIRROR},
-                           {"border", SHD_WRAP_BORDER},
-                           {"mirror-once", SHD_WRAP_MIRROR_ONCE}};
+constexpr const char* kDescription =
+    R"(Reads a texture, lookups and their results, and prints the results that a graphics API does not allow, whatever
+the implementation. For each it prints the legal interval, the nearest legal value, and the texels of the lookup.
 
-template <size_t kCount>
-int value_of(const std::string& option, const std::string& text, const Name (&names)[kCount]) {
-  std::string known;
-  for (const Name& name : names) {
-    if (text == name.name) return name.value;
-    known += std::string(" ") + name.name;
-  }
-  throw Failure(kExitUsage, option + ": \"" + text + "\" is not one of" + known);
+TEXTURE is a .npy array [height][width][channels], or [layers][height][width][channels], of uint8, uint16, float16 or
+float32, or an image file that libshd_io reads. LOOKUPS is one of
+
+  CSV        the first line names the columns
+  .npy       a structured array, or [rows][columns] with --columns
+  SHDLOOK1   this word, uint32 columns, uint64 rows, names of 16 bytes, columns of float32; little-endian
+
+Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod reference layer, and the results r g b a.)";
+
+const std::vector<Section> kSections = {
+    {"Exit status", "0 all results are legal, 1 some are not, 2 wrong options, 3 a file cannot be read."},
+    {"Examples", R"(  shd-check --filter bilinear --wrap clamp texture.png lookups.csv
+  shd-check --rules d3d11 --results picture.exr texture.npy lookups.npy)"},
+    {"See also", "shd-render(1), shd-maketx(1)"}};
+
+/// U or U,V.
+Values wrap_values(shd_sampler_desc& sampler) {
+  Values values = named(sampler.wrap_u, kWraps);
+  values.wanted = "one or two of " + join(values.names, " and ");
+  values.read = [&sampler](const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    return parts.size() <= 2 && named(sampler.wrap_u, kWraps).read(parts.front()) &&
+           named(sampler.wrap_v, kWraps).read(parts.back());
+  };
+  return values;
 }
+
+Values border_values(shd_sampler_desc& sampler) {
+  const auto read = [&sampler](const std::string& text) {
+    const auto numbers = read_numbers(text);
+    if (!numbers || numbers->size() != 4) return false;
+    std::copy(numbers->begin(), numbers->end(), sampler.border);
+    return true;
+  };
+  return {"four numbers R,G,B,A", {}, "0,0,0,0", read};
+}
+
+Values level_values(std::vector<std::string>& levels) {
+  const auto read = [&levels](const std::string& text) { return levels.push_back(text), !text.empty(); };
+  return {"the name of a file", {}, "", read, true};
+}
+
+Values column_values(std::vector<std::string>& columns) {
+  const auto read = [&columns](const std::string& text) { return columns = split(text, ','), true; };
+  return {"", {}, "u,v,dudx,dvdx,dudy,dvdy,r,g,b,a", read};
+}
+
+Group file_options(Options& out) {
+  return {"Files",
+          {{"--results", "FILE", file(out.results),
+            "Results as a .npy array or an image of floats, row by row, in place of the columns r g b a."},
+           {"--columns", "LIST", column_values(out.columns), "Names of the columns of a .npy array [rows][columns]."},
+           {"--srgb", "", flag(out.srgb), "8-bit texels are sRGB."},
+           {"--cube", "", flag(out.cube), "The six layers are the faces +X -X +Y -Y +Z -Z."},
+           {"--level", "FILE", level_values(out.levels),
+            "Mip level 1, then 2 and so on, in place of averages. Repeatable."},
+           {"--no-mipmap", "", flag(out.mipmap, false), "Level 0 alone."},
+           {"--list", "N", number(out.list, 0, 1e15), "Most illegal lookups to describe."}}};
+}
+
+/// A number that the sampler or the bounds refuse if it is out of range.
+template <class T>
+Values any_number(T& out) {
+  const auto read = [&out](const std::string& text) { return read_number(text, out); };
+  return {std::is_integral_v<T> ? "a whole number" : "a number", {}, "", read, true};
+}
+
+Group sampler_options(Options& out) {
+  shd_sampler_desc& sampler = out.sampler;
+  const auto filters =
+      choose(kFilters, {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_NEAREST_MIP,
+                        SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_ANISOTROPIC});
+  Values compare = initially(named(sampler.compare, kComparisons), "");
+  compare.read = [&sampler, read = compare.read](const std::string& text) { return sampler.compares = 1, read(text); };
+  return {"Sampler",
+          {{"--filter", "NAME", named(sampler.filter, filters), "Filter of the lookups."},
+           {"--wrap", "U[,V]", wrap_values(sampler), "Wrap along u, and along v if it differs."},
+           {"--border", "R,G,B,A", border_values(sampler), "Colour of the border."},
+           {"--compare", "NAME", compare, "Compare reference NAME texel."},
+           {"--bias", "X", any_number(sampler.lod_bias), "Added to the level of detail."},
+           {"--lod-min", "X", any_number(sampler.lod_min), "Smallest level of detail."},
+           {"--lod-max", "X", any_number(sampler.lod_max), "Largest level of detail."},
+           {"--max-anisotropy", "X", any_number(sampler.max_anisotropy), "Largest ratio of anisotropic filters."}}};
+}
+
+/// Numbers that replace those of --rules, wherever it stands on the command line.
+using Changes = std::vector<std::function<void(shd_bounds_desc&)>>;
 
 template <class T>
-T number_of(const std::string& option, const std::string& text) {
-  T value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw Failure(kExitUsage, option + ": \"" + text + "\" is not a number of this option");
-  }
-  return value;
-}
-
-void set_wrap(const std::string& option, const std::string& text, shd_sampler_desc* sampler) {
-  const std::vector<std::string> parts = split(text);
-  if (parts.size() > 2) throw Failure(kExitUsage, option + ": more than two wraps");
-  sampler->wrap_u = static_cast<shd_wrap>(value_of(option, parts.front(), kWraps));
-  sampler->wrap_v = static_cast<shd_wrap>(value_of(option, parts.back(), kWraps));
-}
-
-void set_border(const std::string& option, const std::string& text, shd_sampler_desc* sampler) {
-  const std::vector<std::string> parts = split(text);
-  if (parts.size() != 4) throw Failure(kExitUsage, option + ": not four numbers");
-  for (size_t c = 0; c < 4; ++c) sampler->border[c] = number_of<float>(option, parts[c]);
-}
-
-/// A number of the command line, and its place.
-template <class Desc, class T>
-struct Field {
-  const char* option;
-  T Desc::*field;
-};
-constexpr Field<shd_bounds_desc, uint32_t> kBits[] = {{"--subtexel-bits", &shd_bounds_desc::subtexel_bits},
-                                                      {"--level-bits", &shd_bounds_desc::level_bits},
-                                                      {"--weight-bits", &shd_bounds_desc::weight_bits},
-                                                      {"--result-bits", &shd_bounds_desc::result_bits}};
-constexpr Field<shd_bounds_desc, float> kErrors[] = {{"--coordinate-error", &shd_bounds_desc::coordinate_error},
-                                                     {"--derivative-error", &shd_bounds_desc::derivative_error},
-                                                     {"--level-error", &shd_bounds_desc::level_error},
-                                                     {"--relative-error", &shd_bounds_desc::relative_error},
-                                                     {"--srgb-error", &shd_bounds_desc::srgb_error}};
-constexpr Field<shd_sampler_desc, float> kSampler[] = {{"--bias", &shd_sampler_desc::lod_bias},
-                                                       {"--lod-min", &shd_sampler_desc::lod_min},
-                                                       {"--lod-max", &shd_sampler_desc::lod_max},
-                                                       {"--max-anisotropy", &shd_sampler_desc::max_anisotropy}};
-
-template <class Desc, class T, size_t kCount>
-bool set_field(const std::string& option, const std::string& text, const Field<Desc, T> (&fields)[kCount], Desc* desc) {
-  for (const auto& field : fields) {
-    if (option != field.option) continue;
-    desc->*field.field = number_of<T>(option, text);
+Values bound_values(Changes& changes, T shd_bounds_desc::*field) {
+  T number{};
+  Values values = any_number(number);
+  values.read = [&changes, field](const std::string& text) {
+    T value{};
+    if (!read_number(text, value)) return false;
+    changes.push_back([value, field](shd_bounds_desc& bounds) { bounds.*field = value; });
     return true;
-  }
-  return false;
+  };
+  return values;
 }
 
-bool set_flag(const std::string& option, Options* out) {
-  if (option == "--help") return out->help = true;
-  if (option == "--srgb") return out->srgb = true;
-  if (option == "--cube") return out->cube = true;
-  if (option == "--no-mipmap") return !(out->mipmap = false);
-  return false;
-}
-
-void set_option(const std::string& option, const std::string& text, Options* out) {
-  if (set_field(option, text, kBits, &out->bounds) || set_field(option, text, kErrors, &out->bounds) ||
-      set_field(option, text, kSampler, &out->sampler)) {
-    return;
-  }
-  if (option == "--rules") return;  // read before the numbers that change it
-  if (option == "--filter") {
-    out->sampler.filter = static_cast<shd_filter>(value_of(option, text, kFilters));
-  } else if (option == "--compare") {
-    out->sampler.compares = 1;
-    out->sampler.compare = static_cast<shd_compare>(value_of(option, text, kComparisons));
-  } else if (option == "--wrap") {
-    set_wrap(option, text, &out->sampler);
-  } else if (option == "--border") {
-    set_border(option, text, &out->sampler);
-  } else if (option == "--results") {
-    out->results = text;
-  } else if (option == "--columns") {
-    out->columns = split(text);
-  } else if (option == "--level") {
-    out->levels.push_back(text);
-  } else if (option == "--list") {
-    out->list = number_of<size_t>(option, text);
-  } else {
-    throw Failure(kExitUsage, option + ": not an option; see --help");
-  }
-}
-
-void read_rules(int argc, char** argv, Options* out) {
-  for (int i = 1; i + 1 < argc; ++i) {
-    if (std::strcmp(argv[i], "--rules") == 0) {
-      out->rules = static_cast<shd_rules>(value_of("--rules", argv[i + 1], kRules));
-    }
-  }
-  check(shd_bounds_preset(out->rules, &out->bounds), "--rules");
+Group bound_options(Options& out, Changes& changes) {
+  using Desc = shd_bounds_desc;
+  return {
+      "Bounds",
+      {{"--rules", "NAME", named(out.rules, kRules),
+        "The API, which decides the following numbers if they are absent."},
+       {"--subtexel-bits", "N", bound_values(changes, &Desc::subtexel_bits), "Fraction bits of texel coordinates."},
+       {"--level-bits", "N", bound_values(changes, &Desc::level_bits), "Fraction bits of the level of detail."},
+       {"--weight-bits", "N", bound_values(changes, &Desc::weight_bits), "Bits of the weights of texels."},
+       {"--result-bits", "N", bound_values(changes, &Desc::result_bits), "Bits of the results of unorm formats."},
+       {"--coordinate-error", "X", bound_values(changes, &Desc::coordinate_error),
+        "Error of a coordinate, relative to max(1, |u|)."},
+       {"--derivative-error", "X", bound_values(changes, &Desc::derivative_error), "Relative error of derivatives."},
+       {"--level-error", "X", bound_values(changes, &Desc::level_error), "Error of a level of detail before bias."},
+       {"--relative-error", "X", bound_values(changes, &Desc::relative_error),
+        "Error of a result relative to the largest texel."},
+       {"--srgb-error", "X", bound_values(changes, &Desc::srgb_error), "Error of a decoded sRGB texel in codes."}}};
 }
 
 }  // namespace
 
-Options read_options(int argc, char** argv) {
-  Options out;
-  read_rules(argc, argv, &out);
+bool read_options(int argc, const char* const* argv, Options& out) {
+  Changes changes;
+  const Program program = {"shd-check",
+                           "judge the texture lookups of any implementation",
+                           "[options] TEXTURE LOOKUPS",
+                           kDescription,
+                           {file_options(out), sampler_options(out), bound_options(out, changes)},
+                           kSections};
   std::vector<std::string> files;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option.compare(0, 2, "--") != 0) {
-      files.push_back(option);
-    } else if (!set_flag(option, &out)) {
-      if (i + 1 == argc) throw Failure(kExitUsage, option + ": no value follows");
-      set_option(option, argv[++i], &out);
-    }
-  }
-  if (out.help) return out;
-  if (files.size() != 2) throw Failure(kExitUsage, "two files are needed, TEXTURE and LOOKUPS; see --help");
+  if (!parse(program, argc, argv, files)) return false;
+  refuse_if(files.size() != 2, "two files are needed, TEXTURE and LOOKUPS");
   out.texture = files[0];
   out.lookups = files[1];
-  return out;
+  check(shd_bounds_desc_from_rules(out.rules, &out.bounds), "--rules");
+  for (const auto& change : changes) change(out.bounds);
+  return true;
 }

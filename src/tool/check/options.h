@@ -15,11 +15,7 @@ struct Options {
   shd_bounds_desc bounds = shd_bounds_desc_default();
   shd_sampler_desc sampler = shd_sampler_desc_default();
   size_t list = 20;  // most illegal lookups that are described
-  bool help = false;
 };
 
-/// Throws Failure.
-Options read_options(int argc, char** argv);
-
-/// Text of --help.
-extern const char* const kHelp;
+/// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure.
+bool read_options(int argc, const char* const* argv, Options& out);

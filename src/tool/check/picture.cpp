@@ -50,11 +50,11 @@ Picture npy_picture(const std::string& path, const std::string& bytes, bool srgb
 
 Picture file_picture(shd_context* context, const std::string& path, bool srgb) {
   shd_load_desc desc = shd_load_desc_default();
-  desc.color_space = srgb ? SHD_COLOR_ENCODING_SRGB : SHD_COLOR_ENCODING_DATA;
+  desc.encoding = srgb ? SHD_COLOR_ENCODING_SRGB : SHD_COLOR_ENCODING_DATA;
   shd_bitmap* bitmap = nullptr;
   check(shd_bitmap_load(context, path.c_str(), &desc, &bitmap), path, kExitInput);
   shd_image image = shd_image_default();
-  check(shd_bitmap_image(bitmap, &image), path, kExitInput);
+  check(shd_bitmap_get_image(bitmap, &image), path, kExitInput);
   Picture out = {image.format, image.width, image.height, 1, {}};
   const size_t row = image.width * shd_format_size(image.format), stride = image.row_stride ? image.row_stride : row;
   for (uint32_t y = 0; y < image.height; ++y) {
@@ -132,12 +132,12 @@ shd_texture* make_texture(shd_context* context, const Options& options) {
   desc.format = base.format;
   desc.width = base.width;
   desc.height = base.height;
-  desc.layers = base.layers;
+  desc.layer_count = base.layers;
   desc.texels = base.texels.data();
   desc.tables = options.mipmap ? SHD_TABLE_MIPMAP : SHD_TABLE_NONE;
-  desc.levels = images.empty() ? nullptr : images.data();
+  desc.level_images = images.empty() ? nullptr : images.data();
   desc.level_count = static_cast<uint32_t>(levels.size());
-  if (options.cube) desc.projection = SHD_PROJECTION_CUBE;
+  if (options.cube) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS, desc.projection = SHD_PROJECTION_CUBE;
   shd_texture* texture = nullptr;
   check(shd_texture_create(context, &desc, &texture), options.texture, kExitInput);
   return texture;

@@ -102,11 +102,12 @@ void check_kept(const shd_render_stats& stats) {
     if (i > 0) assert_true(t.primitive >= g->out[i - 1].primitive);
     primitives += i == 0 || t.primitive != g->out[i - 1].primitive;
   }
-  assert_int_equal(primitives, stats.rasterised);
+  assert_int_equal(primitives, stats.rasterized_triangle_count);
 }
 
 uint64_t sum(const shd_render_stats& s) {
-  return s.nonfinite + s.outside + s.culled + s.empty + s.rasterised;
+  return s.nonfinite_triangle_count + s.outside_triangle_count + s.culled_triangle_count + s.empty_triangle_count +
+         s.rasterized_triangle_count;
 }
 
 struct soup_case {
@@ -128,17 +129,18 @@ void test_soup(void** state) {
   for (shd_cull cull : {SHD_CULL_NONE, SHD_CULL_BACK, SHD_CULL_FRONT}) {
     g->out.clear();
     stats[cull] = assemble(cull, 0, kTriangles);
-    assert_int_equal(stats[cull].triangles, kTriangles);
+    assert_int_equal(stats[cull].triangle_count, kTriangles);
     assert_int_equal(sum(stats[cull]), kTriangles);
-    assert_true(stats[cull].clipped + stats[cull].nonfinite <= kTriangles);
+    assert_true(stats[cull].clipped_triangle_count + stats[cull].nonfinite_triangle_count <= kTriangles);
     check_kept(stats[cull]);
   }
-  assert_int_equal(stats[0].nonfinite, stats[1].nonfinite);
-  assert_int_equal(stats[0].clipped, stats[2].clipped);
-  assert_true(stats[0].nonfinite > 0 && stats[0].rasterised > 0);
+  assert_int_equal(stats[0].nonfinite_triangle_count, stats[1].nonfinite_triangle_count);
+  assert_int_equal(stats[0].clipped_triangle_count, stats[2].clipped_triangle_count);
+  assert_true(stats[0].nonfinite_triangle_count > 0 && stats[0].rasterized_triangle_count > 0);
   // Triangles kept by one mode are culled by the other; slivers of a clipped triangle may face either way.
-  const uint64_t both = stats[1].rasterised + stats[2].rasterised;
-  assert_true(both >= stats[0].rasterised && both <= stats[0].rasterised + stats[0].clipped);
+  const uint64_t both = stats[1].rasterized_triangle_count + stats[2].rasterized_triangle_count;
+  assert_true(both >= stats[0].rasterized_triangle_count &&
+              both <= stats[0].rasterized_triangle_count + stats[0].clipped_triangle_count);
 }
 
 /// Parts append to one list and to the counts, for any division into parts.
@@ -154,13 +156,13 @@ void test_parts(void**) {
   shd_render_stats parts = shd_render_stats_default();
   for (size_t begin = 0; begin < kTriangles; begin += 333) {
     const shd_render_stats s = assemble(SHD_CULL_BACK, begin, std::min<size_t>(kTriangles, begin + 333));
-    parts.triangles += s.triangles;
-    parts.rasterised += s.rasterised;
-    parts.clipped += s.clipped;
+    parts.triangle_count += s.triangle_count;
+    parts.rasterized_triangle_count += s.rasterized_triangle_count;
+    parts.clipped_triangle_count += s.clipped_triangle_count;
   }
-  assert_int_equal(parts.triangles, whole.triangles);
-  assert_int_equal(parts.rasterised, whole.rasterised);
-  assert_int_equal(parts.clipped, whole.clipped);
+  assert_int_equal(parts.triangle_count, whole.triangle_count);
+  assert_int_equal(parts.rasterized_triangle_count, whole.rasterized_triangle_count);
+  assert_int_equal(parts.clipped_triangle_count, whole.clipped_triangle_count);
   assert_int_equal(g->out.size(), kept);
   assert_true(hash == shd_hash(SHD_HASH_START, g->out.data(), kept * sizeof(ScreenTriangle)));
 }
@@ -206,15 +208,15 @@ void test_outcome(void** state) {
   transform(false);
   g->out.clear();
   const shd_render_stats s = assemble(c->cull, 0, 1);
-  const char* got = s.nonfinite    ? "nonfinite"
-                    : s.outside    ? "outside"
-                    : s.culled     ? "culled"
-                    : s.empty      ? "empty"
-                    : s.rasterised ? "rasterised"
-                                   : "none";
+  const char* got = s.nonfinite_triangle_count    ? "nonfinite"
+                    : s.outside_triangle_count    ? "outside"
+                    : s.culled_triangle_count     ? "culled"
+                    : s.empty_triangle_count      ? "empty"
+                    : s.rasterized_triangle_count ? "rasterised"
+                                                  : "none";
   assert_int_equal(sum(s), 1);
   assert_string_equal(got, c->outcome);
-  assert_int_equal(g->out.size() > 0, s.rasterised);
+  assert_int_equal(g->out.size() > 0, s.rasterized_triangle_count);
 }
 
 }  // namespace

@@ -65,8 +65,10 @@ shd_render_stats assemble(shd_fill fill, float width, shd_cull cull, size_t coun
   assembly.outline = {fill, geometry::outline_reach(width)};
   g->out.clear();
   geometry::assemble(assembly, 0, count, &g->out, &stats);
-  assert_int_equal(stats.triangles, count);
-  assert_int_equal(stats.nonfinite + stats.outside + stats.culled + stats.empty + stats.rasterised, count);
+  assert_int_equal(stats.triangle_count, count);
+  assert_int_equal(stats.nonfinite_triangle_count + stats.outside_triangle_count + stats.culled_triangle_count +
+                       stats.empty_triangle_count + stats.rasterized_triangle_count,
+                   count);
   return stats;
 }
 
@@ -147,10 +149,10 @@ void test_line(void** state) {
     const float a[4] = {at(x), at(y), random.real(0, 1), 1};
     const float b[4] = {at(x + c->length * std::cos(angle)), at(y + c->length * std::sin(angle)), random.real(0, 1), 1};
     const shd_render_stats stats = draw_line(a, b, width);
-    assert_int_equal(stats.clipped, 0);
+    assert_int_equal(stats.clipped_triangle_count, 0);
     const geometry::ScreenVertex &p = g->vertices.screen[0], &q = g->vertices.screen[1];
     if (p.x == q.x && p.y == q.y) {
-      assert_int_equal(stats.culled, 1);
+      assert_int_equal(stats.culled_triangle_count, 1);
       assert_int_equal(g->out.size(), 0);
       continue;
     }
@@ -179,7 +181,7 @@ void test_clipped_line(void**) {
     const ref::Segment s = ref::clip_segment(v[0], v[1]);
     const shd_render_stats stats = draw_line(v[0], v[1], width);
     if (!s.any) {
-      assert_int_equal(stats.rasterised, 0);
+      assert_int_equal(stats.rasterized_triangle_count, 0);
       ++gone;
       continue;
     }
@@ -189,7 +191,7 @@ void test_clipped_line(void**) {
     const double far = std::max({std::fabs(s.x[0]), std::fabs(s.x[1]), std::fabs(s.y[0]), std::fabs(s.y[1])});
     const double turn = 1.0 + static_cast<double>(width) / length;
     check_line(s, static_cast<double>(width), (kSubpixel + far * 0x1p-22) * turn, &random);
-    seen += stats.rasterised != 0;
+    seen += stats.rasterized_triangle_count != 0;
   }
   assert_true(seen > 500 && gone > 500);
 }
@@ -220,9 +222,9 @@ const edge_case k_edges[] = {
 void test_edge(void** state) {
   const auto* c = static_cast<const edge_case*>(*state);
   const shd_render_stats stats = draw_line(c->a, c->b, 8.0f);
-  assert_int_equal(stats.outside, c->outside);
-  assert_int_equal(stats.culled, c->culled);
-  assert_int_equal(stats.rasterised, c->rasterised);
+  assert_int_equal(stats.outside_triangle_count, c->outside);
+  assert_int_equal(stats.culled_triangle_count, c->culled);
+  assert_int_equal(stats.rasterized_triangle_count, c->rasterised);
   assert_int_equal(g->out.size(), 2 * c->rasterised);
 }
 
@@ -288,7 +290,7 @@ void test_soup(void**) {
         if (i > 0) assert_true(t.primitive >= g->out[i - 1].primitive);
         primitives += i == 0 || t.primitive != g->out[i - 1].primitive;
       }
-      assert_int_equal(primitives, stats[cull].rasterised);
+      assert_int_equal(primitives, stats[cull].rasterized_triangle_count);
     }
     assert_true(pieces[1] + pieces[2] <= pieces[0]);  // triangles without area are in neither
     back += pieces[1];
@@ -330,10 +332,10 @@ void test_triangle(void**) {
   for (const bool clockwise : {true, false}) {
     set_triangle(0, 0, clockwise ? 1 : 2, clockwise ? 2 : 1);
     for (const shd_fill fill : {SHD_FILL_WIREFRAME, SHD_FILL_POINTS}) {
-      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_NONE, 1).rasterised, 1);
+      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_NONE, 1).rasterized_triangle_count, 1);
       assert_int_equal(g->out.size(), 6);
-      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_BACK, 1).culled, clockwise);
-      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_FRONT, 1).culled, !clockwise);
+      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_BACK, 1).culled_triangle_count, clockwise);
+      assert_int_equal(assemble(fill, 1.0f, SHD_CULL_FRONT, 1).culled_triangle_count, !clockwise);
     }
   }
 }
@@ -345,7 +347,7 @@ void test_repeated_point(void**) {
   const uint32_t rows[][3] = {{0, 1, 1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
   for (const uint32_t(&row)[3] : rows) {
     set_triangle(0, row[0], row[1], row[2]);
-    assert_int_equal(assemble(SHD_FILL_POINTS, 4.0f, SHD_CULL_NONE, 1).rasterised, 1);
+    assert_int_equal(assemble(SHD_FILL_POINTS, 4.0f, SHD_CULL_NONE, 1).rasterized_triangle_count, 1);
     assert_int_equal(g->out.size(), 4);  // two squares of two triangles
   }
   set_triangle(0, 1, 1, 1);

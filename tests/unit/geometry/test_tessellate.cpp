@@ -305,13 +305,13 @@ void test_adaptive_in_pixels(void** state) {
   shd::data::look_at(eye, target, up, view.world_to_view);
   shd::data::perspective(1.0f, 1.5f, 0.1f, 100.0f, view.view_to_clip);
   shd_tessellation_desc desc = adaptive(30.0f);
-  desc.view = &view;
-  desc.width = 1500;
-  desc.height = 1000;
-  for (const float* matrix : {static_cast<const float*>(nullptr), object_to_world}) {
+  desc.view = view;
+  desc.picture_width = 1500;
+  desc.picture_height = 1000;
+  for (const bool is_placed : {false, true}) {
     shape.make();
     build_mesh(0);
-    desc.object_to_world = matrix;
+    if (is_placed) std::copy_n(object_to_world, 16, desc.object_to_world);
     check_shape(shape, desc);
     assert_true(g_work.cut.triangle_count > 10 * g_work.mesh.triangle_count);
   }
@@ -449,8 +449,8 @@ void test_factor(void**) {
   shd::data::look_at(eye, target, up, view.world_to_view);
   shd::data::perspective(1.5707963267948966f, 1.0f, 0.1f, 100.0f, view.view_to_clip);
   shd_tessellation_desc desc = adaptive(7.0f);
-  desc.view = &view;
-  desc.width = desc.height = 1000;
+  desc.view = view;
+  desc.picture_width = desc.picture_height = 1000;
   desc.max_segments = 50;
   const struct {
     uint32_t a, b, want;
@@ -462,7 +462,7 @@ void test_factor(void**) {
   desc = adaptive(0.3f);
   const float twice[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 9, 9, 9, 1};
   assert_int_equal(EdgeFactor(desc)(g_work.mesh, 0, 1), 4);
-  desc.object_to_world = twice;
+  std::copy_n(twice, 16, desc.object_to_world);
   assert_int_equal(EdgeFactor(desc)(g_work.mesh, 0, 1), 7);
 }
 

@@ -283,7 +283,7 @@ inline void check_layers(const shd_sampler_desc& sampler_desc) {
   desc.format = SHD_FORMAT_RGBA8;
   desc.width = 32;
   desc.height = 16;
-  desc.layers = kLayers;
+  desc.layer_count = kLayers;
   desc.texels = texels;
   desc.tables = SHD_TABLE_MIPMAP;
   auto* array = shd::core::create<Texture>(context()->allocator);

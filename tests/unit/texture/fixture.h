@@ -105,8 +105,8 @@ inline void free_texture(Texture* texture) {
 inline shd::core::Context* backwards_context() {
   shd_context_desc desc = shd_context_desc_default();
   desc.executor.worker_count = 1;
-  desc.executor.parallel_for = [](void*, uint32_t count, shd_task_fn task, void* data) -> shd_result {
-    for (uint32_t i = count; i-- > 0;) task(data, i, 0);
+  desc.executor.parallel_for = [](size_t count, shd_task_fn task, void* data, void*) -> shd_result {
+    for (size_t i = count; i-- > 0;) task(i, 0, data);
     return SHD_OK;
   };
   return shd::core::create_context(desc);

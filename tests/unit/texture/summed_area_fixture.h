@@ -16,7 +16,7 @@ inline Texture* build_summed(const shd::core::Context& made_by, shd_format forma
   desc.format = format;
   desc.width = width;
   desc.height = height;
-  desc.layers = layers;
+  desc.layer_count = layers;
   desc.texels = texels;
   desc.tables = SHD_TABLE_SUMMED_AREA;
   auto* texture = shd::core::create<Texture>(made_by.allocator);

@@ -11,6 +11,7 @@
 
 #include <shd/shd.h>
 
+#include "core/enum_names.h"
 #include "core/object.h"
 #include "ref/unit_ref.h"
 #include "support/stored_textures.h"
@@ -43,8 +44,8 @@ void for_each_cell(const Body& body) {
 }
 
 inline std::string text_of(const SupportCell& cell) {
-  return std::string(name_of(cell.filter)) + ", " + name_of(cell.domain) + ", " + name_of(cell.store) + ", " +
-         name_of(cell.use);
+  return std::string(shd::core::value_name(cell.filter)) + ", " + name_of(cell.domain) + ", " + name_of(cell.store) +
+         ", " + name_of(cell.use);
 }
 
 // ---- Textures ----

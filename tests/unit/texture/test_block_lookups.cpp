@@ -99,11 +99,11 @@ Texture* build_texture(const size_case& c, shd_format format, const uint8_t* bas
   desc.format = format;
   desc.width = c.width;
   desc.height = c.height;
-  desc.layers = c.layers;
+  desc.layer_count = c.layers;
   desc.texels = base;
   desc.tables = SHD_TABLE_MIPMAP;
   desc.level_count = c.levels;
-  desc.levels = levels;
+  desc.level_images = levels;
   desc.fill[3] = 0.625f;
   if (three_channels) desc.swizzle[3] = SHD_CHANNEL_FILL;
   auto* texture = shd::core::create<Texture>(context()->allocator);

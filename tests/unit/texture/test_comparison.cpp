@@ -70,7 +70,7 @@ shd_texture_desc desc_of(const TextureCase& c, shd_format format, const uint8_t*
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = format;
   desc.width = c.width, desc.height = c.height;
-  if (c.depth == 0) desc.layers = c.layers;
+  if (c.depth == 0) desc.layer_count = c.layers;
   desc.depth = c.depth;
   desc.projection = c.projection;
   desc.texels = texels;

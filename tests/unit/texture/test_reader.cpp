@@ -118,9 +118,10 @@ void test_memory(void**) {
     Levels levels(row, size);
     levels.base.resize(levels.base.size() + SHD_TEXTURE_PADDING);
     shd_texture_desc desc = shd_texture_desc_default();
-    desc.format = row.format, desc.width = row.width, desc.height = row.height, desc.layers = row.layers;
+    desc.format = row.format, desc.width = row.width, desc.height = row.height, desc.layer_count = row.layers;
+    if (row.depth) desc.kind = SHD_TEXTURE_KIND_3D;
     desc.depth = row.depth, desc.texels = levels.base.data(), desc.tables = SHD_TABLE_MIPMAP;
-    desc.levels = levels.images.data(), desc.level_count = levels.count - 1;
+    desc.level_images = levels.images.data(), desc.level_count = levels.count - 1;
     if (row.borrowed) desc.flags = SHD_TEXTURE_BORROW;
     shd_texture* texture = nullptr;
     shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
@@ -137,7 +138,7 @@ void test_blocks(void**) {
     std::vector<uint8_t> blocks(layer * kLayers);
     for (size_t i = 0; i < blocks.size(); ++i) blocks[i] = static_cast<uint8_t>((i * 2654435761u) >> 17);
     shd_texture_desc desc = shd_texture_desc_default();
-    desc.format = format, desc.width = kWidth, desc.height = kHeight, desc.layers = kLayers;
+    desc.format = format, desc.width = kWidth, desc.height = kHeight, desc.layer_count = kLayers;
     desc.texels = blocks.data(), desc.tables = 0;
     shd_texture* texture = nullptr;
     shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
@@ -162,17 +163,17 @@ struct Computed {
   int failing_level = -1;
   int calls = 0;
 
-  static shd_result load(void* user_data, const shd_tile* tiles, size_t count) {
+  static shd_result load(const shd_tile* tiles, size_t count, void* user_data) {
     auto& self = *static_cast<Computed*>(user_data);
     ++self.calls;
     for (size_t i = 0; i < count; ++i) {
       const shd_tile& tile = tiles[i];
       if (static_cast<int>(tile.level) == self.failing_level) return SHD_ERROR_IO;
-      for (uint32_t y = 0; y < tile.height; ++y) {
+      for (uint32_t y = 0; y < tile.area.height; ++y) {
         uint8_t* const row = static_cast<uint8_t*>(tile.texels) + y * tile.row_stride;
-        for (size_t b = 0; b < tile.width * self.size; ++b) {
-          row[b] =
-              byte_of(tile.layer, tile.level, tile.x + static_cast<uint32_t>(b / self.size), tile.y + y, b % self.size);
+        for (size_t b = 0; b < tile.area.width * self.size; ++b) {
+          row[b] = byte_of(tile.layer, tile.level, tile.area.x + static_cast<uint32_t>(b / self.size), tile.area.y + y,
+                           b % self.size);
         }
       }
     }
@@ -183,7 +184,7 @@ struct Computed {
 shd_texture* make_tiled(shd_format format, uint32_t width, uint32_t height, uint32_t layers, shd_tile_cache* cache,
                         Computed* source) {
   shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = format, desc.width = width, desc.height = height, desc.layers = layers;
+  desc.format = format, desc.width = width, desc.height = height, desc.layer_count = layers;
   desc.tables = SHD_TABLE_MIPMAP;
   desc.tiles = {cache, Computed::load, nullptr, source};
   shd_texture* texture = nullptr;

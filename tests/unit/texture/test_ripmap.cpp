@@ -21,7 +21,7 @@ Texture* build_texture(shd_format format, uint32_t width, uint32_t height, uint3
   desc.format = format;
   desc.width = width;
   desc.height = height;
-  desc.layers = layers;
+  desc.layer_count = layers;
   desc.texels = texels;
   desc.tables = tables;
   auto* texture = shd::core::create<Texture>(context()->allocator);

@@ -37,7 +37,7 @@ Texture* make_layers(shd_format format, const uint32_t (&size)[2], uint32_t laye
   memcpy(memory + bytes, memory, bytes);
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = format;
-  desc.width = size[0], desc.height = size[1], desc.layers = layers;
+  desc.width = size[0], desc.height = size[1], desc.layer_count = layers;
   desc.texels = memory;
   desc.tables = SHD_TABLE_MIPMAP;
   auto* texture = shd::core::create<Texture>(context()->allocator);

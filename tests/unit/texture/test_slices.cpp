@@ -322,7 +322,7 @@ void test_sources(void**) {
       images[count].pixels = shd::texture::row_of(*copied, z, l, 0);
     }
   }
-  desc.levels = images;
+  desc.level_images = images;
   desc.level_count = 2;
   Texture* given = build_solid(desc);
   assert_int_equal(given->level_count, 3);

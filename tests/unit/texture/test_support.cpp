@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "support/check.h"
 #include "support_cells.h"
 
@@ -67,7 +68,7 @@ std::string page() {
     for (uint32_t use = 0; use < kUses; ++use) out << "---|";
     out << "\n";
     for (const shd_filter filter : kFilters) {
-      out << "| " << name_of(filter);
+      out << "| " << shd::core::value_name(filter);
       for (uint32_t use = 0; use < kUses; ++use) {
         out << " | " << entry_of(filter, static_cast<Domain>(domain), static_cast<Use>(use), &reasons);
       }

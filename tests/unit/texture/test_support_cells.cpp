@@ -4,9 +4,10 @@
 #include <cmath>
 #include <memory>
 
+#include "support_oracle.h"
+
 #include "support/check.h"
 #include "support/statistics.h"
-#include "support_oracle.h"
 
 namespace {
 
@@ -269,7 +270,8 @@ void test_filter(void** state) {
 int main() {
   CMUnitTest tests[kFilterCount];
   for (size_t i = 0; i < kFilterCount; ++i) {
-    tests[i] = {name_of(kFilters[i]), test_filter, nullptr, nullptr, const_cast<shd_filter*>(&kFilters[i])};
+    tests[i] = {shd::core::value_name(kFilters[i]), test_filter, nullptr, nullptr,
+                const_cast<shd_filter*>(&kFilters[i])};
   }
   return _cmocka_run_group_tests("unit.texture.support_cells", tests, kFilterCount, nullptr, nullptr);
 }

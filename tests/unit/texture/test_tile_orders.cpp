@@ -62,10 +62,10 @@ constexpr uint32_t kFirst[kLevels] = {0, 8, 12, 14};
 
 alignas(64) unsigned char g_memory[18 << 20];
 
-void* allocate(void*, size_t size, size_t alignment) {
+void* allocate(size_t size, size_t alignment, void*) {
   return size > kTileBytes ? g_memory : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
-void release_memory(void*, void* memory, size_t, size_t) {
+void release_memory(void* memory, size_t, size_t, void*) {
   if (memory != g_memory) std::free(memory);
 }
 
@@ -73,7 +73,7 @@ void release_memory(void*, void* memory, size_t, size_t) {
 enum class Source { kPlain, kFinerLevel, kNeighbour };
 
 struct World;
-shd_result load_tiles(void* user_data, const shd_tile* tiles, size_t count);
+shd_result load_tiles(const shd_tile* tiles, size_t count, void* user_data);
 
 /// One run: a cache, and a texture whose tile i has the texel i + 1.
 struct World {
@@ -110,10 +110,10 @@ struct World {
   ~World() {
     shd_tile_cache_stats stats = shd_tile_cache_stats_default();
     cache->get_stats(&stats);
-    if (stats.pinned_tiles != 0) broken("a pin was left");
+    if (stats.pinned_tile_count != 0) broken("a pin was left");
     texture.tiles = Owned<TileSet>();
     cache->get_stats(&stats);
-    if (stats.resident_tiles != 0) broken("a tile was left");
+    if (stats.resident_tile_count != 0) broken("a tile was left");
     TileCache::destroy(allocator, cache);
   }
   const TileSet& set() const { return *texture.tiles; }
@@ -152,11 +152,11 @@ struct World {
   }
 };
 
-shd_result load_tiles(void* user_data, const shd_tile* tiles, size_t count) {
+shd_result load_tiles(const shd_tile* tiles, size_t count, void* user_data) {
   World& world = *static_cast<World*>(user_data);
   try {
     for (size_t i = 0; i < count; ++i) {
-      const uint32_t in_level = tiles[i].x >> 10, tile = kFirst[tiles[i].level] + in_level;
+      const uint32_t in_level = tiles[i].area.x >> 10, tile = kFirst[tiles[i].level] + in_level;
       if (world.source == Source::kFinerLevel && tiles[i].level > 0) {
         const uint32_t finer = kFirst[tiles[i].level - 1] + 2 * in_level;
         if (world.read(finer) != finer + 1) World::broken("a callback read another tile");

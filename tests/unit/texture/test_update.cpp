@@ -30,7 +30,7 @@ Texture* build_texture(shd_format format, uint32_t width, uint32_t height, uint3
   desc.format = format;
   desc.width = width;
   desc.height = height;
-  desc.layers = layers;
+  desc.layer_count = layers;
   desc.texels = texels;
   desc.tables = tables;
   auto* texture = shd::core::create<Texture>(context()->allocator);
@@ -165,7 +165,7 @@ void test_given_levels(void**) {
   desc.width = desc.height = 8;
   desc.texels = base;
   desc.tables = kAll;
-  desc.levels = &level;
+  desc.level_images = &level;
   desc.level_count = 1;
   auto* texture = shd::core::create<Texture>(context()->allocator);
   auto* want = shd::core::create<Texture>(context()->allocator);

@@ -55,10 +55,10 @@ fn look_up(context: &Context) -> Result<()> {
 /// Renders a torus of one material in the light of the sun, with four samples a pixel, and prints the hash of its
 /// pixels as RGBA8 in sRGB.
 fn draw(context: &Context, name: &str, material: &Material) -> Result<()> {
-    let mesh = Mesh::shape(context, &ShapeDesc { shape: Shape::TORUS, ..Default::default() }, MeshFlag::NONE)?;
+    let mesh = Mesh::shape(context, &ShapeDesc { kind: Shape::TORUS, ..Default::default() }, MeshFlag::NONE)?;
     let (kind, direction) = (LightKind::DIRECTIONAL, [-0.5, -1.0, -0.25]);
     let sun = Light::new(context, &LightDesc { kind, direction, ..Default::default() })?;
-    let size = FramebufferDesc { width: WIDTH, height: HEIGHT, samples: 4, ..Default::default() };
+    let size = FramebufferDesc { width: WIDTH, height: HEIGHT, sample_count: 4, ..Default::default() };
     let mut framebuffer = Framebuffer::new(context, &size)?;
     let camera = Camera { eye: [0.5, 1.5, 2.0], ..Default::default() };
     let frame = Frame::new().camera(camera).draw(Draw::new(&mesh, material)).light(&sun);

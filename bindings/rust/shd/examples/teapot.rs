@@ -38,7 +38,7 @@ fn render(context: &Context) -> Result<Vec<u8>> {
     let texture = tiles(context)?;
     let filter = SamplerDesc { filter: Filter::ANISOTROPIC, max_anisotropy: 16.0, ..Default::default() };
     let sampler = Sampler::new(context, &filter)?;
-    let shape = ShapeDesc { shape: Shape::TEAPOT, ..Default::default() };
+    let shape = ShapeDesc { kind: Shape::TEAPOT, ..Default::default() };
     let teapot = Mesh::shape(context, &shape, MeshFlag::NONE)?;
     let glaze = MaterialDesc { model: Model::BLINN_PHONG, exponent: 80.0, ..Default::default() };
     // Each part of the teapot has three by three images of the texture.
@@ -56,17 +56,17 @@ fn render(context: &Context) -> Result<Vec<u8>> {
         .draw(Draw::new(&teapot, &material))
         .light(&sun)
         .light(&sky);
-    let size = FramebufferDesc { width: WIDTH, height: HEIGHT, samples: 8, ..Default::default() };
+    let size = FramebufferDesc { width: WIDTH, height: HEIGHT, sample_count: 8, ..Default::default() };
     let mut framebuffer = Framebuffer::new(context, &size)?;
     let stats = frame.render(context, &mut framebuffer)?;
-    println!("{} triangles, {} fragments", stats.triangles, stats.fragments);
+    println!("{} triangles, {} fragments", stats.triangle_count, stats.fragment_count);
 
     let mut pixels = vec![[0u8; 4]; (WIDTH * HEIGHT) as usize];
     framebuffer.read_color(Format::RGBA8_SRGB, &mut pixels)?;
     Ok(pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect())
 }
 
-fn main() -> std::result::Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: teapot picture.ppm")?;
     let pixels = render(&Context::new()?)?;
     let mut file = BufWriter::new(File::create(&path)?);

@@ -42,16 +42,16 @@ impl Color {
 
     /// Names of the displays.
     pub fn displays(&self) -> Vec<String> {
-        let count = unsafe { sys::shd_color_display_count(self.as_raw()) };
+        let count = unsafe { sys::shd_color_get_display_count(self.as_raw()) };
         // Names live as long as the config.
-        (0..count).map(|i| unsafe { text_of(sys::shd_color_display_name(self.as_raw(), i)) }).collect()
+        (0..count).map(|i| unsafe { text_of(sys::shd_color_get_display_name(self.as_raw(), i)) }).collect()
     }
 
     /// Names of the views of a display; `None` is the default display.
     pub fn views(&self, display: Option<&str>) -> Result<Vec<String>> {
         let display = optional("display", display)?;
-        let count = unsafe { sys::shd_color_view_count(self.as_raw(), pointer(&display)) };
-        let name = |i| unsafe { text_of(sys::shd_color_view_name(self.as_raw(), pointer(&display), i)) };
+        let count = unsafe { sys::shd_color_get_view_count(self.as_raw(), pointer(&display)) };
+        let name = |i| unsafe { text_of(sys::shd_color_get_view_name(self.as_raw(), pointer(&display), i)) };
         Ok((0..count).map(name).collect())
     }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use std::os::raw::c_char;
 use std::panic::{self, AssertUnwindSafe};
 use std::ptr::{self, NonNull};
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::Arc;
 
 use crate::error::{check, keep_panic};
@@ -18,7 +18,7 @@ type Log = dyn Fn(LogLevel, &str) + Send + Sync;
 struct Callbacks {
     log: Option<Box<Log>>,
     executor: Option<Box<dyn Executor>>,
-    worker_count: u32,
+    worker_count: usize,
 }
 
 struct Inner {
@@ -75,12 +75,12 @@ impl Context {
     /// Name of the SIMD target of the kernels, such as "AVX2".
     pub fn simd_target(&self) -> &'static str {
         // The string is static ASCII.
-        unsafe { CStr::from_ptr(sys::shd_context_simd_target(self.as_raw())) }.to_str().unwrap_or("")
+        unsafe { CStr::from_ptr(sys::shd_context_get_simd_target(self.as_raw())) }.to_str().unwrap_or("")
     }
 
     /// Number of workers of the executor, at least 1.
-    pub fn worker_count(&self) -> u32 {
-        unsafe { sys::shd_context_worker_count(self.as_raw()) }
+    pub fn worker_count(&self) -> usize {
+        unsafe { sys::shd_context_get_worker_count(self.as_raw()) }
     }
 
     /// The handle of C, borrowed from this owner.
@@ -150,7 +150,7 @@ impl Drop for AbortOnPanic {
     }
 }
 
-unsafe extern "C" fn write_log(user_data: *mut c_void, level: LogLevel, message: *const c_char) {
+unsafe extern "C" fn write_log(level: LogLevel, message: *const c_char, user_data: *mut c_void) {
     let guard = AbortOnPanic;
     // The library passes the user_data of build() and a string that lives during the call.
     let (callbacks, message) = unsafe { (&*(user_data as *const Callbacks), CStr::from_ptr(message)) };
@@ -165,7 +165,7 @@ unsafe extern "C" fn write_log(user_data: *mut c_void, level: LogLevel, message:
 /// ```
 /// struct Threads;
 /// impl shd::Executor for Threads {
-///     fn worker_count(&self) -> u32 { 4 }
+///     fn worker_count(&self) -> usize { 4 }
 ///     fn parallel_for(&self, tasks: &shd::Tasks) {
 ///         std::thread::scope(|scope| {
 ///             for worker in 0..self.worker_count() {
@@ -180,7 +180,7 @@ unsafe extern "C" fn write_log(user_data: *mut c_void, level: LogLevel, message:
 /// ```
 pub trait Executor: Send + Sync {
     /// Number of workers, 1..1024. It is read once, when the context is made.
-    fn worker_count(&self) -> u32;
+    fn worker_count(&self) -> usize;
 
     /// Runs every task once, and returns when all are done. It runs on the thread that called the library. If it
     /// panics, the call that needed the tasks panics.
@@ -189,10 +189,10 @@ pub trait Executor: Send + Sync {
 
 /// The tasks of one [`Executor::parallel_for`]. Workers on different threads share them by reference.
 pub struct Tasks<'a> {
-    count: u32,
-    task: unsafe extern "C" fn(*mut c_void, u32, u32),
+    count: usize,
+    task: unsafe extern "C" fn(usize, usize, *mut c_void),
     task_data: *mut c_void,
-    next: AtomicU32,
+    next: AtomicUsize,
     busy: &'a [AtomicBool],
 }
 
@@ -202,7 +202,7 @@ unsafe impl Sync for Tasks<'_> {}
 
 impl Tasks<'_> {
     /// Number of tasks.
-    pub fn count(&self) -> u32 {
+    pub fn count(&self) -> usize {
         self.count
     }
 
@@ -211,19 +211,19 @@ impl Tasks<'_> {
     /// # Panics
     /// If the worker is not below the number of workers, or runs another task at present. The library fails with
     /// `ERROR_CALLBACK` if a task runs twice or not at all.
-    pub fn run(&self, index: u32, worker: u32) {
-        let busy = match self.busy.get(worker as usize) {
+    pub fn run(&self, index: usize, worker: usize) {
+        let busy = match self.busy.get(worker) {
             Some(busy) => busy,
             None => panic!("tasks.run: worker {worker} is not in 0..{}", self.busy.len()),
         };
         assert!(!busy.swap(true, Ordering::Acquire), "tasks.run: worker {worker} runs two tasks concurrently");
         // The tasks live until parallel_for returns, which the lifetime ensures. A task does not throw.
-        unsafe { (self.task)(self.task_data, index, worker) };
+        unsafe { (self.task)(index, worker, self.task_data) };
         busy.store(false, Ordering::Release);
     }
 
     /// Runs tasks that no other worker has begun, until there are none left.
-    pub fn work(&self, worker: u32) {
+    pub fn work(&self, worker: usize) {
         loop {
             let index = self.next.fetch_add(1, Ordering::Relaxed);
             if index >= self.count {
@@ -235,17 +235,17 @@ impl Tasks<'_> {
 }
 
 unsafe extern "C" fn parallel_for(
-    user_data: *mut c_void,
-    count: u32,
+    count: usize,
     task: sys::shd_task_fn,
     task_data: *mut c_void,
+    user_data: *mut c_void,
 ) -> ResultCode {
     // The library passes the user_data of build().
     let callbacks = unsafe { &*(user_data as *const Callbacks) };
     let run = AssertUnwindSafe(|| {
         if let (Some(executor), Some(task)) = (&callbacks.executor, task) {
             let busy: Vec<AtomicBool> = (0..callbacks.worker_count).map(|_| AtomicBool::new(false)).collect();
-            executor.parallel_for(&Tasks { count, task, task_data, next: AtomicU32::new(0), busy: &busy });
+            executor.parallel_for(&Tasks { count, task, task_data, next: AtomicUsize::new(0), busy: &busy });
         }
     });
     match panic::catch_unwind(run) {

@@ -15,8 +15,21 @@ pub struct Error {
     message: String,
 }
 
-/// The result of a fallible function.
-pub type Result<T> = std::result::Result<T, Error>;
+/// The result of a fallible function. With a second type it is the `Result` of the standard library, also after
+/// `use shd::*`:
+///
+/// ```
+/// use shd::*;
+///
+/// fn workers(count: &str) -> Result<Context, Box<dyn std::error::Error>> {
+///     let desc = ContextDesc { worker_count: count.parse()?, ..Default::default() };
+///     Ok(Context::builder(desc).build()?)
+/// }
+/// assert_eq!(workers("1")?.worker_count(), 1);
+/// assert!(workers("one").is_err() && workers("1025").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
     pub(crate) fn new(code: ResultCode, message: impl Into<String>) -> Self {

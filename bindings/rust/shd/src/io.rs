@@ -126,9 +126,7 @@ impl TextureLoader {
     pub fn load_stack(&self, context: &Context, paths: &[impl AsRef<Path>]) -> Result<(Texture<'static>, TextureFile)> {
         let paths = paths.iter().map(|path| path_of(path.as_ref())).collect::<Result<Vec<_>>>()?;
         let pointers: Vec<_> = paths.iter().map(|path| path.as_ptr()).collect();
-        let mut stack = sys::shd_stack_desc::default();
-        stack.path_count = u32::try_from(pointers.len()).unwrap_or(u32::MAX);
-        stack.paths = pointers.as_ptr();
+        let stack = sys::shd_stack_desc { path_count: pointers.len(), paths: pointers.as_ptr(), ..Default::default() };
         let mut raw = self.desc.to_raw();
         raw.stack = &stack;
         self.run(context, raw, |desc, out| unsafe { sys::shd_texture_load(context.as_raw(), ptr::null(), desc, out) })

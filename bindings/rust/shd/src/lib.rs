@@ -5,7 +5,7 @@
 //! use shd::*;
 //!
 //! let context = Context::new()?;
-//! let mesh = Mesh::shape(&context, &ShapeDesc { shape: Shape::TORUS, ..Default::default() }, MeshFlag::NONE)?;
+//! let mesh = Mesh::shape(&context, &ShapeDesc { kind: Shape::TORUS, ..Default::default() }, MeshFlag::NONE)?;
 //! let material = Material::builder(MaterialDesc::default())
 //!     .fragment(|fragments, out| {
 //!         out.r.copy_from_slice(fragments.u);
@@ -30,8 +30,8 @@
 //! - **Borrows.** Columns, borrowed texels, views of planes and what programs borrow have lifetimes.
 //! - **Threads.** Every type is `Send` and `Sync`. What changes an object takes `&mut self`: [`Frame::render`] its
 //!   framebuffer, [`Texture::update`] its texture. All else may run concurrently.
-//! - **Errors** have the result code and the text of the library. A panic of a closure continues in the call that ran
-//!   the closure.
+//! - **Errors** have the result code and the text of the library. [`Result`] takes another type of errors, too. A panic
+//!   of a closure continues in the call that ran the closure.
 //!
 //! The features `io`, `scene` and `color` add files, models and colour transforms, of installed component libraries.
 //!

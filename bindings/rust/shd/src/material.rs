@@ -218,7 +218,7 @@ impl<'a> MaterialBuilder<'a> {
     ) -> Result<Material<'a>> {
         let mut raw = self.desc.to_raw();
         raw.slots = slots.as_ptr();
-        raw.slot_count = u32::try_from(slots.len()).unwrap_or(u32::MAX);
+        raw.slot_count = slots.len();
         raw.interpolation = self.interpolation.as_ptr();
         raw.varying_count = self.interpolation.len();
         let programs = Arc::new(self.programs);

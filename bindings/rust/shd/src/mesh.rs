@@ -69,14 +69,14 @@ impl<'a> MeshDesc<'a> {
     fn to_raw(self, attributes: &[sys::shd_f32_in]) -> Result<sys::shd_mesh_desc> {
         let mut raw = sys::shd_mesh_desc::default();
         let count = self.position[0].len();
-        raw.vertex_count = number("mesh.position", count)?;
+        raw.vertex_count = count;
         fill(&mut raw.position, "mesh.position", Some(&self.position), count)?;
         fill(&mut raw.normal, "mesh.normal", self.normal.as_ref().map(|c| &c[..]), count)?;
         fill(&mut raw.tangent, "mesh.tangent", self.tangent.as_ref().map(|c| &c[..]), count)?;
         fill(&mut raw.uv, "mesh.uv", self.uv.as_ref().map(|c| &c[..]), count)?;
         fill(&mut raw.uv1, "mesh.uv1", self.uv1.as_ref().map(|c| &c[..]), count)?;
         (raw.normal_weight, raw.flags, raw.topology) = (self.normal_weight, self.flags.0, self.topology);
-        raw.attribute_count = number("mesh.attributes", attributes.len())?;
+        raw.attribute_count = attributes.len();
         raw.attributes = attributes.as_ptr();
         match self.indices {
             Indices::Sequence => {}
@@ -103,10 +103,6 @@ impl<'a> MeshDesc<'a> {
         }
         Ok(raw)
     }
-}
-
-fn number(name: &str, count: usize) -> Result<u32> {
-    u32::try_from(count).map_err(|_| Error::argument(format!("{name}: {count} elements exceed 32 bits")))
 }
 
 /// Points at columns, which must have `count` elements.
@@ -184,14 +180,14 @@ impl Mesh {
 
     /// Vertex numbers of separate triangles.
     pub fn indices(&self) -> Result<Vec<u32>> {
-        let mut indices = vec![0u32; 3 * self.info()?.triangle_count as usize];
+        let mut indices = vec![0u32; 3 * self.info()?.triangle_count];
         let column = sys::shd_u32_out { data: indices.as_mut_ptr(), stride: 0 };
         check(unsafe { sys::shd_mesh_read_indices(self.as_raw(), &column) })?;
         Ok(indices)
     }
 
     fn read<const N: usize>(&self, read: Read) -> Result<Vec<[f32; N]>> {
-        let mut rows = vec![[0.0f32; N]; self.info()?.vertex_count as usize];
+        let mut rows = vec![[0.0f32; N]; self.info()?.vertex_count];
         let first = rows.as_mut_ptr().cast::<f32>();
         let mut columns = [sys::shd_f32_out { data: ptr::null_mut(), stride: 0 }; N];
         if !rows.is_empty() {

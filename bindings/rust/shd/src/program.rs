@@ -114,7 +114,7 @@ macro_rules! inputs {
 
             /// A column of [`crate::MeshDesc::attributes`]; empty if the mesh has none.
             pub fn attribute(&self, index: usize) -> &'a [f32] {
-                let data = unsafe { column(self.raw.attribute, self.raw.attribute_count as usize) };
+                let data = unsafe { column(self.raw.attribute, self.raw.attribute_count) };
                 data.get(index).map_or(&[], |&data| unsafe { column(data, self.count) })
             }
 
@@ -186,7 +186,7 @@ inputs! {
 impl<'a> Fragments<'a> {
     /// A varying of the vertex program, interpolated; empty if there is none with this index.
     pub fn varying(&self, index: usize) -> &'a [f32] {
-        let data = unsafe { column(self.raw.varying, self.raw.varying_count as usize) };
+        let data = unsafe { column(self.raw.varying, self.raw.varying_count) };
         data.get(index).map_or(&[], |&data| unsafe { column(data, self.count) })
     }
 }
@@ -323,7 +323,7 @@ pub(crate) unsafe extern "C" fn fragment(
     let count = raw.count;
     let run = |uniforms: Option<Uniforms<'_>>| {
         if let Some(program) = &programs.fragment {
-            let targets = unsafe { column(out.target, out.target_count as usize) };
+            let targets = unsafe { column(out.target, out.target_count) };
             let plane = |target: usize, channel: usize| match targets.get(target) {
                 Some(planes) => unsafe { column_mut(planes[channel], count) },
                 None => &mut [],
@@ -355,7 +355,7 @@ pub(crate) unsafe extern "C" fn vertex(
     let run = |uniforms: Option<Uniforms<'_>>| {
         if let Some(program) = &programs.vertex {
             let lend = |data: *mut f32| unsafe { column_mut(data, count) };
-            let varyings = unsafe { column(out.varying, out.varying_count as usize) };
+            let varyings = unsafe { column(out.varying, out.varying_count) };
             let mut outputs = VertexOutputs {
                 x: lend(out.x),
                 y: lend(out.y),

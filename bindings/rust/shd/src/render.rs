@@ -227,14 +227,18 @@ struct ProgressCall<'c> {
     report: Option<&'c Progress<'c>>,
 }
 
-unsafe extern "C" fn report(user_data: *mut c_void, fraction: f32) -> i32 {
+unsafe extern "C" fn report(fraction: f32, user_data: *mut c_void) -> ResultCode {
     // The library passes the user_data of the frame during the call alone.
     let progress = unsafe { &*(user_data as *const ProgressCall<'_>) };
     let mut flow = ControlFlow::Continue(());
     if let Some(report) = progress.report {
         progress.call.run(|| flow = report(fraction));
     }
-    i32::from(flow.is_break() || progress.call.has_panicked())
+    match flow {
+        _ if progress.call.has_panicked() => ResultCode::ERROR_CALLBACK,
+        ControlFlow::Break(()) => ResultCode::ERROR_CANCELLED,
+        ControlFlow::Continue(()) => ResultCode::OK,
+    }
 }
 
 /// A camera's matrices, for an aspect of 1 if the camera has none.

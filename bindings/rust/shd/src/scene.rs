@@ -39,7 +39,7 @@ type FindFn<'a> = dyn FnMut(&str) -> Found<'a> + 'a;
 ///     frame = frame.light(light);
 /// }
 /// let mut framebuffer = Framebuffer::new(&context, &FramebufferDesc { width: 8, height: 8, ..Default::default() })?;
-/// assert_eq!(frame.render(&context, &mut framebuffer)?.triangles, 1);
+/// assert_eq!(frame.render(&context, &mut framebuffer)?.triangle_count, 1);
 /// # Ok::<(), shd::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ impl Scene {
     }
 
     /// The texts of C from 0 on until there is none.
-    fn texts(&self, text: impl Fn(u32) -> *const c_char) -> Vec<String> {
+    fn texts(&self, text: impl Fn(usize) -> *const c_char) -> Vec<String> {
         let pointers = (0..).map(text).take_while(|text| !text.is_null());
         // Texts live as long as the scene.
         pointers.map(|text| unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()).collect()
@@ -68,19 +68,19 @@ impl Scene {
 
     /// Parts of the file that were left out or changed.
     pub fn warnings(&self) -> Vec<String> {
-        self.texts(|i| unsafe { sys::shd_scene_warning(self.as_raw(), i) })
+        self.texts(|i| unsafe { sys::shd_scene_get_warning(self.as_raw(), i) })
     }
 
     /// Names of the parts of a kind.
     pub fn names(&self, part: ScenePart) -> Vec<String> {
-        self.texts(|i| unsafe { sys::shd_scene_name(self.as_raw(), part, i) })
+        self.texts(|i| unsafe { sys::shd_scene_get_name(self.as_raw(), part, i) })
     }
 
     /// Parts that are objects, each as another owner.
     fn parts<T, P>(
         &self,
-        count: u32,
-        get: unsafe extern "C" fn(*const sys::shd_scene, u32) -> *mut T,
+        count: usize,
+        get: unsafe extern "C" fn(*const sys::shd_scene, usize) -> *mut T,
         retain: unsafe extern "C" fn(*mut T),
         release: unsafe extern "C" fn(*mut T),
         of: impl Fn(Object<T>) -> P,
@@ -92,25 +92,25 @@ impl Scene {
     /// The meshes.
     pub fn meshes(&self) -> Result<Vec<Mesh>> {
         let (retain, release) = (sys::shd_mesh_retain, sys::shd_mesh_release);
-        Ok(self.parts(self.info()?.mesh_count, sys::shd_scene_mesh, retain, release, Mesh::of))
+        Ok(self.parts(self.info()?.mesh_count, sys::shd_scene_get_mesh, retain, release, Mesh::of))
     }
 
     /// The materials, at least one.
     pub fn materials(&self) -> Result<Vec<Material<'static>>> {
         let (retain, release) = (sys::shd_material_retain, sys::shd_material_release);
-        Ok(self.parts(self.info()?.material_count, sys::shd_scene_material, retain, release, Material::of))
+        Ok(self.parts(self.info()?.material_count, sys::shd_scene_get_material, retain, release, Material::of))
     }
 
     /// The textures that could be read.
     pub fn textures(&self) -> Result<Vec<Texture<'static>>> {
         let (retain, release) = (sys::shd_texture_retain, sys::shd_texture_release);
-        Ok(self.parts(self.info()?.texture_count, sys::shd_scene_texture, retain, release, Texture::owned))
+        Ok(self.parts(self.info()?.texture_count, sys::shd_scene_get_texture, retain, release, Texture::owned))
     }
 
     /// The lights.
     pub fn lights(&self) -> Result<Vec<Light<'static>>> {
         let (retain, release) = (sys::shd_light_retain, sys::shd_light_release);
-        Ok(self.parts(self.info()?.light_count, sys::shd_scene_light, retain, release, Light::of))
+        Ok(self.parts(self.info()?.light_count, sys::shd_scene_get_light, retain, release, Light::of))
     }
 
     /// The cameras.
@@ -133,14 +133,14 @@ impl Scene {
     }
 
     /// The first and the last key of an animation, in seconds.
-    pub fn animation_times(&self, animation: u32) -> Result<(f64, f64)> {
+    pub fn animation_times(&self, animation: usize) -> Result<(f64, f64)> {
         let (mut first, mut last) = (0.0, 0.0);
         check(unsafe { sys::shd_scene_get_animation_times(self.as_raw(), animation, &mut first, &mut last) })?;
         Ok((first, last))
     }
 
     /// A scene of the file at some second of an animation.
-    pub fn pose(&self, animation: u32, seconds: f64) -> Result<Scene> {
+    pub fn pose(&self, animation: usize, seconds: f64) -> Result<Scene> {
         let create = |out| unsafe { sys::shd_scene_pose(self.as_raw(), animation, seconds, out) };
         Ok(Self(Arc::new(Object::create(self.0.context(), sys::shd_scene_release, create)?)))
     }
@@ -153,7 +153,7 @@ impl SceneInstance {
     /// If they are not those of the scene, and have fewer elements.
     pub fn draw<'a>(&self, meshes: &'a [Mesh], materials: &'a [Material<'a>]) -> Draw<'a> {
         let desc = DrawDesc { object_to_world: self.object_to_world, cull: self.cull, ..Default::default() };
-        Draw::new(&meshes[self.mesh as usize], &materials[self.material as usize]).desc(desc)
+        Draw::new(&meshes[self.mesh], &materials[self.material]).desc(desc)
     }
 }
 
@@ -228,7 +228,7 @@ impl<'a> SceneLoader<'a> {
         let mut call = self.find.take().map(|find| FindCall { find, answers: Vec::new(), failure: None });
         if let Some(call) = &mut call {
             desc.find = Some(find);
-            desc.find_user_data = (call as *mut FindCall<'_>).cast();
+            desc.user_data = (call as *mut FindCall<'_>).cast();
         }
         let made = Object::create(context, sys::shd_scene_release, |out| load(&desc, out));
         match call.and_then(|call| call.failure) {
@@ -252,10 +252,10 @@ struct FindCall<'a> {
 }
 
 unsafe extern "C" fn find(
-    user_data: *mut c_void,
     name: *const c_char,
     out_bytes: *mut *const c_void,
     out_size: *mut usize,
+    user_data: *mut c_void,
 ) -> ResultCode {
     // The library passes the user_data of run() on its thread, and a name for this call alone.
     let (call, name) = unsafe { (&mut *(user_data as *mut FindCall<'_>), CStr::from_ptr(name)) };

@@ -8,8 +8,8 @@ use crate::object::Object;
 use crate::pixels::{check_alignment, check_size, image_over, pixel_size, span};
 use crate::tile_cache::{Loaded, Loader};
 use crate::{
-    sys, Context, Error, Lookups, Plain, Result, ResultCode, Sampler, Table, Texels, TextureDesc, TextureFlag,
-    TextureInfo, TextureTile, TileCache, TileRegion,
+    sys, Context, Error, Lookups, Plain, Projection, Result, ResultCode, Sampler, Table, Texels, TextureDesc,
+    TextureFlag, TextureInfo, TextureKind, TextureTile, TileCache, TileRegion,
 };
 
 /// An image prepared for filtering. A clone is another owner of the same texture.
@@ -74,6 +74,15 @@ pub struct Texture<'a> {
 /// Bytes behind the last borrowed texel that lookups may read.
 pub const TEXTURE_PADDING: usize = sys::SHD_TEXTURE_PADDING;
 
+/// Number of images in the memory of texels: layers, slices or faces.
+fn image_count(raw: &sys::shd_texture_desc) -> usize {
+    match (raw.kind, raw.projection) {
+        (TextureKind::D3, _) => raw.depth as usize,
+        (TextureKind::DIRECTIONS, Projection::CUBE) => 6,
+        _ => raw.layer_count,
+    }
+}
+
 /// Checks the memory of texels and returns the desc that points at it.
 fn describe<T: Plain>(desc: &TextureDesc, texels: &[T], padding: usize) -> Result<sys::shd_texture_desc> {
     let mut raw = desc.to_raw();
@@ -83,8 +92,7 @@ fn describe<T: Plain>(desc: &TextureDesc, texels: &[T], padding: usize) -> Resul
     let needed = row.zip(row_stride).and_then(|(row, row_stride)| {
         let packed = row_stride.checked_mul(raw.height as usize)?;
         let layer_stride = if raw.layer_stride != 0 { raw.layer_stride } else { packed };
-        let layers = raw.layers.max(raw.depth) as usize;
-        span(layers, layer_stride, raw.height as usize, row_stride, row)?.checked_add(padding)
+        span(image_count(&raw), layer_stride, raw.height as usize, row_stride, row)?.checked_add(padding)
     });
     check_size("texture.texels", texels, needed)?;
     check_alignment("texture.texels", raw.format, texels)?;
@@ -120,7 +128,7 @@ impl Texture<'static> {
         if block == 0 {
             return Err(Error::argument(format!("texture.format: {:?} has no compressed blocks", raw.format)));
         }
-        let layers = raw.layers.max(1) as usize;
+        let layers = image_count(&raw).max(1);
         let mut sizes = Vec::with_capacity(levels.len());
         for (level, blocks) in levels.iter().enumerate() {
             let side = |size: u32| (size.checked_shr(level as u32).unwrap_or(0).max(1) as usize + 3) / 4;
@@ -137,17 +145,19 @@ impl Texture<'static> {
         let mut images = Vec::with_capacity(layers * (levels.len() - 1));
         for layer in 0..layers {
             for (level, blocks) in levels.iter().enumerate().skip(1) {
-                let mut image = sys::shd_image::default();
-                image.format = raw.format;
-                image.width = raw.width.checked_shr(level as u32).unwrap_or(0).max(1);
-                image.height = raw.height.checked_shr(level as u32).unwrap_or(0).max(1);
-                image.pixels = blocks[layer * sizes[level]..].as_ptr() as *mut _;
-                images.push(image);
+                let side = |size: u32| size.checked_shr(level as u32).unwrap_or(0).max(1);
+                images.push(sys::shd_image {
+                    format: raw.format,
+                    width: side(raw.width),
+                    height: side(raw.height),
+                    pixels: blocks[layer * sizes[level]..].as_ptr() as *mut _,
+                    ..Default::default()
+                });
             }
         }
         (raw.row_stride, raw.layer_stride, raw.texels) = (0, 0, levels[0].as_ptr().cast());
         raw.tables = if levels.len() > 1 { Table::MIPMAP.0 } else { 0 };
-        (raw.levels, raw.level_count) = (images.as_ptr(), levels.len() as u32 - 1);
+        (raw.level_images, raw.level_count) = (images.as_ptr(), levels.len() - 1);
         Self::create(context, &raw)
     }
 }
@@ -186,8 +196,9 @@ impl<'a> Texture<'a> {
     /// let desc = TextureDesc { format: Format::R8, width: 65536, height: 65536, ..Default::default() };
     /// let texture = Texture::from_tiles(&context, &cache, &desc, |tiles| {
     ///     for tile in tiles {
-    ///         let row: Vec<u8> = (tile.x..tile.x + tile.width).map(|x| x as u8).collect();
-    ///         (0..tile.height).for_each(|y| tile.write_row(y, &row));
+    ///         let Region { x, width, height, .. } = tile.area;
+    ///         let row: Vec<u8> = (x..x + width).map(|x| x as u8).collect();
+    ///         (0..height).for_each(|y| tile.write_row(y, &row));
     ///     }
     ///     Ok(())
     /// })?;
@@ -196,7 +207,7 @@ impl<'a> Texture<'a> {
     /// let sampler = Sampler::new(&context, &SamplerDesc { filter: Filter::NEAREST, ..Default::default() })?;
     /// texture.sample(&sampler, &Lookups::new(&[0.5], &[0.5]), &mut texels)?;
     /// assert_eq!(red, [0.0]);
-    /// assert_eq!(cache.stats()?.loaded_tiles, 1);
+    /// assert_eq!(cache.stats()?.loaded_tile_count, 1);
     /// # Ok::<(), shd::Error>(())
     /// ```
     pub fn from_tiles(

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{check, Panic};
 use crate::object::Object;
-use crate::{sys, Context, Plain, Result, ResultCode, TileCacheDesc, TileCacheStats};
+use crate::{sys, Context, Plain, Region, Result, ResultCode, TileCacheDesc, TileCacheStats};
 
 struct Inner {
     object: Object<sys::shd_tile_cache>,
@@ -55,7 +55,7 @@ impl TileCache {
 
     /// Loads up to `max_tiles` tiles that lookups with `MissingTiles::COARSER` did not find, 0 = all of them. Returns
     /// their number.
-    pub fn load_requested(&self, max_tiles: u32) -> Result<u32> {
+    pub fn load_requested(&self, max_tiles: usize) -> Result<usize> {
         let mut loaded = 0;
         self.check(unsafe { sys::shd_tile_cache_load_requested(self.as_raw(), max_tiles, &mut loaded) })?;
         Ok(loaded)
@@ -91,14 +91,8 @@ pub struct TextureTile<'a> {
     pub layer: u32,
     /// 0 = the base level.
     pub level: u32,
-    /// First column of the level.
-    pub x: u32,
-    /// First row of the level.
-    pub y: u32,
-    /// Texels to write in a row.
-    pub width: u32,
-    /// Rows to write.
-    pub height: u32,
+    /// Texels of the level to write.
+    pub area: Region,
     texels: *mut u8,
     row_stride: usize,
     row_bytes: usize,
@@ -115,10 +109,10 @@ impl TextureTile<'_> {
     /// # Panics
     /// If `y` is not below the height, or `texels` has another size.
     pub fn write_row<T: Plain>(&mut self, y: u32, texels: &[T]) {
-        assert!(y < self.height, "tile.write_row: {y} is not in 0..{}", self.height);
+        assert!(y < self.area.height, "tile.write_row: {y} is not in 0..{}", self.area.height);
         let bytes = size_of_val(texels);
         assert!(bytes == self.row_bytes, "tile.write_row: {bytes} bytes, not {}", self.row_bytes);
-        // The library lends `height` rows of `row_bytes` bytes that are `row_stride` bytes apart.
+        // The library lends `area.height` rows of `row_bytes` bytes that are `row_stride` bytes apart.
         unsafe {
             let row = self.texels.add(y as usize * self.row_stride);
             row.copy_from_nonoverlapping(texels.as_ptr().cast(), bytes);
@@ -165,13 +159,10 @@ impl<'a> Loader<'a> {
             .map(|tile| TextureTile {
                 layer: tile.layer,
                 level: tile.level,
-                x: tile.x,
-                y: tile.y,
-                width: tile.width,
-                height: tile.height,
+                area: Region::from_raw(&tile.area),
                 texels: tile.texels.cast(),
                 row_stride: tile.row_stride,
-                row_bytes: tile.width as usize * self.pixel_size,
+                row_bytes: tile.area.width as usize * self.pixel_size,
                 memory: PhantomData,
             })
             .collect();
@@ -185,7 +176,7 @@ fn text_of(panic: &(dyn Any + Send)) -> &str {
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("a panic")
 }
 
-unsafe extern "C" fn load(user_data: *mut c_void, tiles: *const sys::shd_tile, count: usize) -> ResultCode {
+unsafe extern "C" fn load(tiles: *const sys::shd_tile, count: usize, user_data: *mut c_void) -> ResultCode {
     // The library passes the user_data of source(), and tiles for this call alone.
     let (loader, tiles) = unsafe { (&*(user_data as *const Loader<'_>), slice::from_raw_parts(tiles, count)) };
     let message = match panic::catch_unwind(AssertUnwindSafe(|| loader.run(tiles))) {

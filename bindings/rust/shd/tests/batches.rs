@@ -107,7 +107,7 @@ fn texels_must_fill_the_desc() {
     assert_eq!(message(Texture::new(&context, &rows, &[0u8; 75])), "texture.texels: 75 bytes, not 76 or more");
     assert!(Texture::new(&context, &rows, &[0u8; 76]).is_ok());
     assert_eq!(message(Texture::borrowed(&context, &desc, &[0u8; 191])), "texture.texels: 191 bytes, not 192 or more");
-    let huge = TextureDesc { layer_stride: usize::MAX, layers: 9, ..desc };
+    let huge = TextureDesc { layer_stride: usize::MAX, layer_count: 9, ..desc };
     assert_eq!(
         message(Texture::new(&context, &huge, &[0u8; 9])),
         "texture.texels: the image exceeds the address space"
@@ -118,6 +118,46 @@ fn texels_must_fill_the_desc() {
     let bytes = [0u8; 12];
     let odd = (0..4).find(|&i| bytes[i..].as_ptr() as usize % 4 == 1).unwrap();
     assert!(message(Texture::new(&context, &floats, &bytes[odd..])).contains("is not aligned to the 4 bytes"));
+}
+
+#[test]
+fn the_kind_decides_what_texels_are() {
+    let context = Context::new().unwrap();
+    let plane = TextureDesc { format: Format::R8, width: 2, height: 2, ..Default::default() };
+    let kind_of = |desc: &TextureDesc, texels: &[u8]| {
+        let info = Texture::new(&context, desc, texels).unwrap().info().unwrap();
+        (info.kind, info.depth, info.layer_count)
+    };
+    let refused = |desc: &TextureDesc, texels: &[u8]| message(Texture::new(&context, desc, texels));
+    let volume = TextureDesc { kind: TextureKind::D3, depth: 3, ..plane };
+    let cube = TextureDesc { kind: TextureKind::DIRECTIONS, projection: Projection::CUBE, ..plane };
+    let disc = TextureDesc { projection: Projection::ANGULAR, ..cube };
+    assert_eq!(kind_of(&volume, &[0; 12]), (TextureKind::D3, 3, 1));
+    assert_eq!(refused(&volume, &[0; 11]), "texture.texels: 11 bytes, not 12 or more");
+    assert_eq!(kind_of(&cube, &[0; 24]), (TextureKind::DIRECTIONS, 0, 6));
+    assert_eq!(refused(&cube, &[0; 23]), "texture.texels: 23 bytes, not 24 or more");
+    assert_eq!(kind_of(&disc, &[0; 4]), (TextureKind::DIRECTIONS, 0, 1));
+    assert_eq!(kind_of(&TextureDesc { layer_count: 3, ..disc }, &[0; 12]), (TextureKind::DIRECTIONS, 0, 3));
+    assert!(refused(&TextureDesc { depth: 3, ..plane }, &[0; 12]).starts_with("texture.depth: 3, but texture.kind"));
+    assert!(refused(&TextureDesc { layer_count: 9, ..volume }, &[0; 12]).starts_with("texture.layer_count: 9"));
+    assert!(refused(&TextureDesc { depth: 0, ..volume }, &[0; 12]).starts_with("texture.depth: 0"));
+    assert!(refused(&TextureDesc { projection: Projection::NONE, ..cube }, &[0; 24]).starts_with("texture.projection"));
+    assert!(refused(&TextureDesc { kind: sys::shd_texture_kind(3), ..plane }, &[0; 4]).starts_with("texture.kind: 3"));
+}
+
+#[test]
+fn a_cube_is_looked_up_by_directions() {
+    let context = Context::new().unwrap();
+    let (kind, projection) = (TextureKind::DIRECTIONS, Projection::CUBE);
+    let desc = TextureDesc { kind, projection, format: Format::R8, width: 1, height: 1, ..Default::default() };
+    let texture = Texture::new(&context, &desc, &[0u8, 51, 102, 153, 204, 255]).unwrap();
+    let sampler = Sampler::new(&context, &SamplerDesc { filter: Filter::NEAREST, ..Default::default() }).unwrap();
+    let directions =
+        [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, -5.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+    let [u, v, w] = Column::split(&directions);
+    let mut red = [0.0; 6];
+    texture.sample(&sampler, &Lookups::new(u, v).w(w), &mut Texels::new().channel(0, &mut red)).unwrap();
+    assert_eq!(red.map(|value| (value * 5.0).round()), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
 }
 
 #[test]
@@ -195,7 +235,8 @@ fn compressed_blocks_are_looked_up() {
     const BC7: [u8; 16] = [192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0];
     let context = Context::new().unwrap();
     let sampler = Sampler::new(&context, &SamplerDesc { filter: Filter::NEAREST_MIP, ..Default::default() }).unwrap();
-    let desc = |format, width, height, layers| TextureDesc { format, width, height, layers, ..Default::default() };
+    let desc =
+        |format, width, height, layer_count| TextureDesc { format, width, height, layer_count, ..Default::default() };
     let green = |texture: &Texture, lod: f32, layer: u32| {
         let (mut found, lods, layers) = ([0.0f32], [lod], [layer]);
         let lookups = Lookups::new(&[0.375], &[0.125]).lod(&lods).layer(&layers);

@@ -23,7 +23,7 @@ fn a_program_reads_uniforms_and_draws() {
     let value = 0.75f32;
     let frame = Frame::new().camera(Camera::default()).draw(Draw::new(&mesh, &material).uniforms(&value));
     let stats = frame.render(&context, &mut framebuffer).unwrap();
-    assert_eq!((stats.triangles, stats.rasterised), (2, 2));
+    assert_eq!((stats.triangle_count, stats.rasterized_triangle_count), (2, 2));
     let red = framebuffer.plane(Plane::R).unwrap();
     assert!(red.rows().all(|row| row.iter().all(|&value| value == 0.75)));
     assert_eq!((red.width(), red.height()), (32, 32));
@@ -113,16 +113,17 @@ fn finished_tiles_have_the_pixels() {
     let rows = Mutex::new(vec![vec![0.0; 100]; 70]);
     let frame = Frame::new().camera(Camera::default()).draw(Draw::new(&mesh, &material)).tiles(|tile| {
         let mut rows = rows.lock().unwrap();
-        for y in 0..tile.height() {
-            let row = &mut rows[(tile.y() + y) as usize];
-            row[tile.x() as usize..(tile.x() + tile.width()) as usize].copy_from_slice(tile.row(1, y));
+        let Region { x, y, width, height } = tile.area();
+        for row in 0..height {
+            let pixels = &mut rows[(y + row) as usize];
+            pixels[x as usize..(x + width) as usize].copy_from_slice(tile.row(1, row));
         }
     });
     frame.render(&context, &mut framebuffer).unwrap();
     drop(frame);
     assert!(framebuffer.plane(Plane::G).unwrap().rows().eq(rows.into_inner().unwrap().iter()));
     let frame = Frame::new().tiles(|tile| {
-        tile.row(0, tile.height());
+        tile.row(0, tile.area().height);
     });
     let text = panic_text(AssertUnwindSafe(|| drop(frame.render(&context, &mut framebuffer))));
     assert!(text.starts_with("tile.row: ") && text.contains(" is not in 0.."), "{text}");

@@ -12,7 +12,7 @@ use shd::*;
 struct Host<F>(F);
 
 impl<F: Fn(&Tasks<'_>) + Send + Sync> Executor for Host<F> {
-    fn worker_count(&self) -> u32 {
+    fn worker_count(&self) -> usize {
         3
     }
     fn parallel_for(&self, tasks: &Tasks<'_>) {

@@ -40,7 +40,7 @@ fn a_closure_answers_the_names_of_a_model() {
     let scene = load(&context, find).unwrap();
     assert_eq!(asked, ["a.bin", "none.png"]);
     assert!(scene.warnings().iter().any(|text| text.contains("none.png")), "{:?}", scene.warnings());
-    assert_eq!(scene.warnings().len(), scene.info().unwrap().warning_count as usize);
+    assert_eq!(scene.warnings().len(), scene.info().unwrap().warning_count);
     assert_eq!(scene.names(ScenePart::ANIMATION), ["Move"]);
     let (first, last) = scene.animation_times(0).unwrap();
     let pose = scene.pose(0, 0.5 * (first + last)).unwrap();

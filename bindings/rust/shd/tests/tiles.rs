@@ -11,7 +11,7 @@ use shd::*;
 
 const WIDTH: u32 = 100;
 const HEIGHT: u32 = 70;
-const REGION: TileRegion = TileRegion { layer: 0, level: 1, x: 0, y: 0, width: 50, height: 35 };
+const REGION: TileRegion = TileRegion { layer: 0, level: 1, area: Region { x: 0, y: 0, width: 50, height: 35 } };
 const LOADS: u64 = 0;
 const FAILS: u64 = 1;
 const PANICS: u64 = 2;
@@ -35,7 +35,7 @@ impl Source {
             memory.read_level(0, level, &mut texels).unwrap();
             texels
         };
-        let levels = (0..memory.info().unwrap().level_count).map(read).collect();
+        let levels = (0..memory.info().unwrap().level_count as u32).map(read).collect();
         Self { memory, levels, mode: LOADS.into(), calls: 0.into(), tiles: 0.into() }
     }
 
@@ -53,9 +53,10 @@ impl Source {
         }
         for tile in tiles {
             let width = (WIDTH >> tile.level).max(1);
-            for y in 0..tile.height {
-                let first = ((tile.y + y) * width + tile.x) as usize;
-                tile.write_row(y, &self.levels[tile.level as usize][first..first + tile.width as usize]);
+            let area = tile.area;
+            for y in 0..area.height {
+                let first = ((area.y + y) * width + area.x) as usize;
+                tile.write_row(y, &self.levels[tile.level as usize][first..first + area.width as usize]);
             }
         }
         Ok(())
@@ -87,10 +88,10 @@ fn tiles_have_the_bits_of_memory() {
     assert_eq!(look_up(&context, &texture, MissingTiles::WAIT).unwrap(), expected);
     let stats = cache.stats().unwrap();
     let count = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
-    assert_eq!((stats.loads, stats.loaded_tiles), (count(&source.calls), count(&source.tiles)));
-    assert_eq!(u64::from(stats.resident_tiles), stats.loaded_tiles);
+    assert_eq!((stats.load_count, stats.loaded_tile_count), (count(&source.calls), count(&source.tiles)));
+    assert_eq!(stats.resident_tile_count as u64, stats.loaded_tile_count);
     look_up(&context, &texture, MissingTiles::WAIT).unwrap();
-    assert_eq!(cache.stats().unwrap().loads, stats.loads);
+    assert_eq!(cache.stats().unwrap().load_count, stats.load_count);
 }
 
 #[test]
@@ -147,16 +148,16 @@ fn regions_are_pinned_and_dropped() {
     let (source, cache) = (Source::new(&context), cache(&context));
     let texture = Texture::from_tiles(&context, &cache, &Source::desc(), |tiles| source.load(tiles)).unwrap();
     texture.pin_tiles(&REGION).unwrap();
-    assert_eq!(cache.stats().unwrap().pinned_tiles, 12);
+    assert_eq!(cache.stats().unwrap().pinned_tile_count, 12);
     texture.unpin_tiles(&REGION).unwrap();
-    assert_eq!(cache.stats().unwrap().pinned_tiles, 0);
+    assert_eq!(cache.stats().unwrap().pinned_tile_count, 0);
     assert!(message(texture.unpin_tiles(&REGION)).contains("pinned"));
-    let loaded = cache.stats().unwrap().loaded_tiles;
+    let loaded = cache.stats().unwrap().loaded_tile_count;
     texture.load_tiles(&REGION).unwrap();
-    assert_eq!(cache.stats().unwrap().loaded_tiles, loaded);
+    assert_eq!(cache.stats().unwrap().loaded_tile_count, loaded);
     texture.drop_tiles(&REGION).unwrap();
     texture.load_tiles(&REGION).unwrap();
-    assert_eq!(cache.stats().unwrap().loaded_tiles, loaded + 12);
+    assert_eq!(cache.stats().unwrap().loaded_tile_count, loaded + 12);
 }
 
 #[test]
@@ -178,7 +179,7 @@ fn a_closure_is_dropped_once_with_the_last_owner() {
     assert_eq!(Arc::strong_count(&shared), 2);
     drop(material);
     assert_eq!(Arc::strong_count(&shared), 1);
-    assert!(message(make(&TextureDesc { depth: 2, layers: 2, ..Source::desc() })).contains("texture.layers"));
+    assert!(message(make(&TextureDesc { layer_count: 0, ..Source::desc() })).contains("texture.layer_count: 0"));
     assert_eq!(Arc::strong_count(&shared), 1);
     let error = TileCache::new(&context, &TileCacheDesc { budget_bytes: 1, ..Default::default() });
     assert!(message(error).contains("budget_bytes: 1 is not"));
@@ -195,7 +196,8 @@ fn rows_of_another_size_are_refused() {
             Ok(())
         };
         let texture = Texture::from_tiles(&context, &cache, &desc, write).unwrap();
-        let region = TileRegion { width: 1, height: 1, ..Default::default() };
+        let area = Region { x: 0, y: 0, width: 1, height: 1 };
+        let region = TileRegion { area, ..Default::default() };
         assert_eq!(panic_text(AssertUnwindSafe(|| texture.load_tiles(&region).unwrap())), expected);
     }
 }
@@ -208,11 +210,14 @@ fn a_file_is_opened() {
     let open = |name: &str| {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name);
         // The file is part of the tree.
-        let desc = TileFileDesc { color_space: ColorEncoding::LINEAR, ..Default::default() };
+        let desc = TileFileDesc { encoding: ColorEncoding::LINEAR, ..Default::default() };
         unsafe { Texture::open(&context, path, &cache, &desc) }
     };
     let (texture, info) = open("tiled.tif").unwrap();
-    assert_eq!((info.files, info.columns, info.rows, info.tile_width, info.tile_height), (1, 1, 1, 16, 16));
+    assert_eq!(
+        (info.file_count, info.column_count, info.row_count, info.tile_width, info.tile_height),
+        (1, 1, 1, 16, 16)
+    );
     let desc = TextureDesc { format: Format::R8, width: 16, height: 16, ..Default::default() };
     let texels: Vec<u8> = (0..=255).collect();
     let memory = Texture::new(&context, &desc, &texels).unwrap();

@@ -187,17 +187,18 @@ case_refused() {
     [ "$status" -ne 0 ] && [ "$status" -lt 128 ] || fail "$options: status $status"
     expect_text "${text//_/ }" refused.log
   done <<'END'
---size:_0_is_not_in_1..65536 --size 0x10
---size:_65537_is_not_in --size 10x65537
-has_no_'x' --size 10
---size:_1.5_is_not_a_whole_number --size 1.5x2
---window:_8_is_not_in --window 8
---samples:_3_is_not --samples 3
+--size:_"0x10"_is_not_WIDTHxHEIGHT,_each_1..65536 --size 0x10
+is_not_WIDTHxHEIGHT --size 10x65537
+is_not_WIDTHxHEIGHT --size 10
+is_not_WIDTHxHEIGHT --size 1.5x2
+--window:_"8"_is_not_a_whole_number_16..4096 --window 8
+--samples:_"3"_is_not_1,_2,_4,_8_or_16 --samples 3
 --frame:_2_is_not_in_0..1 --frames 2 --frame 2
 --supersampling:_16_times --size 5000x10 --supersampling 16
 does_not_end_with_.exr -o picture.png
-no_such_option --verbose
-its_value_is_missing --size
+--verbose_is_not_an_option --verbose
+--size_needs_a_value --size
+"90,90"_is_not_AZIMUTH,ELEVATION --orbit 90,90
 none.obj --model none.obj
 cannot_be_opened -o none/farm.exr
 END

@@ -49,12 +49,12 @@ refused() {
   if message=$("$program" "$@" 2>&1); then echo "accepted: $*"; exit 1; fi
   [[ $message == *"$text"* ]] || { echo "no \"$text\" in: $message"; exit 1; }
 }
-refused "unknown option --no-such" --no-such
-refused "--figure: best is not in the list" --figure best
-refused "--verdicts: 10 is not in 1000..1000000000" --verdicts 10
+refused "--no-such is not an option" --no-such
+refused "--figure: \"best\" is not one of all, " --figure best
+refused "--verdicts: \"10\" is not a whole number 1000..1e9" --verdicts 10
 refused "--verdicts needs a value" --verdicts
-refused "--threads: 0 is not in 1..256" --threads 0
-refused "--threads: 2x is not in 1..256" --threads 2x
-refused "--photograph: /no/file is not a file" --photograph /no/file
-refused "-o needs a value" -o
+refused "--threads: \"0\" is not a whole number 1..256" --threads 0
+refused "--threads: \"2x\" is not a whole number 1..256" --threads 2x
+refused "--photograph: \"/no/file\" is not a file" --photograph /no/file
+refused "-o needs a value: the name of a file" -o
 echo "shootout: all checks passed"

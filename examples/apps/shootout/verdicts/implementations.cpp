@@ -45,7 +45,7 @@ void add_own(std::vector<Implementation>* all) {
     desc.simd = static_cast<shd_simd>(simd);
     shd_context* context = nullptr;
     if (shd_context_create(&desc, &context) != SHD_OK) continue;
-    const std::string target = shd_context_simd_target(context);
+    const std::string target = shd_context_get_simd_target(context);
     shd_context_release(context);
     if (std::find(seen.begin(), seen.end(), target) != seen.end()) continue;
     seen.push_back(target);
@@ -91,7 +91,7 @@ JudgedTexture::JudgedTexture(const Texture& from, shd_simd simd, uint32_t worker
   made.width = made.height = from.edge;
   made.texels = from.rgba.data();
   made.tables = SHD_TABLE_MIPMAP;
-  made.levels = levels.data();
+  made.level_images = levels.data();
   made.level_count = static_cast<uint32_t>(levels.size());
   texture = shd::texture_create(context, &made);
 }

@@ -32,7 +32,7 @@ void copy_blocks_of(const GivenBlocks& given, uint32_t image, uint32_t level, Te
 /// Allocates the blocks that are not borrowed.
 void allocate_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   const size_t block_size = texture->blocks.size;
-  const size_t count = lay_out({2, 2}, texture) * desc.layers;
+  const size_t count = lay_out({2, 2}, texture) * desc.layer_count;
   if (desc.flags & SHD_TEXTURE_BORROW) {  // one layer
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     texture->borrowed_units = slice_units(*texture, 0) * image_count(*texture);

@@ -112,14 +112,14 @@ void TileCache::get_stats(shd_tile_cache_stats* out) {
   out->budget_bytes = budget_bytes_;
   out->allocated_bytes = budget_.bytes;
   out->tile_count = budget_.slots;
-  out->resident_tiles = resident_;
-  out->pinned_tiles = pinned_;
-  out->requested_tiles = requests_.size();
-  out->loads = loads_;
-  out->loaded_tiles = loaded_;
-  out->failed_tiles = failed_;
-  out->evicted_tiles = evicted_;
-  out->waits = waits_;
+  out->resident_tile_count = resident_;
+  out->pinned_tile_count = pinned_;
+  out->requested_tile_count = requests_.size();
+  out->load_count = loads_;
+  out->loaded_tile_count = loaded_;
+  out->failed_tile_count = failed_;
+  out->evicted_tile_count = evicted_;
+  out->wait_count = waits_;
 }
 
 }  // namespace shd::texture

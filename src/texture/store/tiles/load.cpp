@@ -28,7 +28,7 @@ const TileLoad* filler_of(const TileLoad& load, uint32_t tile) {
   const shd_tile at = tile_at(texture, tile);
   core::refuse(SHD_ERROR_CALLBACK,
                "texture.tiles.load: it looks up the tile that it loads, level %u, layer %u, column %u, row %u",
-               at.level, at.layer, at.x, at.y);
+               at.level, at.layer, at.area.x, at.area.y);
 }
 
 }  // namespace
@@ -164,9 +164,9 @@ constexpr size_t kMaxTileBlocks = 256;  // in a row: 2^20 bytes of texels of 2 b
 /// row of blocks is copied, and the blocks take less memory than their texels.
 void decode_tile(const TileSet& set, const shd_tile& tile, uint8_t* texels) {
   const size_t size = texel_size(*set.texture), pitch = size << set.texture->layout.unit.shift_x;
-  const uint32_t across = units_along(tile.width, 2);
+  const uint32_t across = units_along(tile.area.width, 2);
   uint8_t blocks[kMaxTileBlocks * 16];
-  for (uint32_t y = 0; y < units_along(tile.height, 2); ++y) {
+  for (uint32_t y = 0; y < units_along(tile.area.height, 2); ++y) {
     std::memcpy(blocks, static_cast<const uint8_t*>(tile.texels) + y * tile.row_stride, across * set.block_size);
     for (uint32_t x = 0; x < across; ++x) {
       set.decode(blocks + x * set.block_size, texels + 4 * (y * pitch + x * size), pitch);
@@ -188,7 +188,7 @@ shd_result call_source(TileLoad* load, const shd_tile* tiles) {
   char before[core::kErrorTextSize];
   std::memcpy(before, core::last_error(), std::strlen(core::last_error()) + 1);
   const shd_tile_source& source = load->set->source;
-  const shd_result result = source.load(source.user_data, tiles, load->count);
+  const shd_result result = source.load(tiles, load->count, source.user_data);
   if (result == SHD_OK) return SHD_OK;
   char cause[core::kErrorTextSize];
   std::memcpy(cause, core::last_error(), std::strlen(core::last_error()) + 1);
@@ -196,7 +196,7 @@ shd_result call_source(TileLoad* load, const shd_tile* tiles) {
   return core::fail(
       result == SHD_ERROR_CANCELLED ? result : SHD_ERROR_CALLBACK,
       "texture.tiles.load returned %s for %u tiles, the first at level %u, layer %u, column %u, row %u%s%s",
-      shd_result_name(result), load->count, tiles[0].level, tiles[0].layer, tiles[0].x, tiles[0].y,
+      shd_result_name(result), load->count, tiles[0].level, tiles[0].layer, tiles[0].area.x, tiles[0].area.y,
       has_cause ? ": " : "", has_cause ? cause : "");
 }
 

@@ -27,7 +27,8 @@ TileRange range_of(const Texture& texture, const shd_tile_region& region) {
   };
   return {first_unit(texture, region.layer, region.level),
           units_along(level_size(texture.width, region.level), unit.shift_x),
-          range(region.x, region.width, unit.shift_x), range(region.y, region.height, unit.shift_y)};
+          range(region.area.x, region.area.width, unit.shift_x),
+          range(region.area.y, region.area.height, unit.shift_y)};
 }
 
 /// Returns whether the slice of a tile averages the slice of a region.
@@ -89,9 +90,11 @@ void drop_region(const Texture& texture, const shd_tile_region& region) {
     const shd_tile at = tile_at(texture, tile);
     if (at.level < region.level) return false;
     if (texture.depth == 0 ? at.layer != region.layer : !is_above(texture, region, at)) return false;
-    const AxisRange x = level_range({region.x, region.x + region.width}, width, level_size(texture.width, at.level));
-    const AxisRange y = level_range({region.y, region.y + region.height}, height, level_size(texture.height, at.level));
-    return overlap(x, at.x, at.width) && overlap(y, at.y, at.height);
+    const AxisRange x =
+        level_range({region.area.x, region.area.x + region.area.width}, width, level_size(texture.width, at.level));
+    const AxisRange y =
+        level_range({region.area.y, region.area.y + region.area.height}, height, level_size(texture.height, at.level));
+    return overlap(x, at.area.x, at.area.width) && overlap(y, at.area.y, at.area.height);
   });
 }
 

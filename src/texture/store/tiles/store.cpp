@@ -41,9 +41,9 @@ void read_texels(const core::Context&, const Texture& texture, uint32_t image, u
   for (uint32_t tile = first; tile < end; ++tile) {
     const shd_tile at = tile_at(texture, tile);
     with_tile(texture, tile, [&](const uint8_t* texels) {
-      for (uint32_t y = 0; y < at.height; ++y) {
-        std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y + y) * out.row_stride + at.x * size, texels + y * pitch,
-                    at.width * size);
+      for (uint32_t y = 0; y < at.area.height; ++y) {
+        std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.area.y + y) * out.row_stride + at.area.x * size,
+                    texels + y * pitch, at.area.width * size);
       }
     });
   }
@@ -63,9 +63,10 @@ void read_tiles_of_blocks(const core::Context&, const Texture& texture, uint32_t
     at.texels = blocks.data();
     at.row_stride = row_of_blocks(set);
     if (const shd_result result = call_source(&load, &at)) throw core::Failure(result, core::last_error());
-    for (uint32_t y = 0; y < units_along(at.height, 2); ++y) {
-      std::memcpy(static_cast<uint8_t*>(out.pixels) + (at.y / 4 + y) * out.row_stride + at.x / 4 * set.block_size,
-                  blocks.data() + y * at.row_stride, units_along(at.width, 2) * set.block_size);
+    for (uint32_t y = 0; y < units_along(at.area.height, 2); ++y) {
+      std::memcpy(
+          static_cast<uint8_t*>(out.pixels) + (at.area.y / 4 + y) * out.row_stride + at.area.x / 4 * set.block_size,
+          blocks.data() + y * at.row_stride, units_along(at.area.width, 2) * set.block_size);
     }
   }
 }

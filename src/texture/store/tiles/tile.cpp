@@ -41,7 +41,7 @@ uint64_t tile_count(const shd_texture_desc& desc, uint32_t tile_bytes) {
   texture.depth = desc.depth;
   const bool full = desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP;
   texture.level_count = full ? full_level_count(desc.width, desc.height, desc.depth) : desc.level_count + 1;
-  return lay_out(tile_shape(tile_bytes, decoded_texel_size(desc.format)), &texture) * desc.layers;
+  return lay_out(tile_shape(tile_bytes, decoded_texel_size(desc.format)), &texture) * desc.layer_count;
 }
 
 void add_tiles(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
@@ -80,10 +80,10 @@ shd_tile tile_at(const Texture& texture, uint32_t tile) {
   shd_tile at = {};
   at.layer = place.image;
   at.level = place.level;
-  at.x = place.in_level % across << unit.shift_x;
-  at.y = place.in_level / across << unit.shift_y;
-  at.width = std::min(1u << unit.shift_x, width - at.x);
-  at.height = std::min(1u << unit.shift_y, height - at.y);
+  at.area.x = place.in_level % across << unit.shift_x;
+  at.area.y = place.in_level / across << unit.shift_y;
+  at.area.width = std::min(1u << unit.shift_x, width - at.area.x);
+  at.area.height = std::min(1u << unit.shift_y, height - at.area.y);
   return at;
 }
 

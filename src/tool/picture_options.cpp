@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "command/names.h"
+#include "tool/option_groups.h"
+
+using namespace command;
+
+namespace {
+
+constexpr Name<uint32_t> kSampleCounts[] = {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}};
+
+Values background_values(Options& out) {
+  const auto read = [&out](const std::string& text) {
+    std::optional<std::array<float, 3>> color;
+    out.has_background = true;
+    out.background = {0, 0, 0, 0};
+    if (text == "none") return true;
+    if (!color_values(color).read(text)) return false;
+    out.background = {(*color)[0], (*color)[1], (*color)[2], 1.0f};
+    return true;
+  };
+  return {"R,G,B, one number for grey, or none = transparent", {}, "none, or the environment", read};
+}
+
+/// Names between commas.
+Values plane_values(uint32_t& out) {
+  Values values = named(out, kAovs);
+  values.wanted = "a list of " + join(values.names, " and ");
+  values.read = [&out](const std::string& text) {
+    for (const std::string& name : split(text, ',')) {
+      uint32_t plane = 0;
+      if (!named(plane, kAovs).read(name)) return false;
+      out |= plane;
+    }
+    return true;
+  };
+  return values;
+}
+
+Values triangle_planes(uint32_t& out) {
+  return {
+      "", {}, "", [&out](const std::string&) { return out |= SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE, true; }};
+}
+
+}  // namespace
+
+Group picture_options(Options& out) {
+  return {"Picture",
+          {{"-o,--output", "FILE", initially(file(out.output), "out.png"),
+            ".png and .tif are written through the display transform, .exr is scene-linear."},
+           {"--size", "WxH", size({out.width, out.height}, 16384), "Pixels."},
+           {"--samples", "N", named(out.samples, kSampleCounts), "Samples of a pixel."},
+           {"--sample-shading", "", flag(out.sample_shading),
+            "Shade every sample at its own position, instead of every pixel once."},
+           {"--supersampling", "N", number(out.supersampling, 1, 16), "Each pixel is the average of N x N."},
+           {"--visibility", "V", named(out.visibility, kVisibilities), "What decides which triangle shows."},
+           {"--background", "R,G,B", background_values(out), "Scene-linear colour."},
+           {"--display", "NAME", text(out.display), "Display of the colour config."},
+           {"--view", "NAME", text(out.view), "View of that display. Plain is the encoding alone."},
+           {"--no-color", "", flag(out.color, false), "No display transform: the sRGB curve alone, clamped."},
+           {"--dither", "", flag(out.dither), "Ordered dither of 8-bit colours."},
+           {"--hash", "", flag(out.hash),
+            "Print a hash of the picture, the same on every machine: FNV-1a of 64 bits over the linear floats r, g, b "
+            "and a of each pixel. The picture is saved only if -o is given."},
+           {"--aov", "", triangle_planes(out.aovs),
+            "Also save texture coordinates, normals and triangle numbers (.exr only)."},
+           {"--aovs", "A,B,...", plane_values(out.aovs), "Also save these planes (.exr only)."}}};
+}
+
+Group camera_options(Options& out) {
+  const auto orbit = [&out](const std::string& text) {
+    const auto numbers = read_numbers(text);
+    if (!numbers || numbers->size() < 2 || numbers->size() > 3) return false;
+    out.azimuth = (*numbers)[0];
+    out.elevation = (*numbers)[1];
+    out.distance = numbers->size() > 2 ? (*numbers)[2] : 0.0f;
+    const bool is_far = numbers->size() == 2 || (out.distance > 1.0f && out.distance <= 1e4f);
+    return is_far && std::fabs(out.elevation) <= 90.0f;
+  };
+  const auto animation = [&out](const std::string& text) { return out.animation = text, !text.empty(); };
+  return {"Camera",
+          {{"--orbit",
+            "AZ,EL[,DIST]",
+            {"AZIMUTH,ELEVATION[,DISTANCE] in degrees (elevation -90..90) and radii (above 1)",
+             {},
+             "30,20 and far enough to show all",
+             orbit},
+            "Where the eye is, seen from the centre of the model: degrees to the right of the front, degrees up, radii "
+            "away."},
+           {"--fov", "DEGREES", number(out.fov, 1, 170, " degrees"), "Vertical field of view."},
+           {"--camera", "N", number(out.camera, 0, 65535), "Camera of this number of the file, instead of these."},
+           {"--turntable", "N", initially(number(out.turntable, 1, 9999), ""),
+            "N pictures once around the model, OUT-0001.png and on."},
+           {"--animation",
+            "N|NAME",
+            {"the number from 0 or the name of an animation of the file", {}, "", animation},
+            "The pose of the file at a time of this animation."},
+           {"--time", "SECONDS", initially(number(out.time, -1e9, 1e9, " seconds"), "the first key of the animation"),
+            "That time."},
+           {"--frames", "N", initially(number(out.frames, 1, 9999), ""),
+            "N pictures from the first key to the last one, OUT-0001.png and on. The camera stays, and takes in all "
+            "poses."}}};
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "command/names.h"
+#include "tool/option_groups.h"
+
+using namespace command;
+
+namespace {
+
+constexpr Name<KeepRoughness> kKeep[] = {
+    {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
+
+}  // namespace
+
+Group surface_options(Options& out) {
+  return {
+      "Surface",
+      {{"--model", "M",
+        initially(named(out.reflectance, kModels), "ggx for metallic-roughness and environments, else blinn-phong"),
+        "Model of reflectance."},
+       {"--show", "V", named(out.debug_view, kViews), "Debug view instead of the shaded model."},
+       {"--frequency", "F", named(out.frequency, kFrequencies), "Where the model is shaded."},
+       {"--diffuse", "R,G,B", color_values(out.diffuse), "Colour, instead of the model's."},
+       {"--specular", "KS", number(out.specular, 0, 1e6), "Strength of the highlight, instead of the model's."},
+       {"--exponent", "P", number(out.exponent, 0, 1e6), "Sharpness of the highlight, instead of the model's."},
+       {"--metallic", "M", number(out.metallic, 0, 1), "Metallic factor of ggx, instead of the model's."},
+       {"--roughness", "R", number(out.roughness, 0, 1), "Roughness of ggx, instead of the model's."},
+       {"--texture", "FILE", file(out.texture),
+        "A texture on everything, instead of the model's. checker is a built-in pattern, none is no texture."},
+       {"--solid", "K", named(out.solid, kSolids), "A solid texture on everything, instead of the model's textures."},
+       {"--solid-size", "S", number(out.solid_size, 0, 1e6),
+        "The size of its cells, stripes or rings, in world units."},
+       {"--filter", "F", marked(named(out.filter, kFilters), out.has_filter),
+        "Filter of textures, instead of the model's."},
+       {"--lod-bias", "B", number(out.lod_bias, -15, 15),
+        "Added to the level of detail: below 0 is sharper, above 0 smoother."},
+       {"--uv-scale", "S", number(out.uv_scale, 0, 1e6), "Textures S times as often."},
+       {"--normal-map", "FILE", file(out.normal_map), "Tangent-space normals on everything, instead of the model's."},
+       {"--keep-roughness", "K", named(out.keep, kKeep), "What its mip levels do about bumps that they lose."}}};
+}
+
+Group shape_options(Options& out) {
+  return {
+      "Shape",
+      {{"--shape", "S", marked(named(out.shape, kShapes), out.has_shape), "A shape instead of a model."},
+       {"--tessellation", "N", number(out.tessellation, 1, 256),
+        "Divisions of each of the teapot's 32 patches, and of other shapes' sides."},
+       {"--floor", "", flag(out.floor), "A floor under the model."},
+       {"--any-folder", "", flag(out.any_folder), "Files that the model names may lie outside its folder."},
+       {"--height", "FILE", file(out.height_map), "Heights 0..1 on everything, for the following."},
+       {"--bump", "FORM", named(out.bump_form, kBumps), "Tilt normals by the heights."},
+       {"--bump-scale", "S", number(out.bump_scale, -1e6, 1e6),
+        "Height 1 in world units; with texel, a factor on differences."},
+       {"--parallax", "D", number(out.parallax, 0, 1e6),
+        "Shift textures as if height 0 were D below the surface, in world units."},
+       {"--displace", "D", number(out.displacement, -1e6, 1e6),
+        "Move the surface itself by the height times D, in world units, finely tessellated."},
+       {"--edge-length", "PX", number(out.edge_length, 0.5, 1e4, " pixels"), "Edges of the triangles that are moved."},
+       {"--lines", "WIDTH", number(out.line_width, 0, 64, " pixels"), "Draw silhouettes, creases and borders so wide."},
+       {"--wireframe", "WIDTH", initially(number(out.wire_width, 0.0625, 64, " pixels"), ""),
+        "Draw the edges of all triangles so wide, instead of surfaces."},
+       {"--crease", "DEGREES", number(out.crease, 0, 180, " degrees"), "How sharp an edge is a crease."}}};
+}
