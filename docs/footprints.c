@@ -66,7 +66,7 @@ static shd_texture *create_impulses(shd_context *context)
     for (k = 0; k < TEXELS; ++k) texels[k * TEXELS + k] = 1.0f;
     desc.format = SHD_FORMAT_R32F;
     desc.width = desc.height = SIZE;
-    desc.layers = TEXELS;
+    desc.layer_count = TEXELS;
     desc.texels = texels;
     desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
     require(shd_texture_create(context, &desc, &texture));

@@ -3,7 +3,7 @@
  * The pictures of docs/environments.md, one SVG for each projection: projections FOLDER.
  *
  * Each picture shows the meridians and parallels of the sphere, 15 degrees apart, and the axes, at the points that
- * shd_project_directions() returns. The equator is red, the meridian through +Z blue. The cube is a horizontal cross.
+ * shd_projection_project() returns. The equator is red, the meridian through +Z blue. The cube is a horizontal cross.
  */
 #include <math.h>
 #include <stdio.h>
@@ -57,7 +57,7 @@ static struct place place_of(const struct figure *figure, float x, float y, floa
     out.u = shd_f32_out_column(&place.x, 0);
     out.v = shd_f32_out_column(&place.y, 0);
     out.face = shd_u32_out_column(&place.face, 0);
-    require(shd_project_directions(g_context, &in, &out));
+    require(shd_projection_project(g_context, &in, &out));
     if (figure->projection == SHD_PROJECTION_CUBE) {
         place.x += (float)k_cell[place.face][0];
         place.y += (float)k_cell[place.face][1];
