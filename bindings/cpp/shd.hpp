@@ -91,7 +91,8 @@ Owner retain(typename Owner::handle_type* handle) noexcept {
   return owned;
 }
 
-/// Neighbouring elements of a container or an array, with the part of std::span that columns need.
+/// Neighbouring elements of a container or an array, with the part of std::span that columns need. A temporary gives a
+/// span if it owns nothing, as another span, or if the elements are constant, for the rest of the expression.
 template <class T>
 class span {
  public:
@@ -99,8 +100,11 @@ class span {
   constexpr span(T* data, std::size_t size) noexcept : data_(data), size_(size) {}
   template <std::size_t N>
   constexpr span(T (&array)[N]) noexcept : data_(array), size_(N) {}
-  template <class Range, class = std::enable_if_t<std::is_convertible_v<decltype(std::declval<Range&>().data()), T*>>>
-  constexpr span(Range& range) noexcept : data_(range.data()), size_(range.size()) {}
+  template <class Range, class = std::enable_if_t<
+                             (std::is_lvalue_reference_v<Range> || std::is_const_v<T> ||
+                              std::is_trivially_destructible_v<Range>)&&!std::is_same_v<std::decay_t<Range>, span> &&
+                             std::is_convertible_v<decltype(std::declval<Range&>().data()), T*>>>
+  constexpr span(Range&& range) noexcept : data_(range.data()), size_(range.size()) {}
 
   constexpr T* data() const noexcept { return data_; }
   constexpr std::size_t size() const noexcept { return size_; }

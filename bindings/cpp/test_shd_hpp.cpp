@@ -123,6 +123,10 @@ void test_columns() {
   expect(shd::in(indices).data == indices && shd::in(indices).stride == 0, "column/array");
   std::array<std::uint16_t, 2> small = {1, 2};
   expect(shd::in(small).data == small.data(), "column/u16");
+  std::vector<float> numbers = {1.0f, 2.0f};
+  expect(shd::in(shd::span<float>(numbers)).data == numbers.data(), "column/temporary span");
+  expect(shd::in(std::as_const(numbers)).data == numbers.data(), "column/constant");
+  expect(shd::out(shd::span<float>(numbers)).data == numbers.data(), "column/temporary span of results");
 
   Counter counter;
   {

@@ -283,6 +283,9 @@ static inline shd_render_desc shd_render_desc_default(void)
  *
  * On SHD_ERROR_OUT_OF_MEMORY, SHD_ERROR_CALLBACK or SHD_ERROR_CANCELLED the framebuffer may hold a part of
  * the frame; all other objects are unchanged, and the next render works.
+ *
+ * The log of the context gets reasons for black draws, one line a frame with SHD_LOG_LEVEL_INFO for each: they have no
+ * material, or their materials reflect light in a frame without lights and environment.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @since 0.1
  */

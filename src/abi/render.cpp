@@ -8,6 +8,7 @@
 
 #include <shd/shadow.h>
 
+#include "abi/black_draws.h"
 #include "abi/camera.h"
 #include "abi/desc.h"
 #include "abi/draws.h"
@@ -237,6 +238,7 @@ shd_result abi::render_desc(const core::Context& context, const shd_render_desc&
   frame.counts_conflicts = desc.stats != nullptr;
   frame.supersampling = desc.supersampling;
   frame.pass_triangles = desc.pass_triangles;
+  if (!bake) log_black_draws(context, frame);
   if (bake) {
     frame::bake(context, frame, bake, stats);
   } else if (frame.supersampling > 1) {

@@ -18,7 +18,9 @@ function(shd_compile_options target)
     # One rounding per operation on every target: a fused multiply-add would change the bits.
     -ffp-contract=off
     -fno-math-errno
-    $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>)
+    $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>
+    # A project without a build type, which includes shd, gets a fast library too.
+    "$<$<CONFIG:>:-O2;-DNDEBUG>")
   set_target_properties(${target} PROPERTIES
     C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden POSITION_INDEPENDENT_CODE ON)
   if(SHD_SANITIZE)

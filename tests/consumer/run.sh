@@ -122,10 +122,16 @@ with_add_subdirectory() {
   run "$WORK/build"
 }
 
-# A host that sets nothing, not even a build type: it keeps its settings, and installs its own file alone.
+# A host that sets nothing, not even a build type: it keeps its settings, and installs its own file alone. The sources of
+# shd are optimised.
 with_host() {
   "$CMAKE" -S "$SOURCE/tests/consumer/host" -B "$WORK/build" -G "$GENERATOR" -DCMAKE_C_COMPILER="$CC" \
-    -DCMAKE_CXX_COMPILER="$CXX" -DSHD_SOURCE_DIR="$SOURCE" -DSHD_WITH_TBB="$HAS_TBB"
+    -DCMAKE_CXX_COMPILER="$CXX" -DSHD_SOURCE_DIR="$SOURCE" -DSHD_WITH_TBB="$HAS_TBB" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  grep '"command"' "$WORK/build/compile_commands.json" | grep -F "$SOURCE/src/" >"$WORK/commands"
+  [ -s "$WORK/commands" ]
+  if grep -vE -- ' -O[23] .*-DNDEBUG ' "$WORK/commands"; then
+    echo "these sources of shd are compiled without optimisation" && exit 1
+  fi
   "$CMAKE" --install "$WORK/build" --prefix "$WORK/prefix"
   diff <(cd "$WORK/prefix" && find . -type f) <(echo ./host.txt)
 }
