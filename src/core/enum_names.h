@@ -277,7 +277,7 @@ namespace shd::core {
 /// The value of a constant as messages have it: "TRILINEAR" for SHD_FILTER_TRILINEAR.
 #define SHD_VALUE_CASE(constant, name) \
   case constant:                       \
-    return #constant + (sizeof #constant - sizeof name);
+    return &(#constant)[sizeof #constant - sizeof name];
 #define SHD_VALUE_FUNCTION(type, function, names)                                   \
   inline const char* value_name(type value) {                                       \
     switch (enum_bits(value)) { names(SHD_VALUE_CASE) default : return "unknown"; } \
