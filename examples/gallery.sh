@@ -81,12 +81,12 @@ picture() {
 group "Reflectance"
 pot=(--tessellation 32 --orbit 25,25)
 sun=(--sun -0.5,0.9,0.9:1.7,1.65,1.5 --ambient 0.15)
-for model in "lambert Lambert" "phong Phong" "blinn-phong Blinn-Phong" "normalized Blinn-Phong, normalised" \
-  "combined Combined" "toon Toon" "gooch Gooch" "ggx Metallic-roughness (GGX)"; do
+for model in "lambert Lambert" "phong Phong" "blinn-phong Blinn-Phong" "blinn-phong-normalized Blinn-Phong, normalised" \
+  "combined Combined" "toon Toon" "gooch Gooch" "metallic-roughness Metallic-roughness (GGX)"; do
   picture "model-${model%% *}" "${model#* }" "${pot[@]}" "${sun[@]}" --model "${model%% *}" --diffuse 0.7,0.22,0.1 \
     --specular 0.4 --exponent 50 --roughness 0.35
 done
-picture model-metal "GGX, metal" "${pot[@]}" --model ggx --diffuse 1,0.71,0.29 --metallic 1 --roughness 0.4 --ambient 0.4
+picture model-metal "GGX, metal" "${pot[@]}" --model metallic-roughness --diffuse 1,0.71,0.29 --metallic 1 --roughness 0.4 --ambient 0.4
 picture model-matcap "Matcap" "${pot[@]}" --model matcap --diffuse 1
 
 group "Debug views"
@@ -103,7 +103,7 @@ done
 group "Models with their materials"
 picture spider "OBJ, five textures" --orbit 35,30 "$spider"
 picture truck "glTF, Blinn-Phong" --orbit 40,15 "$truck"
-picture truck-ggx "glTF, metallic-roughness" --orbit 40,15 --model ggx "$truck"
+picture truck-ggx "glTF, metallic-roughness" --orbit 40,15 --model metallic-roughness "$truck"
 picture clear-coat-test "glTF 2.0: ClearCoatTest" --orbit 0,0 "$coat/ClearCoatTest.gltf"
 picture uv-transforms "glTF 2.0: TextureTransformTest" --orbit 0,0 --model unlit "$transforms"
 picture earth "A texture on a sphere" --shape sphere --tessellation 24 --orbit 20,20 --texture "$earth" --model lambert \
@@ -140,7 +140,7 @@ picture lamps-256 "256 lamps with a range" --floor --orbit 25,35,3.2 --tessellat
   --exposure 0.8 --lamps 256
 
 group "Shadows"
-for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area Summed-area variance" "pcss PCSS"; do
+for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area-variance Summed-area variance" "pcss PCSS"; do
   picture "shadow-${filter%% *}" "${filter#* }" --floor --orbit 30,35,3.2 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 \
     --shadow-size 1024 --shadows "${filter%% *}" "$spider"
 done

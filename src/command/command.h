@@ -13,7 +13,7 @@
 /// | failure.h | failures, exit codes                                              |
 /// | program.h | declarations of a program; run.cpp: its exit code; parse.cpp      |
 /// | values.h  | readers of values: numbers, names, sizes, lists                   |
-/// | names.h   | names of the values of public enums                               |
+/// | names.h   | names of enum values: those of shd/names.h, with dashes           |
 /// | suggest.h | the name that a misspelt word may mean                            |
 /// | pages.h   | the text of --help, the manual page, the completion of bash       |
 #pragma once

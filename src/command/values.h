@@ -16,7 +16,7 @@ namespace command {
 /// The name of a value of an enum on the command line.
 template <class Value>
 struct Name {
-  const char* name;
+  std::string name;
   Value value;
 };
 
@@ -101,18 +101,6 @@ Values named(Out& out, const std::vector<Name<Value>>& table) {
 template <class Out, class Value, size_t kCount>
 Values named(Out& out, const Name<Value> (&table)[kCount]) {
   return named(out, std::vector<Name<Value>>(table, table + kCount));
-}
-
-/// The rows of a table that have these values, in the order of the table.
-template <class Value, size_t kCount>
-std::vector<Name<Value>> choose(const Name<Value> (&table)[kCount], std::initializer_list<Value> wanted) {
-  std::vector<Name<Value>> rows;
-  for (const Name<Value>& row : table) {
-    for (const Value value : wanted) {
-      if (row.value == value) rows.push_back(row);
-    }
-  }
-  return rows;
 }
 
 /// One of these texts.

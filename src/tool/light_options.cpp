@@ -6,11 +6,11 @@ using namespace command;
 
 namespace {
 
-constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
-                                          {"headlight", LightPreset::kHeadlight},
-                                          {"course", LightPreset::kCourse},
-                                          {"file", LightPreset::kFile},
-                                          {"none", LightPreset::kNone}};
+const Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
+                                      {"headlight", LightPreset::kHeadlight},
+                                      {"course", LightPreset::kCourse},
+                                      {"file", LightPreset::kFile},
+                                      {"none", LightPreset::kNone}};
 
 /// Reads X,Y,Z or X,Y,Z:R,G,B.
 bool read_light(const std::string& text, shd_light_kind kind, LightOption& out) {
@@ -68,7 +68,7 @@ Group light_options(Options& out) {
                     "A spot light at this place, as of --light, that shines at the centre. Repeatable."),
        {"--cone", "INNER,OUTER", cone_values(out), "Half angles of spots."},
        {"--cookie", "FILE", file(out.cookie), "A texture that spots project, or window, which is built in."},
-       {"--shadows", "FILTER", initially(named(out.shadows, kShadows), "no shadows"),
+       {"--shadows", "FILTER", initially(named(out.shadows, names_of(shd_shadow_filter_name)), "no shadows"),
         "Shadows of all lights except lamps and ambient light."},
        {"--softness", "S", number(out.softness, 0, 10),
         "How wide summed-area filters are, and how large lights are to pcss, in radii."},
@@ -90,7 +90,8 @@ Group environment_options(Options& out) {
         "Light from all directions, and the background: an image in scene-linear radiance, or a cube map. Replaces the "
         "preset of --lights."},
        {"--environment-projection", "P",
-        initially(named(out.environment_projection, kProjections), "that of its shape"),
+        initially(named(out.environment_projection, names_of(shd_projection_name, {SHD_PROJECTION_NONE})),
+                  "that of its shape"),
         "Projection of that image. Lat-long is latitude and longitude; cube is a strip or a cross of six faces."},
        {"--environment-turn", "DEGREES", number(out.environment_turn, -360, 360, " degrees"),
         "The environment turned about the vertical."},

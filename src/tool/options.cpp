@@ -61,13 +61,14 @@ Values color_values(std::optional<std::array<float, 3>>& out) {
 }
 
 Group machine_options(Options& out) {
-  return {"Machine",
-          {{"--threads", "N", initially(number(out.threads, 0, 1024), "one for each core"),
-            "Workers. The picture does not depend on it."},
-           {"--simd", "T", named(out.simd, kSimd), "Instruction set. The picture does not depend on it."},
-           {"--progress", "", flag(out.progress),
-            "Report progress and the time left even when standard error is no terminal."},
-           {"--stats", "", flag(out.stats), "Print what was drawn and how long each stage took, on standard error."}}};
+  return {
+      "Machine",
+      {{"--threads", "N", initially(number(out.threads, 0, 1024), "one for each core"),
+        "Workers. The picture does not depend on it."},
+       {"--simd", "T", named(out.simd, names_of(shd_simd_name)), "Instruction set. The picture does not depend on it."},
+       {"--progress", "", flag(out.progress),
+        "Report progress and the time left even when standard error is no terminal."},
+       {"--stats", "", flag(out.stats), "Print what was drawn and how long each stage took, on standard error."}}};
 }
 
 bool read_options(int argc, const char* const* argv, Options& out) {

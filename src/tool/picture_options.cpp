@@ -6,7 +6,7 @@ using namespace command;
 
 namespace {
 
-constexpr Name<uint32_t> kSampleCounts[] = {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}};
+const Name<uint32_t> kSampleCounts[] = {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}};
 
 Values background_values(Options& out) {
   const auto read = [&out](const std::string& text) {
@@ -52,7 +52,8 @@ Group picture_options(Options& out) {
            {"--sample-shading", "", flag(out.sample_shading),
             "Shade every sample at its own position, instead of every pixel once."},
            {"--supersampling", "N", number(out.supersampling, 1, 16), "Each pixel is the average of N x N."},
-           {"--visibility", "V", named(out.visibility, kVisibilities), "What decides which triangle shows."},
+           {"--visibility", "V", named(out.visibility, names_of(shd_visibility_name)),
+            "What decides which triangle shows."},
            {"--background", "R,G,B", background_values(out), "Scene-linear colour."},
            {"--display", "NAME", text(out.display), "Display of the colour config."},
            {"--view", "NAME", text(out.view), "View of that display. Plain is the encoding alone."},

@@ -6,7 +6,7 @@ using namespace command;
 
 namespace {
 
-constexpr Name<KeepRoughness> kKeep[] = {
+const Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
 
 }  // namespace
@@ -15,21 +15,24 @@ Group surface_options(Options& out) {
   return {
       "Surface",
       {{"--model", "M",
-        initially(named(out.reflectance, kModels), "ggx for metallic-roughness and environments, else blinn-phong"),
+        initially(named(out.reflectance, names_of(shd_model_name, {SHD_MODEL_PROGRAM})),
+                  "metallic-roughness for the materials of glTF and environments, else blinn-phong"),
         "Model of reflectance."},
        {"--show", "V", named(out.debug_view, kViews), "Debug view instead of the shaded model."},
-       {"--frequency", "F", named(out.frequency, kFrequencies), "Where the model is shaded."},
+       {"--frequency", "F", named(out.frequency, names_of(shd_frequency_name)), "Where the model is shaded."},
        {"--diffuse", "R,G,B", color_values(out.diffuse), "Colour, instead of the model's."},
        {"--specular", "KS", number(out.specular, 0, 1e6), "Strength of the highlight, instead of the model's."},
        {"--exponent", "P", number(out.exponent, 0, 1e6), "Sharpness of the highlight, instead of the model's."},
-       {"--metallic", "M", number(out.metallic, 0, 1), "Metallic factor of ggx, instead of the model's."},
-       {"--roughness", "R", number(out.roughness, 0, 1), "Roughness of ggx, instead of the model's."},
+       {"--metallic", "M", number(out.metallic, 0, 1),
+        "Metallic factor of metallic-roughness, instead of the model's."},
+       {"--roughness", "R", number(out.roughness, 0, 1), "Roughness of metallic-roughness, instead of the model's."},
        {"--texture", "FILE", file(out.texture),
         "A texture on everything, instead of the model's. checker is a built-in pattern, none is no texture."},
-       {"--solid", "K", named(out.solid, kSolids), "A solid texture on everything, instead of the model's textures."},
+       {"--solid", "K", named(out.solid, names_of(shd_solid_name)),
+        "A solid texture on everything, instead of the model's textures."},
        {"--solid-size", "S", number(out.solid_size, 0, 1e6),
         "The size of its cells, stripes or rings, in world units."},
-       {"--filter", "F", marked(named(out.filter, kFilters), out.has_filter),
+       {"--filter", "F", marked(named(out.filter, names_of(shd_filter_name)), out.has_filter),
         "Filter of textures, instead of the model's."},
        {"--lod-bias", "B", number(out.lod_bias, -15, 15),
         "Added to the level of detail: below 0 is sharper, above 0 smoother."},
@@ -41,7 +44,8 @@ Group surface_options(Options& out) {
 Group shape_options(Options& out) {
   return {
       "Shape",
-      {{"--shape", "S", marked(named(out.shape, kShapes), out.has_shape), "A shape instead of a model."},
+      {{"--shape", "S", marked(named(out.shape, names_of(shd_shape_name)), out.has_shape),
+        "A shape instead of a model."},
        {"--tessellation", "N", number(out.tessellation, 1, 256),
         "Divisions of each of the teapot's 32 patches, and of other shapes' sides."},
        {"--floor", "", flag(out.floor), "A floor under the model."},

@@ -59,7 +59,7 @@ Values range_values(std::optional<std::array<float, 2>>& out) {
 }  // namespace
 
 Group volume_options(VolumeOptions& out) {
-  constexpr Name<bool> kAxes[] = {{"y", false}, {"z", true}};
+  const Name<bool> kAxes[] = {{"y", false}, {"z", true}};
   return {
       "Volume",
       {{"--volume", "FILE", file(out.file),

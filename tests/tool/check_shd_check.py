@@ -164,7 +164,7 @@ def main():
     check.run("help", ["--help"], 0, "Usage: shd-check")
     for name, arguments, message in (
             ("none", [], "two files are needed"),
-            ("filter", ["--filter", "ewa", "a", "b"], "\"ewa\" is not one of nearest"),
+            ("filter", ["--filter", "ewa", "a", "b"], "\"ewa\" is not one of trilinear, nearest, bilinear"),
             ("option", ["--what", "1"], "--what is not an option"),
             ("value", ["a", "b", "--bias"], "--bias needs a value: a number"),
             ("number", ["--bias", "x", "a", "b"], "\"x\" is not a number"),

@@ -83,7 +83,7 @@ written hashed-0002.png 89504e47
 expect 2 "need -o FILE.exr" --aov --hash
 
 # Effects of options, tested on pairs of pictures.
-models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)
+models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap normal uv level barycentrics)
 shows() { case $1 in normal | uv | level | barycentrics) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
 for i in "${!models[@]}"; do
   for ((k = 0; k < i; ++k)); do
@@ -100,8 +100,8 @@ for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show 
 done
 same --sun 1,1,1:1,1,1 --exposure 1 --ambient 0 -- --sun 1,1,1:2,2,2 --ambient 0
 same --model toon --specular 0 -- --model toon --specular 0 --exponent 5
-other --model ggx --metallic 0 -- --model ggx --metallic 1
-other --model ggx --roughness 0.2 -- --model ggx --roughness 0.8
+other --model metallic-roughness --metallic 0 -- --model metallic-roughness --metallic 1
+other --model metallic-roughness --roughness 0.2 -- --model metallic-roughness --roughness 0.8
 other --frequency phong -- --frequency gouraud
 other --frequency phong -- --frequency flat
 other --samples 1 -- --samples 8
@@ -129,7 +129,7 @@ other --shape plane --normal-map normals.png --uv-scale 30 -- \
 
 other --shape plane --normal-map normals.png --uv-scale 30 -- \
   --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness lean
-for filter in hard pcf variance summed-area pcss; do
+for filter in hard pcf variance summed-area-variance pcss; do
   other --floor --sun 1,1,0.5:1,1,1 -- --floor --sun 1,1,0.5:1,1,1 --shadows $filter
   other --floor --spot 1,3,1:9,9,9 -- --floor --spot 1,3,1:9,9,9 --shadows $filter
   same --floor --lamps 9 -- --floor --lamps 9 --shadows $filter
@@ -297,7 +297,7 @@ expect 2 "one of normal, uv, level or barycentrics" --show shiny
 expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
-expect 2 "one of teapot" --shape cube
+expect 2 "one of sphere" --shape cube
 expect 2 "one of hard" --shadows none
 expect 2 "a whole number 1..65536" --occlusion 0
 expect 2 "a number 1e-6..1e6" --occlusion-radius 0
@@ -309,7 +309,7 @@ expect 2 "-360..360" --environment-turn 400
 expect 2 "one of lat-long, mirror-ball, angular, cube or octahedral" --environment-projection round
 expect 2 "0..1" --environment-blur 2
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
-expect 2 "one of nearest, bilinear, trilinear" --filter best
+expect 2 "one of trilinear, nearest, bilinear" --filter best
 expect 2 "one model at a time" a.obj b.obj
 expect 2 "X,Y,Z" --sun 0,0,0
 expect 2 "X,Y,Z" --light 1,2,nan

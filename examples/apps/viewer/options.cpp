@@ -11,7 +11,7 @@ namespace {
 
 using namespace command;
 
-constexpr Name<bool> kSwitch[] = {{"on", true}, {"off", false}};
+const Name<bool> kSwitch[] = {{"on", true}, {"off", false}};
 
 /// The sides that options of a side change.
 struct Sides {
@@ -191,7 +191,7 @@ Group window_options(Options& out) {
     return sides.size() == 2 && number(out.width, 64, 8192).read(sides[0]) &&
            number(out.height, 64, 8192).read(sides[1]);
   };
-  constexpr Name<bool> kTabs[] = {{"settings", false}, {"pixel", true}};
+  const Name<bool> kTabs[] = {{"settings", false}, {"pixel", true}};
   const auto click = [&out](Pixel pixel) { out.state.pick = pixel, out.pixel_tab = true; };
   const auto magnify = [&out](Pixel pixel) { out.magnify = pixel; };
   return {

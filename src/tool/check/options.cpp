@@ -30,12 +30,12 @@ const std::vector<Section> kSections = {
 
 /// U or U,V.
 Values wrap_values(shd_sampler_desc& sampler) {
-  Values values = named(sampler.wrap_u, kWraps);
+  Values values = named(sampler.wrap_u, names_of(shd_wrap_name));
   values.wanted = "one or two of " + join(values.names, " and ");
   values.read = [&sampler](const std::string& text) {
     const std::vector<std::string> parts = split(text, ',');
-    return parts.size() <= 2 && named(sampler.wrap_u, kWraps).read(parts.front()) &&
-           named(sampler.wrap_v, kWraps).read(parts.back());
+    return parts.size() <= 2 && named(sampler.wrap_u, names_of(shd_wrap_name)).read(parts.front()) &&
+           named(sampler.wrap_v, names_of(shd_wrap_name)).read(parts.back());
   };
   return values;
 }
@@ -82,10 +82,9 @@ Values any_number(T& out) {
 
 Group sampler_options(Options& out) {
   shd_sampler_desc& sampler = out.sampler;
-  const auto filters =
-      choose(kFilters, {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_NEAREST_MIP,
-                        SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_ANISOTROPIC});
-  Values compare = initially(named(sampler.compare, kComparisons), "");
+  const auto filters = names_of(shd_filter_name, {SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA,
+                                                  SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT});
+  Values compare = initially(named(sampler.compare, names_of(shd_compare_name)), "");
   compare.read = [&sampler, read = compare.read](const std::string& text) { return sampler.compares = 1, read(text); };
   return {"Sampler",
           {{"--filter", "NAME", named(sampler.filter, filters), "Filter of the lookups."},

@@ -13,7 +13,7 @@ namespace {
 using namespace command;
 
 enum class Color { kRed, kGreen, kBlue };
-constexpr Name<Color> kColors[] = {{"red", Color::kRed}, {"green", Color::kGreen}, {"blue", Color::kBlue}};
+const Name<Color> kColors[] = {{"red", Color::kRed}, {"green", Color::kGreen}, {"blue", Color::kBlue}};
 
 /// The variables of the program.
 struct Settings {
