@@ -7,8 +7,8 @@
 /// Invariants: the only place with extern "C" bodies, one file for each public header. No exception leaves a function.
 ///             Floating-point control is the IEEE default inside; the host's control bits and errno are restored. A
 ///             failed call changes nothing and sets its out handle to NULL. This folder may include every other one,
-///             and no folder includes it. Functions of libshd that are named check_<what> and read_<what> return a
-///             result; those of color/ and io/ throw a Failure.
+///             and only the abi/ of the other libraries includes it. Functions that are named check_<what> and
+///             read_<what> return a result; those of the other libraries throw a Failure.
 ///
 /// | file             | content                                                                           |
 /// |------------------|-----------------------------------------------------------------------------------|
@@ -25,8 +25,6 @@
 /// | render.h         | frames and bakes from one desc                                                    |
 /// | bake.h           | statistics of a bake from the states of its texels                                |
 /// | levels.h         | mip levels that the caller gives                                                  |
-/// | color/           | the C functions of libshd_color                                                   |
-/// | embree/          | the C functions of libshd_embree                                                  |
-/// | io/              | the C functions of libshd_io; common.h has declarations that they share           |
-/// | scene/           | the C functions of libshd_scene                                                   |
+/// | texture_desc.h   | descs of textures                                                                 |
+/// | black_draws.h    | reasons of a black picture, for the log                                           |
 #pragma once

@@ -92,7 +92,7 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
     SHD_TRY(check_context(context));
     shd_texture_desc read = shd_texture_desc_default();
     SHD_TRY(read_desc("texture", desc, false, &read));
-    SHD_TRY(select_kind(&read));
+    SHD_TRY(check_kind_fields(&read));
     SHD_TRY(check_texture_desc(read));
 
     core::Context& owner = context_of(context);

@@ -262,7 +262,7 @@ shd_result count_faces(shd_texture_desc* desc) {
 
 }  // namespace
 
-shd_result select_kind(shd_texture_desc* desc) {
+shd_result check_kind_fields(shd_texture_desc* desc) {
   SHD_TRY(check_enum("texture.kind", desc->kind, SHD_TEXTURE_KIND_2D, SHD_TEXTURE_KIND_DIRECTIONS));
   if (desc->kind == SHD_TEXTURE_KIND_3D) {
     SHD_TRY(check_count("texture.depth", desc->depth, 1, 65536));

@@ -5,11 +5,10 @@
 
 namespace shd::abi {
 
-/// Checks the kind of a desc that was read, and gives the fields of other kinds the values that mean their absence:
-/// depth 0, projection NONE, and the number of layers of the kind.
-shd_result select_kind(shd_texture_desc* desc);
+/// Checks that a desc has the fields of its kind alone. A cube map gets its six layers.
+shd_result check_kind_fields(shd_texture_desc* desc);
 
-/// Checks a desc after select_kind(): format, sizes, tables, texels or tiles, levels.
+/// Checks a desc after check_kind_fields(): format, sizes, tables, texels or tiles, levels.
 shd_result check_texture_desc(const shd_texture_desc& desc);
 
 }  // namespace shd::abi

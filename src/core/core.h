@@ -17,6 +17,7 @@
 /// | call.h          | calls and callbacks of a thread; references that are dropped late |
 /// | fork.h          | locks and state that a child of fork() finds usable               |
 /// | printable.h     | bytes as one line of UTF-8                                        |
+/// | enum_names.h    | the table of the names of enums                                   |
 /// | sized_structs.h | the table of the structs that carry their size                    |
 /// | regular_file.h  | opening of regular files                                          |
 /// | desc_size.h     | smallest sizes of the structs that carry their size               |

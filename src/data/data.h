@@ -13,7 +13,8 @@
 /// | camera.h    | look-at matrices, bit-equal on all machines                       |
 /// | transform.h | projections, placements and inverses, bit-equal on all machines   |
 /// | compare.h   | comparisons of depths and of texels, by less, equal and greater   |
-/// | hash.h      | hashes of words; checksum.h: checksums of stored bytes            |
+/// | hash.h      | hashes of words                                                   |
+/// | checksum.h  | checksums of stored bytes                                         |
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,8 @@
 /// |----------------|-------------------------------------------------------------------------------|
 /// | harmonics-inl.h | the spherical harmonics of the orders 0 to 2                                 |
 /// | source.h       | kernel: texels as floats, and their integrals with spherical harmonics        |
-/// | map, radiance.h | square maps of directions, and chains of maps for all lobes; maps of an image |
+/// | map.h          | square maps of directions, and chains of maps for all lobes                   |
+/// | radiance.h     | maps of an image                                                              |
 /// | cells.h        | quadtree of the light of an image                                             |
 /// | convolve.h     | kernel: maps of the mean radiance over a lobe                                 |
 /// | lobe_table.h   | reflection of uniform light by the lobes of the models                        |

@@ -60,7 +60,8 @@
 /// | load/isolate.h              | the pipeline in a child of the worker                                |
 /// | server/job.h                | the worker: the server (serve.cpp) and its children                  |
 /// | server/module.h             | a child that runs a module                                           |
-/// | server/memory.h, confine.h  | memory of these children, and limits by the system                   |
+/// | server/memory.h             | memory of these children                                             |
+/// | server/confine.h            | limits of these children by the system                               |
 /// | maketx/                     | the program shd-maketx, which has parts of libshd and of these rooms |
 /// | abi/                        | the bodies of the public functions                                   |
 #pragma once

@@ -15,7 +15,8 @@
 /// | box.cpp         | boxes of six grids                                  |
 /// | plane.cpp       | rectangles                                          |
 /// | torus.cpp       | tori                                                |
-/// | teapot.cpp      | the Utah teapot; its control points: teapot_data.h  |
+/// | teapot.cpp      | the Utah teapot                                     |
+/// | teapot_data.h   | its control points                                  |
 #pragma once
 
 #include <cstdint>

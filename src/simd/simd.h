@@ -20,5 +20,6 @@
 /// | gather-inl.h   | pairs of adjacent 32-bit words at an index           | exact                            |
 /// | integer-inl.h  | products of 16-bit integers                          | exact                            |
 /// | round-inl.h    | nearest whole numbers, and those below and above     | exact, with the sign of a zero   |
+/// | kernel_part.h  | the mark of parts that are inlined                   | none                             |
 /// | tail-inl.h     | stores of the first lanes                            | exact                            |
 #pragma once

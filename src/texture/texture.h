@@ -31,6 +31,7 @@
 /// | file         | contents                                                                                       |
 /// |--------------|------------------------------------------------------------------------------------------------|
 /// | texture.h    | textures, samplers, lookups and texels                                                         |
+/// | support.h    | the table of filters, domains, stores and uses that work together                              |
 /// | stream.h     | the stream between filters, stores and formats                                                 |
 /// | rows.h       | rows of quads, in place of streams, for linear lookups that share their levels                 |
 /// | lanes-inl.h  | vectors of lookups of one target                                                               |

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """House rules that a compiler does not see, over the tracked sources of the tree.
 
-    check_style.py includes|third_party|files|mutants|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
+    check_style.py includes|third_party|files|contracts|mutants|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
 
 Each check prints file:line and what is wrong, and exits 1 if anything is.
 """
@@ -162,6 +162,27 @@ def check_files(root):
         for path in sorted(allowed):
             if (pattern, path) not in used:
                 yield f"{path}: is listed in OPENERS for {pattern}, which it does not use"
+
+
+CONTRACT_ROW = re.compile(r"^/// \| ([^|]*?) +\|", re.M)
+
+
+def check_contracts(root):
+    """The tables of a contract name files that exist, and every header beside the contract."""
+    for path in sources(root, ["src"], {".h"}):
+        head = (root / path).read_text(encoding="utf-8").split("#pragma once")[0]
+        if "Stage contract" not in head:
+            continue
+        folder, found = (root / path).parent, {root / path}
+        for name in (name for row in CONTRACT_ROW.findall(head) for name in row.split(", ")):
+            if "." not in name and not name.endswith("/"):
+                continue
+            files = list(folder.glob(re.sub("<.*?>", "*", name)))
+            found.update(files)
+            if not files:
+                yield f"{path}: {name} does not exist"
+        for header in sorted(set(folder.glob("*.h")) - found):
+            yield f"{path}: {header.name} is in no row"
 
 
 def check_arithmetic(root):
@@ -339,6 +360,7 @@ CHECKS = {
     "third_party": check_third_party,
     "arithmetic": check_arithmetic,
     "files": check_files,
+    "contracts": check_contracts,
     "mutants": check_mutants,
     "spdx": check_spdx,
     "prose": prose.check,

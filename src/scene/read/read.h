@@ -11,6 +11,9 @@
 /// | file                | contents                                                    |
 /// |---------------------|-------------------------------------------------------------|
 /// | files.h             | the files that a model names                                |
+/// | fields.h            | the fields of a Model, one list for writing and reading     |
+/// | stream.h            | these fields as bytes                                       |
+/// | module.h            | the readers in a module of their own                        |
 /// | readers.cpp         | the table of readers                                        |
 /// | warnings.h          | warnings of one reader, each one given once                 |
 /// | check_model.h       | indices, sizes and numbers of a Model                       |
@@ -24,9 +27,11 @@
 /// | gltf_material.cpp   | materials, textures and samplers                            |
 /// | gltf_node.cpp       | nodes, skins and instances                                  |
 /// | gltf_stage.cpp      | lights, cameras and animations                              |
+/// | obj.h               | declarations that the obj*.cpp files share                  |
 /// | obj.cpp             | Wavefront OBJ: vertices, normals and surfaces of the faces  |
 /// | obj_parse.cpp       | the statements of an OBJ file                               |
 /// | obj_mtl.cpp         | MTL: materials of OBJ files                                 |
+/// | ply.h               | declarations that the ply*.cpp files share                  |
 /// | ply.cpp             | PLY: polygons, strips, colours and textures                 |
 /// | ply_file.cpp        | the header and the rows of a PLY file                       |
 /// | stl.cpp             | STL, text and binary, with colours of facets                |
