@@ -80,16 +80,16 @@ void store_values(const core::Array<float>& values, const shd_f32_out& out) {
 shd_result compute_points(const core::Context& context, const Query& query, const shd_occlusion_points* points,
                           shd_occlusion_values* out) {
   shd_occlusion_points read = shd_occlusion_points_default();
-  SHD_TRY(read_desc("occlusion_points", points, false, &read));
+  SHD_TRY(read_desc("points", points, false, &read));
   shd_occlusion_values values = shd_occlusion_values_default();
-  SHD_TRY(read_desc("occlusion_values", out, false, &values));
+  SHD_TRY(read_desc("values", out, false, &values));
   Batch<6, 1> batch;
   batch.count = read.count;
   for (int c = 0; c < 3; ++c) {
-    batch.in[c] = in_column("occlusion_points.position", read.position[c], Need::kRequired, c);
-    batch.in[3 + c] = in_column("occlusion_points.normal", read.normal[c], Need::kRequired, c);
+    batch.in[c] = in_column("points.position", read.position[c], Need::kRequired, c);
+    batch.in[3 + c] = in_column("points.normal", read.normal[c], Need::kRequired, c);
   }
-  batch.out[0] = out_column("occlusion_values.visibility", values.visibility, Need::kRequired);
+  batch.out[0] = out_column("values.visibility", values.visibility, Need::kRequired);
   SHD_TRY(check_batch(batch));
   PointColumns columns(context.allocator, read.count);
   for (size_t i = 0; i < read.count; ++i) {

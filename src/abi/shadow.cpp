@@ -98,17 +98,16 @@ using ShadowBatch = Batch<6, 1>;
 shd_result read_batch(const shd_shadow_lookups* in, const shd_shadow_values* out, ShadowBatch* batch,
                       shd_shadow_values* values) {
   shd_shadow_lookups read = shd_shadow_lookups_default();
-  SHD_TRY(read_desc("shadow_lookups", in, false, &read));
+  SHD_TRY(read_desc("lookups", in, false, &read));
   const bool has_normals = read.normal[0].data || read.normal[1].data || read.normal[2].data;
   batch->count = read.count;
   for (int c = 0; c < 3; ++c) {
-    batch->in[c] = in_column("shadow_lookups.position", read.position[c], Need::kRequired, c);
-    batch->in[3 + c] =
-        in_column("shadow_lookups.normal", read.normal[c], has_normals ? Need::kRequired : Need::kOptional, c);
+    batch->in[c] = in_column("lookups.position", read.position[c], Need::kRequired, c);
+    batch->in[3 + c] = in_column("lookups.normal", read.normal[c], has_normals ? Need::kRequired : Need::kOptional, c);
   }
   *values = shd_shadow_values_default();
-  SHD_TRY(read_desc("shadow_values", out, false, values));
-  batch->out[0] = out_column("shadow_values.visibility", values->visibility, Need::kRequired);
+  SHD_TRY(read_desc("values", out, false, values));
+  batch->out[0] = out_column("values.visibility", values->visibility, Need::kRequired);
   return check_batch(*batch);
 }
 

@@ -265,19 +265,19 @@ void test_bad_points(void **)
     };
     shd_assert_ok(shd_occlusion_compute(g_context, nullptr, &points, &out));  // no points
     points.count = 4;
-    refused("occlusion_points.position[0].data: NULL");
+    refused("points.position[0].data: NULL");
     for (auto &c : points.position) c.data = column;
-    refused("occlusion_points.normal[0].data: NULL");
+    refused("points.normal[0].data: NULL");
     for (auto &c : points.normal) c.data = column;
     out.visibility.data = nullptr;
-    refused("occlusion_values.visibility.data: NULL");
+    refused("values.visibility.data: NULL");
     out.visibility.data = column;
     refused("overlap");
     out.visibility.data = value;
     points.normal[1].stride = 3;
-    refused("occlusion_points.normal[1].stride: 3");
+    refused("points.normal[1].stride: 3");
     shd_assert_result("desc", shd_occlusion_compute(g_context, &desc, nullptr, &out), SHD_ERROR_INVALID_ARGUMENT,
-                      "occlusion_points: NULL");
+                      "points: NULL");
     shd_assert_result("context", shd_occlusion_compute(nullptr, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "context: NULL");
     shd_f32_out column_out = {value, 0};

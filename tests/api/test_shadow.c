@@ -233,21 +233,21 @@ static void test_lookups(void **state)
     shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out)); /* no points */
     lookups.count = 1;
     shd_assert_result("null_shadow", shd_shadow_sample(NULL, &lookups, &out), BAD, "shadow: NULL");
-    shd_assert_result("null_lookups", shd_shadow_sample(shadow, NULL, &out), BAD, "shadow_lookups: NULL");
-    shd_assert_result("no_position", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.position[0].data");
+    shd_assert_result("null_lookups", shd_shadow_sample(shadow, NULL, &out), BAD, "lookups: NULL");
+    shd_assert_result("no_position", shd_shadow_sample(shadow, &lookups, &out), BAD, "lookups.position[0].data");
     for (k = 0; k < 3; ++k) lookups.position[k].data = k_p + k;
     lookups.normal[1].data = k_p;
-    shd_assert_result("one_normal", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.normal[0].data");
+    shd_assert_result("one_normal", shd_shadow_sample(shadow, &lookups, &out), BAD, "lookups.normal[0].data");
     lookups.normal[1].data = NULL;
     lookups.position[2].stride = 7;
-    shd_assert_result("stride", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.position[2].stride: 7");
+    shd_assert_result("stride", shd_shadow_sample(shadow, &lookups, &out), BAD, "lookups.position[2].stride: 7");
     lookups.position[2].stride = 0;
-    shd_assert_result("out", shd_shadow_sample(shadow, &lookups, NULL), BAD, "shadow_values: NULL");
+    shd_assert_result("out", shd_shadow_sample(shadow, &lookups, NULL), BAD, "values: NULL");
     lookups.struct_size = 4;
-    shd_assert_result("struct_size", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.struct_size");
+    shd_assert_result("struct_size", shd_shadow_sample(shadow, &lookups, &out), BAD, "lookups.struct_size");
     lookups.struct_size = sizeof lookups;
     out.visibility.data = NULL;
-    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_values.visibility.data: NULL");
+    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, &out), BAD, "values.visibility.data: NULL");
     assert_true(value == -5.0f);
     shd_shadow_release(shadow);
 }
@@ -262,10 +262,10 @@ struct overlap_case {
 };
 static const struct overlap_case k_overlaps[] = {
     {"overlaps/apart", 6, 8, ""},
-    {"overlaps/position", 0, 8, "shadow_values.visibility: overlaps shadow_lookups.position[0]"},
-    {"overlaps/normal", 4, 8, "shadow_values.visibility: overlaps shadow_lookups.normal[1]"},
-    {"overlaps/a_row_later", 10, 8, "shadow_values.visibility: overlaps shadow_lookups.position[2]"},
-    {"overlaps/packed", 11, 1, "shadow_values.visibility: overlaps shadow_lookups.normal[0]"},
+    {"overlaps/position", 0, 8, "values.visibility: overlaps lookups.position[0]"},
+    {"overlaps/normal", 4, 8, "values.visibility: overlaps lookups.normal[1]"},
+    {"overlaps/a_row_later", 10, 8, "values.visibility: overlaps lookups.position[2]"},
+    {"overlaps/packed", 11, 1, "values.visibility: overlaps lookups.normal[0]"},
 };
 
 static void test_overlaps(void **state)
