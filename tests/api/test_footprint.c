@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Derivatives for ray tracers, against the hits of neighbouring rays with a plane; refusals and degenerate input. */
 #include "support/check.h"
-#include "support/group_context.h"
+#include "support/context.h"
 
 #include <shd/shd.h>
 
@@ -374,5 +374,5 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"cone_limits", test_cone_limits, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"degenerate", test_degenerate, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"no_area", test_no_area, NULL, NULL, NULL};
-    return _cmocka_run_group_tests("api.footprint", tests, n, set_up_context, tear_down_context);
+    return _cmocka_run_group_tests("api.footprint", tests, n, set_up, tear_down);
 }

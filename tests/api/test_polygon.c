@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Generalised barycentric coordinates through the public function: checks, strides, contexts, points that are not
    finite or outside. */
+#include "support/context.h"
 #include "support/fault_allocator.h"
-#include "support/group_context.h"
 #include "support/rows.h"
 
 #include <math.h>
@@ -285,5 +285,5 @@ int main(void)
     add("contexts", test_contexts, NULL);
     add("reflex", test_reflex, NULL);
     add("faults", test_faults, NULL);
-    return _cmocka_run_group_tests("api.polygon", g_tests, g_count, set_up_context, tear_down_context);
+    return _cmocka_run_group_tests("api.polygon", g_tests, g_count, set_up, tear_down);
 }

@@ -3,22 +3,8 @@
  * documented result, and visibility is a number in 0..1. */
 #include <float.h>
 
+#include "support/context.h"
 #include "support/shadow_scene.h"
-
-static shd_context *g_context;
-
-static int set_up(void **state)
-{
-    (void)state;
-    shd_assert_ok(shd_context_create(NULL, &g_context));
-    return 0;
-}
-static int tear_down(void **state)
-{
-    (void)state;
-    shd_context_release(g_context);
-    return 0;
-}
 
 /* A square of the given size and position, with some coordinates replaced by `bad`; position and direction of the
  * light. */

@@ -1,22 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws that cast shadows, and maps that do not change while their bounds move. */
+#include "support/context.h"
 #include "support/noise.h"
 #include "support/shadow_scene.h"
-
-static shd_context *g_context;
-
-static int set_up(void **state)
-{
-    (void)state;
-    shd_assert_ok(shd_context_create(NULL, &g_context));
-    return 0;
-}
-static int tear_down(void **state)
-{
-    (void)state;
-    shd_context_release(g_context);
-    return 0;
-}
 
 static double unit_random(uint32_t *seed)
 {

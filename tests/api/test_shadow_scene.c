@@ -1,23 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Shadows of boxes against rays: every filter with every kind of light. Points are lit if no box lies between them
  * and the light, else dark. Widths of penumbras; Chebyshev's bound. */
+#include "support/context.h"
 #include "support/noise.h"
 #include "support/shadow_scene.h"
-
-static shd_context *g_context;
-
-static int set_up(void **state)
-{
-    (void)state;
-    shd_assert_ok(shd_context_create(NULL, &g_context));
-    return 0;
-}
-static int tear_down(void **state)
-{
-    (void)state;
-    shd_context_release(g_context);
-    return 0;
-}
 
 struct box {
     float low[3], high[3];

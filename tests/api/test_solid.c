@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Solid textures through the public function: checks, columns of any stride, contexts, colours, and large batches. */
-#include "support/group_context.h"
+#include "support/context.h"
 #include "support/rows.h"
 #include "support/simd.h"
 
@@ -338,5 +338,5 @@ int main(void)
     add("contexts", test_contexts, NULL);
     add("executor_fails", test_executor_fails, NULL);
     add("seeds", test_seeds, NULL);
-    return _cmocka_run_group_tests("api.solid", g_tests, g_count, set_up_context, tear_down_context);
+    return _cmocka_run_group_tests("api.solid", g_tests, g_count, set_up, tear_down);
 }

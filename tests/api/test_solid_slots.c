@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Solid textures in slots: the colours of frames are those of shd_solid_evaluate() at the places of the pixels. */
+#include "support/context.h"
 #include "support/frame.h"
-#include "support/group_context.h"
 #include "support/slots.h"
 
 enum { k_size = 24, k_pixels = k_size * k_size };
@@ -291,5 +291,5 @@ int main(void)
         {"singular", test_singular, NULL, NULL, NULL}, {"perspective", test_perspective, NULL, NULL, NULL},
         {"channels", test_channels, NULL, NULL, NULL}, {"programs", test_programs, NULL, NULL, NULL},
     };
-    return cmocka_run_group_tests_name("api.solid_slots", k_tests, set_up_context, tear_down_context);
+    return cmocka_run_group_tests_name("api.solid_slots", k_tests, set_up, tear_down);
 }
