@@ -22,19 +22,6 @@ mirror() {
   echo "$url"
 }
 
-unmount() {
-  local folder
-  for folder in dev proc; do
-    if mountpoint -q "$root/$folder"; then umount -R "$root/$folder"; fi
-  done
-}
-
-mount_folders() {
-  mount -t proc proc "$root/proc"
-  mount --rbind /dev "$root/dev"
-  mount --make-rslave "$root/dev" # so that unmounting here leaves the host's /dev alone
-}
-
 # A chroot that is complete has a file .ready; a failed debootstrap leaves none behind.
 make_chroot() {
   [ ! -e "$root/.ready" ] || return 0
@@ -47,7 +34,17 @@ make_chroot() {
   touch "$root/.ready"
 }
 
-inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
+# command...: runs it in the chroot. Its mounts belong to a namespace that ends with it, even if a script is killed:
+# otherwise build/ would hold the /dev of the host, and deleting build/ would delete devices.
+inside() {
+  # shellcheck disable=SC2016 # the inner bash expands it
+  unshare --mount --propagation private bash -euc '
+    root=$1
+    shift
+    mount -t proc proc "$root/proc"
+    mount --rbind /dev "$root/dev"
+    exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"' bash "$root" "$@"
+}
 
 # package...: installs those that are missing
 install_packages() {
@@ -67,11 +64,8 @@ copy_sources() {
   git ls-files -z | tar --create --null --files-from - | tar --extract --directory "$root/shd"
 }
 
-# Makes the chroot if it is missing, and opens it until the script ends.
+# Makes the chroot if it is missing.
 open_chroot() {
   [ "$(id -u)" -eq 0 ] || die "needs root, for chroot and mount"
-  unmount # what a killed call may have left
   make_chroot
-  trap unmount EXIT
-  mount_folders
 }
