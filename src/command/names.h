@@ -11,8 +11,8 @@
 
 namespace command {
 
-/// The values of an enum, from 0 on, with their names of shd/names.h, in which dashes replace underscores. The values of
-/// `left_out` have no rows.
+/// The values of an enum, from 0 on, with their names of shd/names.h, in which dashes replace underscores. The values
+/// of `left_out` have no rows.
 template <class Value>
 std::vector<Name<Value>> names_of(const char* (*name_of)(Value), std::initializer_list<Value> left_out = {}) {
   std::vector<Name<Value>> rows;
