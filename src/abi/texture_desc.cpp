@@ -241,9 +241,9 @@ StoreCheck check_of(texture::Store store) {
   switch (store) {
     case texture::Store::kMemory:
     case texture::Store::kBorrowed:
-    case texture::Store::kBlocks: return {65536, check_memory};
+    case texture::Store::kBc: return {65536, check_memory};
     case texture::Store::kTiles:
-    case texture::Store::kTilesOfBlocks: return {1u << 20, check_tiles};
+    case texture::Store::kTilesOfBc: return {1u << 20, check_tiles};
   }
   SHD_UNREACHABLE();
 }

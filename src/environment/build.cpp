@@ -143,11 +143,12 @@ void build(const core::Context& context, const shd_environment_desc& desc, Envir
   core::Array<float> texels(context.allocator, 4 * layout.count);
   out->texels = core::Array<PackedTexel>(context.allocator, layout.count);
   build_maps(context, source, out, texels.data());
-  constexpr size_t kPart = 4096;
-  core::parallel_for(context, static_cast<uint32_t>((layout.count + kPart - 1) / kPart), [&](uint32_t part, uint32_t) {
-    const size_t end = std::min(layout.count, (part + size_t{1}) * kPart);
-    for (size_t i = part * kPart; i < end; ++i) out->texels[i] = pack(&texels[4 * i]);
-  });
+  constexpr size_t kPiece = 4096;
+  core::parallel_for(context, static_cast<uint32_t>((layout.count + kPiece - 1) / kPiece),
+                     [&](uint32_t piece, uint32_t) {
+                       const size_t end = std::min(layout.count, (piece + size_t{1}) * kPiece);
+                       for (size_t i = piece * kPiece; i < end; ++i) out->texels[i] = pack(&texels[4 * i]);
+                     });
 }
 
 }  // namespace shd::environment

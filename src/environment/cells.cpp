@@ -77,15 +77,15 @@ void add_light(CellTree* tree, float u, float v, const float direction[3], const
 }
 
 void finish_cells(const core::SimdTarget& simd, CellTree* tree) {
-  constexpr auto kPart = static_cast<uint32_t>(MapPoints::kMost / kPoints);
+  constexpr auto kBlock = static_cast<uint32_t>(MapPoints::kMost / kPoints);
   MapPoints points;
   for (uint32_t level = tree->levels; level-- > 0;) {
     const uint32_t side = tree->side(level);
     for (uint32_t j = 0; j < side; ++j) {
       for (uint32_t i = 0; i < side; ++i) {
         Cell* cell = &tree->cells[tree->first[level] + size_t{j} * side + i];
-        if (i % kPart == 0) find_points(simd, side, i, std::min(side, i + kPart), j, &points);
-        finish(points, size_t{kPoints} * (i % kPart), cell);
+        if (i % kBlock == 0) find_points(simd, side, i, std::min(side, i + kBlock), j, &points);
+        finish(points, size_t{kPoints} * (i % kBlock), cell);
         if (level == 0 || cell->solid_angle == 0.0f) continue;
         const size_t parent = tree->first[level - 1] + size_t{j / 2} * (side / 2) + i / 2;
         add_cell(*cell, &tree->cells[parent], tree->floor);

@@ -66,10 +66,10 @@ void halve_part(const core::SimdTarget& simd, const Level& from, const Level& to
 }  // namespace
 
 void halve(const core::Context& context, const Level& from, const Level& to, float* texels) {
-  constexpr auto kPart = static_cast<uint32_t>(MapPoints::kMost / 4);
+  constexpr auto kBlock = static_cast<uint32_t>(MapPoints::kMost / 4);
   core::parallel_for(context, to.size, [&](uint32_t y, uint32_t) {
-    for (uint32_t x = 0; x < to.size; x += kPart) {
-      halve_part(context.simd, from, to, x, y, std::min(kPart, to.size - x), texels);
+    for (uint32_t x = 0; x < to.size; x += kBlock) {
+      halve_part(context.simd, from, to, x, y, std::min(kBlock, to.size - x), texels);
     }
   });
   fill_border(to, texels);

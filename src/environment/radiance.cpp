@@ -13,7 +13,7 @@
 namespace shd::environment {
 namespace {
 
-constexpr size_t kPart = 256;  // lookups of a batch
+constexpr size_t kBlock = 256;  // points of the map that are looked up together
 
 /// Directions where texels of the image are narrow.
 struct NarrowTexels {
@@ -82,12 +82,12 @@ NarrowTexels find_narrow(const texture::DirectionFloats& image, double distance)
   SHD_UNREACHABLE();
 }
 
-/// A batch of directions and their radiance.
-struct Batch {
+/// A block of directions and their radiance.
+struct Block {
   size_t count = 0;
-  float u[kPart], v[kPart], weight[kPart];
-  uint32_t face[kPart];
-  float direction[3][kPart], value[3][kPart];
+  float u[kBlock], v[kBlock], weight[kBlock];
+  uint32_t face[kBlock];
+  float direction[3][kBlock], value[3][kBlock];
 };
 
 /// The finest level while it is made: sums of radiance times solid angle, and of solid angles.
@@ -122,46 +122,46 @@ class BaseMap {
   /// width of rows grows from the pole. With h = pi / height, every row keeps its light up to h^4 if lookups at the
   /// angle t from a pole move away from it by h^2 / 24 cot t: y becomes y (1 - h^2 / 24). In row 0 they move less, so
   /// that the pole stays in its place: y becomes y (1 - k) with k = h^2 / 24 s^2 / (s^2 + h^2 / 6), s = sin t.
-  void look_up(Batch* batch) const {
+  void look_up(Block* block) const {
     texture::Lookups in = {};
-    float x[kPart], y[kPart], z[kPart];
-    for (size_t i = 0; i < batch->count; ++i) {
-      x[i] = batch->direction[0][i], y[i] = batch->direction[1][i], z[i] = batch->direction[2][i];
+    float x[kBlock], y[kBlock], z[kBlock];
+    for (size_t i = 0; i < block->count; ++i) {
+      x[i] = block->direction[0][i], y[i] = block->direction[1][i], z[i] = block->direction[2][i];
       if (source_.image.projection != SHD_PROJECTION_LAT_LONG) continue;
       const float s2 = x[i] * x[i] + z[i] * z[i], part = shift_ / (s2 + 4.0f * shift_), k = part * s2;
       const float longer = std::sqrt(1.0f + std::max(0.0f, 1.0f - s2) * (2.0f - k) * part);  // ratio of sines
       x[i] *= longer, y[i] -= y[i] * k, z[i] *= longer;
     }
-    in.count = batch->count;
+    in.count = block->count;
     in.u = x, in.v = y, in.w = z;
     texture::sample(texture_, sampler_, context_.simd, in,
-                    {{batch->value[0], batch->value[1], batch->value[2], nullptr}, {}, {}});
+                    {{block->value[0], block->value[1], block->value[2], nullptr}, {}, {}});
   }
 
   /// Sets one row to sums over parts_ x parts_ lookups a texel, without those in narrow texels.
   void gather_row(uint32_t row) const {
-    const uint32_t lookups = parts_ * parts_, group = static_cast<uint32_t>(kPart) / lookups;
+    const uint32_t lookups = parts_ * parts_, group = static_cast<uint32_t>(kBlock) / lookups;
     const float step = 1.0f / static_cast<float>(parts_), inverse = 1.0f / static_cast<float>(level_.size);
-    Batch batch;
+    Block block;
     for (uint32_t x = 0; x < level_.size; x += group) {
       const uint32_t count = std::min(group, level_.size - x);
-      batch.count = size_t{count} * lookups;
-      for (uint32_t i = 0; i < batch.count; ++i) {
+      block.count = size_t{count} * lookups;
+      for (uint32_t i = 0; i < block.count; ++i) {
         const uint32_t part = i % lookups;
-        batch.u[i] =
+        block.u[i] =
             (static_cast<float>(x + i / lookups) + (static_cast<float>(part % parts_) + 0.5f) * step) * inverse;
-        batch.v[i] = (static_cast<float>(row) + (static_cast<float>(part / parts_) + 0.5f) * step) * inverse;
+        block.v[i] = (static_cast<float>(row) + (static_cast<float>(part / parts_) + 0.5f) * step) * inverse;
       }
-      float* const n[3] = {batch.direction[0], batch.direction[1], batch.direction[2]};
-      projection::unproject(SHD_PROJECTION_OCTAHEDRAL, context_.simd, {batch.count, batch.u, batch.v, nullptr},
-                            {{n[0], n[1], n[2]}, batch.weight});
-      look_up(&batch);
+      float* const n[3] = {block.direction[0], block.direction[1], block.direction[2]};
+      projection::unproject(SHD_PROJECTION_OCTAHEDRAL, context_.simd, {block.count, block.u, block.v, nullptr},
+                            {{n[0], n[1], n[2]}, block.weight});
+      look_up(&block);
       for (uint32_t i = 0; i < count; ++i) {
         float sum[4] = {};
         for (uint32_t k = i * lookups; k < (i + 1) * lookups; ++k) {
           if (narrow_.contains(n, k)) continue;
-          for (int c = 0; c < 3; ++c) sum[c] += batch.weight[k] * batch.value[c][k];
-          sum[3] += batch.weight[k];
+          for (int c = 0; c < 3; ++c) sum[c] += block.weight[k] * block.value[c][k];
+          sum[3] += block.weight[k];
         }
         const float scale = inverse * inverse / static_cast<float>(lookups);
         for (int c = 0; c < 4; ++c) texel(x + i, row)[c] = scale * sum[c];
@@ -178,19 +178,19 @@ class BaseMap {
 
   /// Adds narrow texels to the texels of the map that they cover.
   void splat() {
-    Batch batch;
-    std::fill_n(batch.face, kPart, 0);
+    Block block;
+    std::fill_n(block.face, kBlock, 0);
     for (uint32_t y = 0; y < source_.image.height; ++y) {
       for (uint32_t x = 0; x < source_.image.width; ++x) {
-        if (is_narrow(x, y)) splat_texel(x, y, &batch);
+        if (is_narrow(x, y)) splat_texel(x, y, &block);
       }
     }
-    flush(&batch);
+    flush(&block);
   }
 
   /// Adds lookups in a texel of the image, no farther apart than a quarter of a texel of the map. If many texels of
   /// the image lie in one texel of the map, they share its lookups: each has its own places.
-  void splat_texel(uint32_t x, uint32_t y, Batch* batch) {
+  void splat_texel(uint32_t x, uint32_t y, Block* block) {
     const texture::DirectionFloats& image = source_.image;
     const auto extent = projection::texel_extent(image.projection, image.width, image.height, x, y);
     const double u = 2.0 * extent.along_u * level_.size, v = 2.0 * extent.along_v * level_.size;
@@ -199,11 +199,11 @@ class BaseMap {
                                  static_cast<float>(across.count) * static_cast<float>(down.count));
     for (uint32_t j = 0; j < down.count; ++j) {
       for (uint32_t i = 0; i < across.count; ++i) {
-        if (batch->count == kPart) flush(batch);
-        const size_t k = batch->count++;
-        batch->u[k] = static_cast<float>((x + (i + across.shift) / across.count) / image.width);
-        batch->v[k] = static_cast<float>((y + (j + down.shift) / down.count) / image.height);
-        batch->weight[k] = weight;
+        if (block->count == kBlock) flush(block);
+        const size_t k = block->count++;
+        block->u[k] = static_cast<float>((x + (i + across.shift) / across.count) / image.width);
+        block->v[k] = static_cast<float>((y + (j + down.shift) / down.count) / image.height);
+        block->weight[k] = weight;
       }
     }
   }
@@ -224,24 +224,24 @@ class BaseMap {
     return {static_cast<uint32_t>(shared), golden - std::floor(golden)};
   }
 
-  /// Looks up the points of a batch and adds them to the map.
-  void flush(Batch* batch) {
-    float* const n[3] = {batch->direction[0], batch->direction[1], batch->direction[2]};
-    float density[kPart], u[kPart], v[kPart];
-    projection::unproject(source_.image.projection, context_.simd, {batch->count, batch->u, batch->v, batch->face},
+  /// Looks up the points of a block and adds them to the map.
+  void flush(Block* block) {
+    float* const n[3] = {block->direction[0], block->direction[1], block->direction[2]};
+    float density[kBlock], u[kBlock], v[kBlock];
+    projection::unproject(source_.image.projection, context_.simd, {block->count, block->u, block->v, block->face},
                           {{n[0], n[1], n[2]}, density});
-    projection::project(SHD_PROJECTION_OCTAHEDRAL, context_.simd, {batch->count, {n[0], n[1], n[2]}, {}},
+    projection::project(SHD_PROJECTION_OCTAHEDRAL, context_.simd, {block->count, {n[0], n[1], n[2]}, {}},
                         {u, v, nullptr, {}, {}});
-    look_up(batch);
+    look_up(block);
     const auto size = static_cast<float>(level_.size);
-    for (size_t i = 0; i < batch->count; ++i) {
-      const float weight = batch->weight[i] * density[i];
+    for (size_t i = 0; i < block->count; ++i) {
+      const float weight = block->weight[i] * density[i];
       float* sum = texel(std::min(static_cast<uint32_t>(u[i] * size), level_.size - 1),
                          std::min(static_cast<uint32_t>(v[i] * size), level_.size - 1));
-      for (int c = 0; c < 3; ++c) sum[c] += weight * batch->value[c][i];
+      for (int c = 0; c < 3; ++c) sum[c] += weight * block->value[c][i];
       sum[3] += weight;
     }
-    batch->count = 0;
+    block->count = 0;
   }
 
   /// Divides sums by their weights. A texel without a lookup takes the radiance at its centre.
@@ -252,11 +252,11 @@ class BaseMap {
         MapPoints centre;
         centre.add(level_.size, static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
         centre.find(context_.simd);
-        Batch batch;
-        batch.count = 1;
-        batch.direction[0][0] = centre.x[0], batch.direction[1][0] = centre.y[0], batch.direction[2][0] = centre.z[0];
-        look_up(&batch);
-        for (int c = 0; c < 3; ++c) sum[c] = batch.value[c][0];
+        Block block;
+        block.count = 1;
+        block.direction[0][0] = centre.x[0], block.direction[1][0] = centre.y[0], block.direction[2][0] = centre.z[0];
+        look_up(&block);
+        for (int c = 0; c < 3; ++c) sum[c] = block.value[c][0];
         sum[3] = 1.0f;
       }
       for (int c = 0; c < 3; ++c) sum[c] /= sum[3];

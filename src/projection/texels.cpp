@@ -9,7 +9,7 @@
 namespace shd::projection {
 namespace {
 
-constexpr size_t kPart = 256;
+constexpr size_t kBlock = 256;
 
 /// Nearest and farthest number to 0 in an interval of the length 2 / n.
 struct Distance {
@@ -51,15 +51,15 @@ bool is_cut(shd_projection projection, const Distance& p, const Distance& q) {
 
 /// Points of a part of a row.
 struct RowPoints {
-  float u[kPart], v[kPart];
-  uint32_t face[kPart];
+  float u[kBlock], v[kBlock];
+  uint32_t face[kBlock];
 };
 
 /// Solid angles per area: means over the four points of the Gauss-Legendre rule.
 void find_densities(shd_projection projection, const core::SimdTarget& simd, const TexelRow& row, size_t first,
                     size_t count, RowPoints* points, float* out) {
   constexpr float kNode = 0.288675135f;  // 1 / (2 sqrt(3))
-  float density[kPart];
+  float density[kBlock];
   std::fill_n(out, count, 0.0f);
   for (int k = 0; k < 4; ++k) {
     const float dx = 0.5f + (k % 2 ? kNode : -kNode), dy = 0.5f + (k / 2 ? kNode : -kNode);
@@ -127,9 +127,9 @@ void find_texels(shd_projection projection, const core::SimdTarget& simd, const 
   const auto area = static_cast<float>(1.0 / (static_cast<double>(row.width) * row.height));
   const auto of_row = even ? static_cast<float>(texel_solid_angle(projection, row.width, row.height, 0, row.y)) : 0.0f;
   RowPoints points;
-  std::fill_n(points.face, kPart, row.face);
-  for (size_t first = 0; first < row.width; first += kPart) {
-    const size_t count = std::min<size_t>(kPart, row.width - first);
+  std::fill_n(points.face, kBlock, row.face);
+  for (size_t first = 0; first < row.width; first += kBlock) {
+    const size_t count = std::min<size_t>(kBlock, row.width - first);
     float* const solid_angle = out.solid_angle + first;
     if (even) std::fill_n(solid_angle, count, of_row);
     if (!even) find_densities(projection, simd, row, first, count, &points, solid_angle);

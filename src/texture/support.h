@@ -22,7 +22,7 @@ enum class Domain : uint32_t { kPlane, kSlices, kDirections };
 enum class Use : uint32_t { kValues, kGradients, kExplanation, kBounds, kFast, kComparison };
 
 constexpr uint32_t kDomains = static_cast<uint32_t>(Domain::kDirections) + 1;
-constexpr uint32_t kStores = static_cast<uint32_t>(Store::kTilesOfBlocks) + 1;
+constexpr uint32_t kStores = static_cast<uint32_t>(Store::kTilesOfBc) + 1;
 constexpr uint32_t kUses = static_cast<uint32_t>(Use::kComparison) + 1;
 
 struct SupportCell {

@@ -19,8 +19,8 @@
 ///
 /// | room     | contents                                                                            | contract        |
 /// |----------|-------------------------------------------------------------------------------------|-----------------|
-/// | format/  | component types and blocks: fetch, decode, blend; consumers of streams              | formats.h       |
-/// | store/   | where texels lie: memory, blocks (bc/), tiles (tiles/)                              | stores.h        |
+/// | format/  | component types and compressed blocks: fetch, decode, blend; consumers of streams   | formats.h       |
+/// | store/   | where texels lie: memory, compressed blocks (bc/), tiles (tiles/)                   | stores.h        |
 /// | table/   | builders of mip levels, ripmap levels and sums of areas; creation and updates       | tables.h        |
 /// | domain/  | coordinates to shapes: planes, slices, directions; wraps and folds beyond edges     | block.h         |
 /// | filter/  | filters, one in each file; emitters, sinks and the loop over a batch                | filters-inl.h   |
@@ -35,6 +35,11 @@
 /// | stream.h     | the stream between filters, stores and formats                                                 |
 /// | rows.h       | rows of quads, in place of streams, for linear lookups that share their levels                 |
 /// | lanes-inl.h  | vectors of lookups of one target                                                               |
+///
+/// Words for lookups, from many to few. A batch belongs to one call of the interface. A piece belongs to one task of
+/// the executor (src/abi/batch.h). A block has the shapes that are found together (kBlock). A vector has one lookup for
+/// each lane of the target. A part is a range of any of these (part_of()). Only format/bc/ and store/bc/ use the word
+/// block for 4 x 4 texels of a compressed format; elsewhere these are `bc`.
 #pragma once
 
 #include <cstddef>
@@ -57,10 +62,10 @@ constexpr uint32_t kMaxLayers = 2048;
 
 constexpr uint32_t kFill = 4;  // channel_source of an output that takes its constant of `fill`
 
-/// Decodes a block into four rows of four texels, whose first texels lie `pitch` bytes apart.
-using DecodeBlock = void (*)(const uint8_t* block, uint8_t* texels, size_t pitch);
+/// Decodes a compressed block into four rows of four texels, whose first texels lie `pitch` bytes apart.
+using DecodeBc = void (*)(const uint8_t* block, uint8_t* texels, size_t pitch);
 
-/// log2 of the width and the height of the units of a store [texels]. A unit is a texel of memory, a block or a tile.
+/// log2 of the width and the height of the units of a store [texels]. A unit is a texel of memory, bc or a tile.
 struct UnitShape {
   uint32_t shift_x, shift_y;
 };
@@ -74,8 +79,8 @@ struct Layout {
 };
 
 /// Blocks of a compressed texture in memory.
-struct BlockStore {
-  DecodeBlock decode;       // null: the texture has texels, and nothing else here is set
+struct BcStore {
+  DecodeBc decode;          // null: the texture has texels, and nothing else here is set
   uint32_t size;            // bytes of a block
   uint64_t owner;           // number of the texture among the owners of `caches`
   core::CachePool* caches;  // caches of the context; may be null
@@ -111,15 +116,15 @@ class Owned {
 };
 
 /// Where texels lie. store/stores.h has what each store does.
-enum class Store : uint32_t { kMemory, kBorrowed, kBlocks, kTiles, kTilesOfBlocks };
+enum class Store : uint32_t { kMemory, kBorrowed, kBc, kTiles, kTilesOfBc };
 
-/// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
+/// Texels of every level of every layer, side by side in memory. A borrowed base level stays in the caller's memory.
 struct Texture {
   Store store;                           // chosen when the texture is made
-  shd_format format;                     // stored format: one, two or four channels, or blocks
+  shd_format format;                     // stored format: one, two or four channels, or bc
   shd_format given_format;               // format of the texels that the texture was made from
-  image::Component component;            // component type of `format`, or of its decoded blocks
-  uint32_t channels;                     // channels of `format`, or of its decoded blocks
+  image::Component component;            // component type of `format`, or of texels decoded from it
+  uint32_t channels;                     // channels of `format`, or of texels decoded from it
   uint32_t channel_source[4];            // stored channel of each output, or kFill
   float fill[4];                         // constant of each output whose source is kFill
   bool premultiplied;                    // outputs r, g and b are multiplied by a
@@ -129,7 +134,7 @@ struct Texture {
   uint32_t depth;                        // slices of level 0 of a 3D texture; 0 = 2D
   shd_projection projection;             // directions that coordinates are
   uint32_t level_count;                  // 1..kMaxLevels
-  Layout layout;                         // numbers of texels, blocks or tiles
+  Layout layout;                         // numbers of texels, compressed blocks or tiles
   uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
                                          // max(1, width >> i) x max(1, height >> j)
   core::Array<uint32_t> ripmap_offset;   // first texel of level (i, j) at [j * kMaxLevels + i]; may be empty
@@ -137,11 +142,11 @@ struct Texture {
   core::Array<uint8_t> texels;  // [layers][levels][rows], rows packed; padded at the end for whole gathers; has no base
                                 // level if the base is borrowed
   const uint8_t* borrowed;      // the caller's base level, or null
-  const uint8_t* origin;        // address of texel 0 or block 0, computed as if the base were not borrowed
-  uint32_t borrowed_units;      // size of the borrowed base: texels or blocks 0..borrowed_units - 1; 0 if not borrowed
-  BlockStore blocks;            // set if `texels` are compressed blocks
+  const uint8_t* origin;        // address of unit 0, computed as if the base were not borrowed
+  uint32_t borrowed_units;      // size of the borrowed base: units 0..borrowed_units - 1; 0 if not borrowed
+  BcStore bc;                   // set if `texels` are compressed blocks
   Owned<TileSet> tiles;         // tiles of a texture without texels and borrowed base
-  Owned<DecodedTexture> decoded;         // ripmap and sums of a texture of blocks or tiles
+  Owned<DecodedTexture> decoded;         // ripmap and sums of a texture of bc or tiles
   core::Array<double> mip_sums;          // [layers] unrounded averages; empty before the first update
   core::Array<uint32_t> mip_sums_ready;  // [layers] whether the averages are valid; as long as mip_sums has any
   core::Array<uint8_t> sums;             // [layers] summed-area tables (summed_area.h) of uint32_t or double

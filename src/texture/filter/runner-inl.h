@@ -166,7 +166,7 @@ class RowRunner {
       : consume_(call.record ? nullptr : call.format.rows),
         place_(consume_ ? PlaceRowsOf(call.texture.store) : nullptr),
         state_(call.placement.state),
-        most_refusals_(call.texture.store == Store::kBlocks ? 3 : 1),
+        most_refusals_(call.texture.store == Store::kBc ? 3 : 1),
         shares_(consume_ && call.texture.layers == 1),
         rows_only_(call.format.rows_only),
         to_(call, TexelSource(call), nullptr) {}

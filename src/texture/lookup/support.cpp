@@ -65,9 +65,9 @@ const char* name_of(Store store) {
   switch (store) {
     case Store::kMemory: return "memory";
     case Store::kBorrowed: return "borrowed memory";
-    case Store::kBlocks: return "compressed blocks";
+    case Store::kBc: return "compressed blocks";
     case Store::kTiles: return "tiles";
-    case Store::kTilesOfBlocks: return "tiles of compressed blocks";
+    case Store::kTilesOfBc: return "tiles of compressed blocks";
   }
   return "unknown";
 }

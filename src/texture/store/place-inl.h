@@ -18,14 +18,14 @@ namespace shd::texture::HWY_NAMESPACE {
 
 /// Places a stream in the cache of a CacheLease, and decodes the blocks that the cache lacks. Texels whose place is
 /// taken by another block of the same stream get copies outside of the places.
-void PlaceInBlocks(void* lease, size_t end, size_t lanes, Stream* stream);
+void PlaceInBc(void* lease, size_t end, size_t lanes, Stream* stream);
 
 /// Places a stream in the tiles of a TileCall. Loads the tiles that are missing, without a lease, and throws Failure if
 /// that fails.
 void PlaceInTiles(void* call, size_t end, size_t lanes, Stream* stream);
 
-/// Place the quads of a block as PlaceInBlocks() and PlaceInTiles() do, if all texels are at hand (PlaceRows).
-bool PlaceRowsInBlocks(void* lease, const RowLevel (&levels)[2], RowStream* rows);
+/// Place the quads of a block as PlaceInBc() and PlaceInTiles() do, if all texels are at hand (PlaceRows).
+bool PlaceRowsInBc(void* lease, const RowLevel (&levels)[2], RowStream* rows);
 bool PlaceRowsInTiles(void* call, const RowLevel (&levels)[2], RowStream* rows);
 
 /// Returns the placement of rows of a store; null if filters address texels themselves.
@@ -33,9 +33,9 @@ inline PlaceRows PlaceRowsOf(Store store) {
   switch (store) {
     case Store::kMemory:
     case Store::kBorrowed: return nullptr;
-    case Store::kBlocks: return PlaceRowsInBlocks;
+    case Store::kBc: return PlaceRowsInBc;
     case Store::kTiles:
-    case Store::kTilesOfBlocks: return PlaceRowsInTiles;
+    case Store::kTilesOfBc: return PlaceRowsInTiles;
   }
   return nullptr;
 }
@@ -45,9 +45,9 @@ inline PlaceStream PlaceOf(Store store) {
   switch (store) {
     case Store::kMemory:
     case Store::kBorrowed: return nullptr;
-    case Store::kBlocks: return PlaceInBlocks;
+    case Store::kBc: return PlaceInBc;
     case Store::kTiles:
-    case Store::kTilesOfBlocks: return PlaceInTiles;
+    case Store::kTilesOfBc: return PlaceInTiles;
   }
   return nullptr;
 }

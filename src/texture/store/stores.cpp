@@ -10,17 +10,17 @@ const StoreRow& functions_of(Store store) {
   switch (store) {
     case Store::kMemory:
     case Store::kBorrowed: return kMemoryStore;
-    case Store::kBlocks: return kBlockStore;
+    case Store::kBc: return kBcStore;
     case Store::kTiles: return kTileStore;
-    case Store::kTilesOfBlocks: return kBlockTileStore;
+    case Store::kTilesOfBc: return kBcTileStore;
   }
   SHD_UNREACHABLE();
 }
 
 Store store_of(const shd_texture_desc& desc) {
   const bool blocks = image::is_block_format(static_cast<uint32_t>(desc.format));
-  if (desc.tiles.cache) return blocks ? Store::kTilesOfBlocks : Store::kTiles;
-  if (blocks) return Store::kBlocks;
+  if (desc.tiles.cache) return blocks ? Store::kTilesOfBc : Store::kTiles;
+  if (blocks) return Store::kBc;
   return desc.flags & SHD_TEXTURE_BORROW ? Store::kBorrowed : Store::kMemory;
 }
 

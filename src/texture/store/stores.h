@@ -86,6 +86,6 @@ void call(const Texture& texture, const Body& body) {
 /// Returns the store of a checked desc.
 Store store_of(const shd_texture_desc& desc);
 
-extern const StoreRow kMemoryStore, kBlockStore, kTileStore, kBlockTileStore;
+extern const StoreRow kMemoryStore, kBcStore, kTileStore, kBcTileStore;
 
 }  // namespace shd::texture

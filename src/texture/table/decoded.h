@@ -11,7 +11,7 @@ struct DecodedTexture {
   const core::Allocator* allocator;
 };
 
-/// Builds the ripmap and the sums of a texture of blocks or tiles, if it has these tables. Reads all its levels. Throws
+/// Builds the ripmap and the sums of a texture of bc or tiles, if it has these tables. Reads all its levels. Throws
 /// std::bad_alloc, or Failure if a tile does not load, and then keeps nothing.
 void build_decoded(const core::Context& context, Texture* texture);
 

@@ -16,7 +16,7 @@ namespace shd::texture {
 /// `to` may be `row`.
 void halve_rows(size_t channels, const double* row, size_t down, uint32_t width, double* to);
 
-/// Averages blocks of 2 x 2 texels of two stored rows. Both rows are the same if the height is 1.
+/// Averages squares of 2 x 2 texels of two stored rows. Both rows are the same if the height is 1.
 void halve_texels(const TexelCodec& codec, const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to);
 
 /// Adds the weighted sum of the texels of `span` in one stored row.

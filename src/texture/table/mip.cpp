@@ -36,7 +36,7 @@ Region level_region(const Texture& texture, const Region& region, uint32_t level
           level_range(region.y, texture.height, level_size(texture.height, level))};
 }
 
-/// Averages blocks of 2 x 2 of a whole plane in place.
+/// Averages squares of 2 x 2 texels of a whole plane in place.
 void halve(size_t channels, double* plane, uint32_t width, uint32_t height) {
   const size_t pitch = width * channels, to_pitch = (width + 1) / 2 * channels;
   for (uint32_t y = 0; y < (height + 1) / 2; ++y) {

@@ -101,7 +101,7 @@ struct CubeRound {
     }
   }
 
-  /// Averages blocks of 2 x 2 texels of two rows of a slice of the first level.
+  /// Averages squares of 2 x 2 texels of two rows of a slice of the first level.
   void halve_pair(uint32_t x, uint32_t y, uint32_t down, uint32_t z, uint32_t width, double* to) const {
     if (source) {
       const Size whole = size_of(texture, from);
@@ -114,7 +114,7 @@ struct CubeRound {
     }
   }
 
-  /// Averages blocks of 2 x 2 x 2 of a packed cube in place.
+  /// Averages cubes of 2 x 2 x 2 texels of a packed cube in place.
   void halve_cube(Size size, double* cube) const {
     double behind[4 * kCube / 4];
     const Size half = half_of(size);

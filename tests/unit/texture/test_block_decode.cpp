@@ -62,7 +62,7 @@ void check_block(shd_format format, const uint8_t* block) {
   uint8_t texels[4 * kPitch], other[4 * kPitch];
   memset(texels, 0xa5, sizeof texels);
   memset(other, 0xa5, sizeof other);
-  const shd::texture::DecodeBlock decode = shd::texture::decoder_of(format);
+  const shd::texture::DecodeBc decode = shd::texture::decoder_of(format);
   decode(block, texels, kPitch);
   for (const int64_t bit : shd::tests::target_bits()) {
     const auto kernel = shd::texture::kernel_of(decode, shd::core::simd_target_from_bit(bit));

@@ -135,16 +135,16 @@ void check_equal(const Texture& blocks, const shd_sampler_desc& desc, const char
 
 void check_sampler(const Texture& texels, Texture* blocks, const shd_sampler_desc& desc, const Lookups& lookups) {
   const Sampler sampler = make_sampler(desc);
-  shd::core::CachePool* const pool = blocks->blocks.caches;
+  shd::core::CachePool* const pool = blocks->bc.caches;
   for_each_target([&](int64_t target) {
     const size_t nonfinite = run(texels, sampler, target, lookups, &t_batch);
     memcpy(t_wanted.out, t_batch.out, sizeof t_batch.out);
     assert_int_equal(run(*blocks, sampler, target, lookups, &t_batch), nonfinite);
     check_equal(*blocks, desc, "many places");
-    blocks->blocks.caches = nullptr;
+    blocks->bc.caches = nullptr;
     run(*blocks, sampler, target, lookups, &t_batch);
     check_equal(*blocks, desc, "few places");
-    blocks->blocks.caches = pool;
+    blocks->bc.caches = pool;
     run_split(*blocks, sampler, target, lookups);
     check_equal(*blocks, desc, "split");
     if (!shd::texture::has_gradient(desc.filter)) return;
@@ -196,7 +196,7 @@ void test_filters(void** state) {
     Texture* texels =
         build_texture(c, decoded_format(format), levels.base_texels.data(), levels.texel_images.data(), three);
     Texture* blocks = build_texture(c, format, levels.base_blocks.data(), levels.block_images.data(), false);
-    assert_int_equal(blocks->store, shd::texture::Store::kBlocks);
+    assert_int_equal(blocks->store, shd::texture::Store::kBc);
     for (uint32_t filter = SHD_FILTER_TRILINEAR; filter <= SHD_FILTER_EXACT; ++filter) {
       if (filter == SHD_FILTER_RIPMAP || filter == SHD_FILTER_SUMMED_AREA) continue;
       if (filter == SHD_FILTER_EXACT && c.width > 64) continue;  // slow

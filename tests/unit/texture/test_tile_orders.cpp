@@ -45,7 +45,7 @@ bool drop_reference(Object*) noexcept {
 namespace shd::texture {
 
 // Parts that these textures do not have.
-DecodeBlock decoder_of(shd_format) {
+DecodeBc decoder_of(shd_format) {
   return nullptr;
 }
 void destroy_part(DecodedTexture*) noexcept {}

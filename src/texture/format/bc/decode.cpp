@@ -3,7 +3,7 @@
 
 namespace shd::texture {
 
-DecodeBlock decoder_of(shd_format format) {
+DecodeBc decoder_of(shd_format format) {
   switch (format) {
     case SHD_FORMAT_BC1_RGB:
     case SHD_FORMAT_BC1_RGB_SRGB: return decode_bc1_rgb;

@@ -39,7 +39,7 @@
 namespace shd::texture {
 
 /// Returns the decoder of a format of blocks.
-DecodeBlock decoder_of(shd_format format);
+DecodeBc decoder_of(shd_format format);
 
 void decode_bc1_rgb(const uint8_t* block, uint8_t* texels, size_t pitch);
 void decode_bc1_rgba(const uint8_t* block, uint8_t* texels, size_t pitch);

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
 /// Returns the fastest decoder with the bits of a scalar decoder: a kernel, or the scalar decoder itself.
-DecodeBlock KernelOf(DecodeBlock decode);
+DecodeBc KernelOf(DecodeBc decode);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -19,7 +19,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
-DecodeBlock KernelOf(DecodeBlock decode) {
+DecodeBc KernelOf(DecodeBc decode) {
   return decode;
 }
 #else
@@ -275,7 +275,7 @@ void DecodeBc7(const uint8_t* bytes, uint8_t* texels, size_t pitch) {
 
 }  // namespace
 
-DecodeBlock KernelOf(DecodeBlock decode) {
+DecodeBc KernelOf(DecodeBc decode) {
   if (decode == decode_bc1_rgb) return DecodeBc1<true>;
   if (decode == decode_bc1_rgba) return DecodeBc1<false>;
   if (decode == decode_bc7) return DecodeBc7;
@@ -292,7 +292,7 @@ namespace {
 HWY_EXPORT(KernelOf);
 }  // namespace
 
-DecodeBlock kernel_of(DecodeBlock decode, const core::SimdTarget& simd) {
+DecodeBc kernel_of(DecodeBc decode, const core::SimdTarget& simd) {
   return HWY_DISPATCH_TABLE(KernelOf)[simd.index](decode);
 }
 }  // namespace shd::texture

@@ -7,7 +7,7 @@
 namespace shd::texture {
 
 /// Returns the decoder of a target with the bits of a scalar decoder.
-DecodeBlock kernel_of(DecodeBlock decode, const core::SimdTarget& simd);
+DecodeBc kernel_of(DecodeBc decode, const core::SimdTarget& simd);
 
 /// Four colours of RGBA bytes, the first one in the lowest bits.
 struct Palette {

@@ -10,29 +10,29 @@ namespace {
 
 /// Memory of a pool: room for kMaxPlaces blocks of texels of 4 bytes, or half as many of 8 bytes.
 struct Pooled {
-  BlockCache cache;
-  uint32_t block[BlockCache::kMaxPlaces + BlockCache::kAfter], turn[BlockCache::kMaxPlaces + BlockCache::kAfter];
-  alignas(64) uint8_t texels[4 * (4 * BlockCache::kMaxPlaces * 4 + BlockCache::kMargin * 8) + BlockCache::kSpare * 8 +
-                             SHD_TEXTURE_PADDING];
+  BcCache cache;
+  uint32_t block[BcCache::kMaxPlaces + BcCache::kAfter], turn[BcCache::kMaxPlaces + BcCache::kAfter];
+  alignas(64) uint8_t
+      texels[4 * (4 * BcCache::kMaxPlaces * 4 + BcCache::kMargin * 8) + BcCache::kSpare * 8 + SHD_TEXTURE_PADDING];
 };
 static_assert(sizeof(Pooled) <= core::kCacheSize);
 
-void begin(uint32_t places, uint32_t* block, uint32_t* turn, uint8_t* texels, BlockCache* cache) {
+void begin(uint32_t places, uint32_t* block, uint32_t* turn, uint8_t* texels, BcCache* cache) {
   cache->texels = texels;
   cache->block = block;
   cache->turn = turn;
   cache->places = places;
-  cache->pitch = 4 * places + BlockCache::kMargin;
+  cache->pitch = 4 * places + BcCache::kMargin;
   cache->spare = 4 * cache->pitch;
   cache->now = 0;
-  std::fill_n(block, places + BlockCache::kAfter, BlockCache::kUnused);
-  std::fill_n(turn, places + BlockCache::kAfter, 0u);
+  std::fill_n(block, places + BcCache::kAfter, BcCache::kUnused);
+  std::fill_n(turn, places + BcCache::kAfter, 0u);
 }
 
 }  // namespace
 
-CacheLease::CacheLease(const Texture& texture) : texture_(texture), pool_(texture.blocks.caches) {
-  if (pool_) lease_ = pool_->take(texture.blocks.owner);
+CacheLease::CacheLease(const Texture& texture) : texture_(texture), pool_(texture.bc.caches) {
+  if (pool_) lease_ = pool_->take(texture.bc.owner);
   if (!lease_.memory) {
     begin(kFewPlaces, few_block_, few_turn_, few_texels_, &few_);
     cache_ = &few_;
@@ -40,7 +40,7 @@ CacheLease::CacheLease(const Texture& texture) : texture_(texture), pool_(textur
   }
   auto* pooled = static_cast<Pooled*>(lease_.memory);
   cache_ = &pooled->cache;
-  const uint32_t places = texel_size(texture) <= 4 ? BlockCache::kMaxPlaces : BlockCache::kMaxPlaces / 2;
+  const uint32_t places = texel_size(texture) <= 4 ? BcCache::kMaxPlaces : BcCache::kMaxPlaces / 2;
   if (!lease_.left_by_owner) begin(places, pooled->block, pooled->turn, pooled->texels, cache_);
 }
 

@@ -29,7 +29,7 @@
 
 namespace shd::texture {
 
-struct BlockCache {
+struct BcCache {
   static constexpr uint32_t kMaxPlaces = 4096;
   static constexpr uint32_t kSpare = 4 * 256;  // texels of a stream
   static constexpr uint32_t kMargin = 16;      // texels; rows a power of two apart would alias in the first-level cache
@@ -68,22 +68,22 @@ class CacheLease {
   CacheLease(const CacheLease&) = delete;
   CacheLease& operator=(const CacheLease&) = delete;
 
-  BlockCache* cache() const { return cache_; }
+  BcCache* cache() const { return cache_; }
   const Texture& texture() const { return texture_; }
   StreamPlaces* places() { return &places_; }
 
  private:
   static constexpr uint32_t kFewPlaces = 16, kLargestTexel = 8;
   static constexpr size_t kFewBytes =
-      (4 * (4 * kFewPlaces + BlockCache::kMargin) + BlockCache::kSpare) * kLargestTexel + SHD_TEXTURE_PADDING;
+      (4 * (4 * kFewPlaces + BcCache::kMargin) + BcCache::kSpare) * kLargestTexel + SHD_TEXTURE_PADDING;
 
   const Texture& texture_;
   StreamPlaces places_;
   core::CachePool* const pool_;
   core::CachePool::Lease lease_;
-  BlockCache* cache_;
-  BlockCache few_;
-  uint32_t few_block_[kFewPlaces + BlockCache::kAfter], few_turn_[kFewPlaces + BlockCache::kAfter];
+  BcCache* cache_;
+  BcCache few_;
+  uint32_t few_block_[kFewPlaces + BcCache::kAfter], few_turn_[kFewPlaces + BcCache::kAfter];
   alignas(64) uint8_t few_texels_[kFewBytes];
 };
 

@@ -22,7 +22,7 @@ struct GivenBlocks {
 void copy_blocks_of(const GivenBlocks& given, uint32_t image, uint32_t level, Texture* texture) {
   const UnitShape unit = texture->layout.unit;
   const uint32_t rows = units_along(level_size(texture->height, level), unit.shift_y);
-  const size_t row = size_t{units_along(level_size(texture->width, level), unit.shift_x)} * texture->blocks.size;
+  const size_t row = size_t{units_along(level_size(texture->width, level), unit.shift_x)} * texture->bc.size;
   const auto* from = static_cast<const uint8_t*>(given.first);
   for (uint32_t y = 0; y < rows; ++y, from += given.stride) {
     std::memcpy(const_cast<uint8_t*>(block_row(*texture, image, level, y)), from, row);
@@ -31,7 +31,7 @@ void copy_blocks_of(const GivenBlocks& given, uint32_t image, uint32_t level, Te
 
 /// Allocates the blocks that are not borrowed.
 void allocate_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
-  const size_t block_size = texture->blocks.size;
+  const size_t block_size = texture->bc.size;
   const size_t count = lay_out({2, 2}, texture) * desc.layer_count;
   if (desc.flags & SHD_TEXTURE_BORROW) {  // one layer
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
@@ -44,10 +44,10 @@ void allocate_blocks(const core::Context& context, const shd_texture_desc& desc,
 }
 
 void copy_blocks(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
-  texture->blocks.decode = decoder_of(desc.format);
-  texture->blocks.size = static_cast<uint32_t>(image::block_info(desc.format).block_size);
-  texture->blocks.caches = context.caches;
-  texture->blocks.owner = context.caches ? context.caches->new_owner() : 0;
+  texture->bc.decode = decoder_of(desc.format);
+  texture->bc.size = static_cast<uint32_t>(image::block_info(desc.format).block_size);
+  texture->bc.caches = context.caches;
+  texture->bc.owner = context.caches ? context.caches->new_owner() : 0;
   allocate_blocks(context, desc, texture);
   const image::RowLayout rows = image::row_layout(desc.format, desc.width, desc.height);
   const size_t stride = desc.row_stride ? desc.row_stride : rows.row_size;
@@ -76,9 +76,9 @@ void decode_blocks(const core::Context& context, const Texture& texture, uint32_
   const size_t size = texel_size(texture);
   core::parallel_for(context, units_along(out.height, 2), [&](uint32_t row, uint32_t) {
     const uint8_t* block = block_row(texture, image, level, row);
-    for (uint32_t x = 0; x < out.width; x += 4, block += texture.blocks.size) {
+    for (uint32_t x = 0; x < out.width; x += 4, block += texture.bc.size) {
       uint8_t texels[16 * 8];
-      texture.blocks.decode(block, texels, 4 * size);
+      texture.bc.decode(block, texels, 4 * size);
       const size_t columns = out.width - x < 4 ? out.width - x : 4;
       for (uint32_t y = 4 * row; y < 4 * row + 4 && y < out.height; ++y) {
         std::memcpy(static_cast<uint8_t*>(out.pixels) + y * out.row_stride + x * size, texels + y % 4 * 4 * size,
@@ -101,12 +101,12 @@ void pause_blocks(void*) {}
 
 const uint8_t* texel_of_block(const Texture& texture, uint32_t block, uint32_t x, uint32_t y, TexelMemory* memory) {
   const size_t size = texel_size(texture);
-  if (memory->unit != block) texture.blocks.decode(block_at(texture, block), memory->texels, 4 * size);
+  if (memory->unit != block) texture.bc.decode(block_at(texture, block), memory->texels, 4 * size);
   memory->unit = block;
   return memory->texels + (y * 4 + x) * size;
 }
 
-const StoreRow kBlockStore = {copy_blocks, texel_of_block, read_blocks,  decode_blocks, "which cannot be updated",
-                              call_blocks, begin_blocks,   pause_blocks, pause_blocks};
+const StoreRow kBcStore = {copy_blocks, texel_of_block, read_blocks,  decode_blocks, "which cannot be updated",
+                           call_blocks, begin_blocks,   pause_blocks, pause_blocks};
 
 }  // namespace shd::texture

@@ -12,7 +12,7 @@ namespace shd::texture {
 
 /// Returns the first byte of a block, which may be borrowed.
 inline const uint8_t* block_at(const Texture& texture, uint32_t block) {
-  return (block < texture.borrowed_units ? texture.borrowed : texture.origin) + size_t{block} * texture.blocks.size;
+  return (block < texture.borrowed_units ? texture.borrowed : texture.origin) + size_t{block} * texture.bc.size;
 }
 
 /// Returns the first byte of texel (x, y) of a block, decoded in `memory` (StoreRow::texel).

@@ -21,9 +21,9 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-class Placer : BlockWindows {
+class Placer : BcWindows {
  public:
-  Placer(const Texture& texture, BlockCache* cache, Stream* stream) : BlockWindows(texture, cache), stream_(*stream) {}
+  Placer(const Texture& texture, BcCache* cache, Stream* stream) : BcWindows(texture, cache), stream_(*stream) {}
 
   void place(size_t end) {
     const size_t lanes = hn::Lanes(BatchTag());
@@ -168,7 +168,7 @@ class Placer : BlockWindows {
     const VI columns = hn::IfThenElse(lanes, all, hn::Set(di, stream_.index[0][at + lane]));
     const int32_t low = hn::GetLane(hn::MinOfLanes(di, columns)), high = hn::GetLane(hn::MaxOfLanes(di, columns));
     if (high - low > kLongest) return false;
-    latest_ = BlockCache::parity_of(static_cast<uint32_t>(places.width[at + lane]));
+    latest_ = BcCache::parity_of(static_cast<uint32_t>(places.width[at + lane]));
     for (size_t k = 0; k < 2; ++k) {
       int32_t offset;
       if (!find_run(at + lane, places.first[0] + at + lane, low, high + 1, places.y[k][at + lane], &offset))
@@ -210,7 +210,7 @@ class Placer : BlockWindows {
     const uint32_t half = cache_.places / 2;
     const auto zeroth = hn::Set(di, static_cast<int32_t>(image.zeroth));
     const auto mask = hn::Set(di, static_cast<int32_t>(half - 1)), bit = hn::Set(di, static_cast<int32_t>(half));
-    const auto step = hn::Set(di, static_cast<int32_t>(BlockCache::kRowStep));
+    const auto step = hn::Set(di, static_cast<int32_t>(BcCache::kRowStep));
     const auto place = hn::Or(hn::And(column + row * step + zeroth, mask), hn::And(zeroth, bit));
     const auto block =
         hn::Set(di, static_cast<int32_t>(image.first)) + row * hn::Set(di, static_cast<int32_t>(image.across)) + column;
@@ -280,7 +280,7 @@ class Placer : BlockWindows {
 
 }  // namespace
 
-void PlaceInBlocks(void* state, size_t end, size_t, Stream* stream) {
+void PlaceInBc(void* state, size_t end, size_t, Stream* stream) {
   const auto& lease = *static_cast<CacheLease*>(state);
   Placer(lease.texture(), lease.cache(), stream).place(end);
 }

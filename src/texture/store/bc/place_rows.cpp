@@ -17,9 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
 /// Places blocks of lookups whose quads lie on the same two rows of texels, as those of a level floor do.
-class BlockRowPlacer : BlockWindows {
+class BcRowPlacer : BcWindows {
  public:
-  BlockRowPlacer(const Texture& texture, BlockCache* cache) : BlockWindows(texture, cache) {}
+  BcRowPlacer(const Texture& texture, BcCache* cache) : BcWindows(texture, cache) {}
 
   bool place(const RowLevel (&levels)[2], RowStream* rows) {
     begin();
@@ -80,9 +80,9 @@ class BlockRowPlacer : BlockWindows {
 
 }  // namespace
 
-bool PlaceRowsInBlocks(void* lease, const RowLevel (&levels)[2], RowStream* rows) {
+bool PlaceRowsInBc(void* lease, const RowLevel (&levels)[2], RowStream* rows) {
   const auto& of_call = *static_cast<CacheLease*>(lease);
-  return BlockRowPlacer(of_call.texture(), of_call.cache()).place(levels, rows);
+  return BcRowPlacer(of_call.texture(), of_call.cache()).place(levels, rows);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

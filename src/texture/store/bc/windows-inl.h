@@ -25,16 +25,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 alignas(64) inline constexpr uint32_t kOrdinals[kMaxLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// Base of the placers of a call: blocks side by side, decoded to their places in a cache.
-class BlockWindows {
+class BcWindows {
  protected:
   using DI = hn::RebindToSigned<BatchTag>;
   using DU = hn::RebindToUnsigned<BatchTag>;
   using VI = hn::Vec<DI>;
 
-  BlockWindows(const Texture& texture, BlockCache* cache)
+  BcWindows(const Texture& texture, BcCache* cache)
       : texture_(texture),
         cache_(*cache),
-        decode_(KernelOf(texture.blocks.decode)),
+        decode_(KernelOf(texture.bc.decode)),
         size_(static_cast<uint32_t>(texel_size(texture))) {}
 
   /// The level of an image: its first block, its width in blocks, and the places of its blocks.
@@ -119,8 +119,8 @@ class BlockWindows {
   }
 
   const Texture& texture_;
-  BlockCache& cache_;
-  const DecodeBlock decode_;
+  BcCache& cache_;
+  const DecodeBc decode_;
   const uint32_t size_;  // bytes of a texel
 };
 

@@ -97,7 +97,7 @@ constexpr const char* kNoUpdate = "which shd_texture_drop_tiles() updates";
 const StoreRow kTileStore = {add_tiles,  texel_in_tile, read_texels, read_texels, kNoUpdate,
                              call_tiles, begin_batch,   pause_call,  resume_call};
 
-const StoreRow kBlockTileStore = {add_tiles,  texel_in_tile, read_tiles_of_blocks, read_texels, kNoUpdate,
-                                  call_tiles, begin_batch,   pause_call,           resume_call};
+const StoreRow kBcTileStore = {add_tiles,  texel_in_tile, read_tiles_of_blocks, read_texels, kNoUpdate,
+                               call_tiles, begin_batch,   pause_call,           resume_call};
 
 }  // namespace shd::texture

@@ -61,7 +61,7 @@ struct TileSet {
   shd_tile_source source;
   const core::Allocator* allocator;  // allocator of the texture's context
   const Texture* texture;
-  DecodeBlock decode;              // decoder of tiles of compressed blocks; null for texels
+  DecodeBc decode;                 // decoder of tiles of compressed blocks; null for texels
   uint32_t block_size;             // bytes of a block
   uint32_t number;                 // number of the texture in the cache; never 0
   core::Object* handle = nullptr;  // handle of the texture, when it is made
