@@ -136,6 +136,11 @@ typedef struct shd_render_stats {
      */
     uint64_t order_conflict_count;
     uint64_t split_count; /**< cuts of NEWELL */
+    /**
+     * Draws that cannot have a colour: without a material, or with one that reflects light in a frame without lights
+     * and environment. The log has the reasons.
+     */
+    uint64_t black_draw_count;
     /** Peak of working memory, with what the context keeps from earlier calls; depends on the number of workers. */
     uint64_t scratch_bytes;
     double vertex_seconds;   /**< wall-clock time of transforming vertices */
@@ -285,7 +290,8 @@ static inline shd_render_desc shd_render_desc_default(void)
  * the frame; all other objects are unchanged, and the next render works.
  *
  * The log of the context gets reasons for black draws, one line a frame with SHD_LOG_LEVEL_INFO for each: they have no
- * material, or their materials reflect light in a frame without lights and environment.
+ * material, or their materials reflect light in a frame without lights and environment
+ * (shd_render_stats.black_draw_count).
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @since 0.1
  */

@@ -33,20 +33,20 @@ Found find(const frame::Frame& frame, Test&& is_black) {
 
 }  // namespace
 
-void log_black_draws(const core::Context& context, const frame::Frame& frame) {
-  if (!context.log.write) return;
+uint64_t report_black_draws(const core::Context& context, const frame::Frame& frame) {
   const Found bare = find(frame, [](const frame::Draw& draw) { return !draw.material; });
   if (bare.count) {
     core::log(context, SHD_LOG_LEVEL_INFO,
               "render.draws[%u]: no material, so no colour is written (draws like it: %zu)", bare.first, bare.count);
   }
-  if (frame.light_count != 0 || frame.environment.map) return;
+  if (frame.light_count != 0 || frame.environment.map) return bare.count;
   const Found dark = find(frame, [](const frame::Draw& draw) { return draw.material && needs_light(*draw.material); });
   if (dark.count) {
     core::log(context, SHD_LOG_LEVEL_INFO,
               "render.draws[%u]: no lights and no environment, so it is black (draws like it: %zu)", dark.first,
               dark.count);
   }
+  return bare.count + dark.count;
 }
 
 }  // namespace shd::abi

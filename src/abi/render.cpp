@@ -238,7 +238,7 @@ shd_result abi::render_desc(const core::Context& context, const shd_render_desc&
   frame.counts_conflicts = desc.stats != nullptr;
   frame.supersampling = desc.supersampling;
   frame.pass_triangles = desc.pass_triangles;
-  if (!bake) log_black_draws(context, frame);
+  const uint64_t black_draws = bake ? 0 : report_black_draws(context, frame);
   if (bake) {
     frame::bake(context, frame, bake, stats);
   } else if (frame.supersampling > 1) {
@@ -246,6 +246,7 @@ shd_result abi::render_desc(const core::Context& context, const shd_render_desc&
   } else {
     frame::render(context, frame, stats);
   }
+  stats->black_draw_count = black_draws;
   return SHD_OK;
 }
 

@@ -39,7 +39,7 @@
   ROW(CAMERA, shd_camera, target, far_plane, 56)                                    \
   ROW(DRAW, shd_draw, mesh, crease_cosine, 152)                                     \
   ROW(RENDER_DESC, shd_render_desc, framebuffer, present, 392)                      \
-  ROW(RENDER_STATS, shd_render_stats, rasterized_triangle_count, tile_seconds, 144) \
+  ROW(RENDER_STATS, shd_render_stats, rasterized_triangle_count, tile_seconds, 152) \
   ROW(COLOR_DESC, shd_color_desc, config_path, working_space, 32)                   \
   ROW(LOAD_DESC, shd_load_desc, formats, vdb_info, 112)                             \
   ROW(SAVE_DESC, shd_save_desc, bit_depth, display, 32)                             \

@@ -56,6 +56,9 @@ void print_stats(shd_context* context, const shd_render_stats& stats, double sec
     std::fprintf(stderr, "%llu pairs in the wrong order, %llu cuts\n", wide(stats.order_conflict_count),
                  wide(stats.split_count));
   }
+  if (stats.black_draw_count) {
+    std::fprintf(stderr, "%llu draws without a material or without light\n", wide(stats.black_draw_count));
+  }
 }
 
 /// The parts of a picture, except the camera.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The log has the reasons of a black frame: a draw has no material, or there is no light for its material. */
+/* Reasons of a black frame, in the log and the statistics: a draw has no material, or its material no light. */
 #include "support/frame.h"
 
 struct lines {
@@ -21,17 +21,17 @@ struct log_case {
     const char *name;
     shd_model model;
     float emission;
-    int has_material, has_light, supersampling, lines;
+    int has_material, has_light, supersampling, lines, draws; /* draws: black ones */
 };
 static const struct log_case k_cases[] = {
-    {"lit", SHD_MODEL_LAMBERT, 0, 1, 1, 1, 0},
-    {"no_light", SHD_MODEL_LAMBERT, 0, 1, 0, 1, DARK},
-    {"no_light_metallic", SHD_MODEL_METALLIC_ROUGHNESS, 0, 1, 0, 1, DARK},
-    {"no_light_supersampled", SHD_MODEL_PHONG, 0, 1, 0, 2, DARK},
-    {"no_light_unlit", SHD_MODEL_UNLIT, 0, 1, 0, 1, 0},
-    {"no_light_emission", SHD_MODEL_LAMBERT, 0.5f, 1, 0, 1, 0},
-    {"no_material", SHD_MODEL_LAMBERT, 0, 0, 1, 1, BARE},
-    {"no_material_no_light", SHD_MODEL_LAMBERT, 0, 0, 0, 1, BARE | DARK},
+    {"lit", SHD_MODEL_LAMBERT, 0, 1, 1, 1, 0, 0},
+    {"no_light", SHD_MODEL_LAMBERT, 0, 1, 0, 1, DARK, 2},
+    {"no_light_metallic", SHD_MODEL_METALLIC_ROUGHNESS, 0, 1, 0, 1, DARK, 2},
+    {"no_light_supersampled", SHD_MODEL_PHONG, 0, 1, 0, 2, DARK, 2},
+    {"no_light_unlit", SHD_MODEL_UNLIT, 0, 1, 0, 1, 0, 0},
+    {"no_light_emission", SHD_MODEL_LAMBERT, 0.5f, 1, 0, 1, 0, 0},
+    {"no_material", SHD_MODEL_LAMBERT, 0, 0, 1, 1, BARE, 1},
+    {"no_material_no_light", SHD_MODEL_LAMBERT, 0, 0, 0, 1, BARE | DARK, 2},
 };
 
 /* Draw 0 has two instances; draw 1 is like it but has always a material. */
@@ -42,6 +42,7 @@ static void test_lines(void **state)
                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     shd_context_desc context_desc = shd_context_desc_default();
     shd_material_desc material = shd_material_desc_default();
+    shd_render_stats stats = shd_render_stats_default();
     struct lines lines;
     float quad[48];
     shd_context *silent;
@@ -63,7 +64,9 @@ static void test_lines(void **state)
     if (!c->has_material) f.draw[0].material = NULL;
     if (c->has_light) shd_frame_ambient(&f);
     f.desc.supersampling = (uint32_t)c->supersampling;
+    f.desc.stats = &stats;
     shd_assert_ok(shd_render(f.context, &f.desc));
+    assert_int_equal(stats.black_draw_count, c->draws);
     assert_int_equal(lines.count, !!(c->lines & BARE) + !!(c->lines & DARK));
     if (c->lines & BARE) {
         assert_string_equal(lines.text[line++],
