@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes shd_api.hpp, the owners and functions of shd.hpp, from shd.json.
+"""Writes shd_api.hpp, the owners, structs and functions of shd.hpp, from shd.json.
 
     generate.py [--check]      write the file, or compare it with shd.json
 """
@@ -18,7 +18,7 @@ OUTPUT = HERE / "shd_api.hpp"
 WIDTH = 120
 HEAD = """// SPDX-License-Identifier: MIT
 /// @file
-/// Owners and functions of shd.hpp. Written by generate.py; do not edit.
+/// Owners, structs and functions of shd.hpp. Written by generate.py; do not edit.
 #ifndef SHD_API_HPP
 #define SHD_API_HPP
 
@@ -66,6 +66,14 @@ class Generator:
         name = handle["name"]
         return (f"/// {' '.join(handle['doc'].split())}\n"
                 f"using {self.owned[name]} = owner<{name}, {handle['retain']}, {handle['release']}>;")
+
+    def defaulted(self, struct):
+        """A struct that starts with its defaults; None for structs without."""
+        name = struct["name"]
+        if f"{name}_default" not in self.functions:
+            return None
+        own = name.removeprefix("shd_")
+        return f"struct {own} : {name} {{\n  {own}() noexcept : {name}({name}_default()) {{}}\n}};"
 
     def group(self, entries, make):
         """The text of each entry. Entries of a component exist only where its header is installed."""
@@ -147,7 +155,9 @@ class Generator:
     def text(self):
         headers = [{"header": h["name"]} for h in self.table["headers"] if h["name"] != "shd"]
         includes = "\n".join(self.group(headers, lambda h: f"#include <shd/{h['header']}.h>"))
-        lines = [HEAD.format(includes=includes), *self.group(self.owners, self.owner), ""]
+        lines = [HEAD.format(includes=includes), *self.group(self.owners, self.owner), "",
+                 "// Structs of C that start with their defaults.",
+                 *self.group(self.table["structs"], self.defaulted), ""]
         functions = [f for f in self.table["functions"] if self.is_wrapped(f)]
         lines += self.group(functions, self.creator)
         lines += ["", "#ifdef __cpp_exceptions", *self.group(functions, self.thrower), "#endif", ""]

@@ -14,8 +14,8 @@ struct vertex {
 float look_up(const shd_texture* texture, const shd_sampler* sampler) {
   const std::array<float, 3> u = {0.25f, 0.5f, 0.75f}, v = {0.25f, 0.5f, 0.25f};
   std::array<float, 3> red{};
-  shd_lookups lookups = shd_lookups_default();
-  shd_texels texels = shd_texels_default();
+  shd::lookups lookups;
+  shd::texels texels;
   lookups.count = u.size();
   lookups.u = shd::in(u);
   lookups.v = shd::in(v);
@@ -28,7 +28,7 @@ float look_up(const shd_texture* texture, const shd_sampler* sampler) {
 float draw(shd_context* context, shd_texture* texture, shd_sampler* sampler) {
   const std::vector<vertex> corners = {
       {-1, 1, 0.5f, 0, 0}, {-1, -1, 0.5f, 0, 1}, {1, 1, 0.5f, 1, 0}, {1, -1, 0.5f, 1, 1}};
-  shd_mesh_desc mesh_desc = shd_mesh_desc_default();
+  shd::mesh_desc mesh_desc;
   mesh_desc.vertex_count = 4;
   mesh_desc.topology = SHD_TOPOLOGY_STRIP;
   mesh_desc.position[0] = shd::in(corners, &vertex::x);
@@ -39,18 +39,18 @@ float draw(shd_context* context, shd_texture* texture, shd_sampler* sampler) {
   const shd::mesh mesh = shd::mesh_create(context, &mesh_desc);
 
   const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, sampler);
-  shd_material_desc material_desc = shd_material_desc_default();
+  shd::material_desc material_desc;
   material_desc.model = SHD_MODEL_UNLIT;
   material_desc.diffuse[0] = 1.0f;
   material_desc.slots = &slot, material_desc.slot_count = 1;
   const shd::material material = shd::material_create(context, &material_desc);
 
-  shd_framebuffer_desc size = shd_framebuffer_desc_default();
+  shd::framebuffer_desc size;
   size.width = 65, size.height = 65;
   const shd::framebuffer framebuffer = shd::framebuffer_create(context, &size);
-  shd_draw square = shd_draw_default();
+  shd::draw square;
   square.mesh = mesh, square.material = material;
-  shd_render_desc frame = shd_render_desc_default();
+  shd::render_desc frame;
   frame.framebuffer = framebuffer;
   frame.draws = &square, frame.draw_count = 1;
   shd::render(context, &frame);
@@ -65,7 +65,7 @@ int main() {
     const std::uint8_t pixels[4] = {0, 255, 255, 255};
     const shd::context context = shd::context_create(nullptr);
     const shd::sampler sampler = shd::sampler_create(context, nullptr);
-    shd_texture_desc desc = shd_texture_desc_default();
+    shd::texture_desc desc;
     desc.format = SHD_FORMAT_R8;
     desc.width = 2, desc.height = 2;
     desc.texels = pixels;

@@ -39,7 +39,7 @@ shd::texture create_texture(shd_context* context) {
       for (const int value : {x * 4, y * 4, (x ^ y) * 4, 255}) texels.push_back(static_cast<std::uint8_t>(value));
     }
   }
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.width = desc.height = kSize;
   desc.format = SHD_FORMAT_RGBA8_SRGB;
   desc.texels = texels.data();
@@ -48,7 +48,7 @@ shd::texture create_texture(shd_context* context) {
 }
 
 shd::sampler create_sampler(shd_context* context, shd_filter filter) {
-  shd_sampler_desc desc = shd_sampler_desc_default();
+  shd::sampler_desc desc;
   desc.filter = filter;
   desc.max_anisotropy = 16.0f;
   return shd::sampler_create(context, &desc);
@@ -68,13 +68,13 @@ void look_up(shd_context* context) {
   }
   const shd::texture texture = create_texture(context);
   const shd::sampler sampler = create_sampler(context, SHD_FILTER_EWA);
-  shd_lookups lookups = shd_lookups_default();
+  shd::lookups lookups;
   lookups.count = rows.size();
   lookups.u = shd::in(rows, &footprint::u), lookups.v = shd::in(rows, &footprint::v);
   lookups.dudx = shd::in(rows, &footprint::dudx), lookups.dvdx = shd::in(rows, &footprint::dvdx);
   lookups.dudy = shd::in(rows, &footprint::dudy), lookups.dvdy = shd::in(rows, &footprint::dvdy);
   std::array<std::vector<float>, 4> out;
-  shd_texels texels = shd_texels_default();
+  shd::texels texels;
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].resize(rows.size());
     texels.channel[i] = shd::out(out[i]);
@@ -88,24 +88,24 @@ void look_up(shd_context* context) {
 // Renders a torus of one material in the light of the sun, with four samples a pixel, and prints the hash of its pixels
 // as RGBA8 in sRGB.
 void draw(shd_context* context, const char* name, const shd_material_desc& material_desc) {
-  shd_shape_desc torus = shd_shape_desc_default();
+  shd::shape_desc torus;
   torus.kind = SHD_SHAPE_TORUS;
   const shd::mesh mesh = shd::mesh_create_shape(context, &torus, 0);
   const shd::material material = shd::material_create(context, &material_desc);
-  shd_light_desc sun_desc = shd_light_desc_default();
+  shd::light_desc sun_desc;
   sun_desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   sun_desc.direction[0] = -0.5f, sun_desc.direction[1] = -1.0f, sun_desc.direction[2] = -0.25f;
   const shd::light sun = shd::light_create(context, &sun_desc);
-  shd_framebuffer_desc size = shd_framebuffer_desc_default();
+  shd::framebuffer_desc size;
   size.width = kWidth, size.height = kHeight, size.sample_count = 4;
   const shd::framebuffer framebuffer = shd::framebuffer_create(context, &size);
 
-  shd_camera camera = shd_camera_default();
+  shd::camera camera;
   camera.eye[0] = 0.5f, camera.eye[1] = 1.5f, camera.eye[2] = 2.0f;
-  shd_draw one = shd_draw_default();
+  shd::draw one;
   one.mesh = mesh, one.material = material;
   const shd_light* const lights[] = {sun};
-  shd_render_desc frame = shd_render_desc_default();
+  shd::render_desc frame;
   frame.framebuffer = framebuffer;
   frame.draws = &one, frame.draw_count = 1;
   frame.lights = lights, frame.light_count = 1;
@@ -113,7 +113,7 @@ void draw(shd_context* context, const char* name, const shd_material_desc& mater
   shd::render(context, &frame);
 
   std::vector<std::uint8_t> pixels(std::size_t{kWidth} * kHeight * 4);
-  shd_image image = shd_image_default();
+  shd::image image;
   image.width = kWidth, image.height = kHeight;
   image.format = SHD_FORMAT_RGBA8_SRGB;
   image.pixels = pixels.data();
@@ -128,7 +128,7 @@ void draw_textured(shd_context* context) {
   const shd::texture texture = create_texture(context);
   const shd::sampler sampler = create_sampler(context, SHD_FILTER_TRILINEAR);
   const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, sampler);
-  shd_material_desc desc = shd_material_desc_default();
+  shd::material_desc desc;
   desc.model = SHD_MODEL_BLINN_PHONG;
   desc.slots = &slot, desc.slot_count = 1;
   draw(context, "frame", desc);
@@ -143,7 +143,7 @@ void uv_as_colour(const shd_fragments* in, shd_radiance* out, void* user_data) {
 
 void draw_program(shd_context* context) {
   float blue = 0.25f;
-  shd_material_desc desc = shd_material_desc_default();
+  shd::material_desc desc;
   desc.model = SHD_MODEL_PROGRAM;
   desc.program.fragment = uv_as_colour;
   desc.program.user_data = &blue;
@@ -164,7 +164,7 @@ double measure(const shd_texture* texture, const shd_sampler* sampler, const shd
 }
 
 void print_speed() {
-  shd_context_desc desc = shd_context_desc_default();
+  shd::context_desc desc;
   desc.worker_count = 1;
   const shd::context context = shd::context_create(&desc);
   const shd::texture texture = create_texture(context);
@@ -177,8 +177,8 @@ void print_speed() {
     lod[row] = static_cast<float>(i % 16) / 8.0f;
   }
   std::array<std::vector<float>, 4> out;
-  shd_lookups lookups = shd_lookups_default();
-  shd_texels texels = shd_texels_default();
+  shd::lookups lookups;
+  shd::texels texels;
   lookups.u = shd::in(u), lookups.v = shd::in(v), lookups.lod = shd::in(lod);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].resize(kBatch);

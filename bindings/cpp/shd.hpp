@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// shd for C++17: owners of handles, exceptions, and columns from containers. Descs are the structs of the C API.
+/// shd for C++17: owners of handles, exceptions, and columns from containers. Structs are those of the C API; shd::name
+/// is a shd_name that starts with its defaults.
 ///
 /// shd_api.hpp, which this header includes, has a function for each function of C that can fail. It throws shd::error.
 /// A function that makes an object returns an owner. With an owner as the last argument it returns the shd_result
@@ -10,7 +11,7 @@
 /// Lifetime and threads are those of the C headers. An owner itself belongs to one thread, as any object of C++.
 ///
 ///     shd::context context = shd::context_create(nullptr);
-///     shd_texture_desc desc = shd_texture_desc_default();
+///     shd::texture_desc desc;
 ///     shd::texture texture = shd::texture_create(context, &desc);
 #ifndef SHD_HPP
 #define SHD_HPP

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Owners and functions of shd.hpp. Written by generate.py; do not edit.
+/// Owners, structs and functions of shd.hpp. Written by generate.py; do not edit.
 #ifndef SHD_API_HPP
 #define SHD_API_HPP
 
@@ -110,6 +110,248 @@ using texture = owner<shd_texture, shd_texture_retain, shd_texture_release>;
 using tile_cache = owner<shd_tile_cache, shd_tile_cache_retain, shd_tile_cache_release>;
 /// A density field with its transfer function.
 using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
+
+// Structs of C that start with their defaults.
+struct bake_stats : shd_bake_stats {
+  bake_stats() noexcept : shd_bake_stats(shd_bake_stats_default()) {}
+};
+struct bake_desc : shd_bake_desc {
+  bake_desc() noexcept : shd_bake_desc(shd_bake_desc_default()) {}
+};
+struct bounds_desc : shd_bounds_desc {
+  bounds_desc() noexcept : shd_bounds_desc(shd_bounds_desc_default()) {}
+};
+#if __has_include(<shd/color.h>)
+struct color_desc : shd_color_desc {
+  color_desc() noexcept : shd_color_desc(shd_color_desc_default()) {}
+};
+#endif
+struct context_desc : shd_context_desc {
+  context_desc() noexcept : shd_context_desc(shd_context_desc_default()) {}
+};
+struct draw : shd_draw {
+  draw() noexcept : shd_draw(shd_draw_default()) {}
+};
+struct edges_desc : shd_edges_desc {
+  edges_desc() noexcept : shd_edges_desc(shd_edges_desc_default()) {}
+};
+struct edges : shd_edges {
+  edges() noexcept : shd_edges(shd_edges_default()) {}
+};
+struct environment_desc : shd_environment_desc {
+  environment_desc() noexcept : shd_environment_desc(shd_environment_desc_default()) {}
+};
+struct environment_info : shd_environment_info {
+  environment_info() noexcept : shd_environment_info(shd_environment_info_default()) {}
+};
+struct environment_lookups : shd_environment_lookups {
+  environment_lookups() noexcept : shd_environment_lookups(shd_environment_lookups_default()) {}
+};
+struct environment_values : shd_environment_values {
+  environment_values() noexcept : shd_environment_values(shd_environment_values_default()) {}
+};
+struct explanation : shd_explanation {
+  explanation() noexcept : shd_explanation(shd_explanation_default()) {}
+};
+struct derivatives : shd_derivatives {
+  derivatives() noexcept : shd_derivatives(shd_derivatives_default()) {}
+};
+struct ray_differentials : shd_ray_differentials {
+  ray_differentials() noexcept : shd_ray_differentials(shd_ray_differentials_default()) {}
+};
+struct ray_cones : shd_ray_cones {
+  ray_cones() noexcept : shd_ray_cones(shd_ray_cones_default()) {}
+};
+struct framebuffer_desc : shd_framebuffer_desc {
+  framebuffer_desc() noexcept : shd_framebuffer_desc(shd_framebuffer_desc_default()) {}
+};
+struct framebuffer_info : shd_framebuffer_info {
+  framebuffer_info() noexcept : shd_framebuffer_info(shd_framebuffer_info_default()) {}
+};
+struct plane_view : shd_plane_view {
+  plane_view() noexcept : shd_plane_view(shd_plane_view_default()) {}
+};
+struct image : shd_image {
+  image() noexcept : shd_image(shd_image_default()) {}
+};
+#if __has_include(<shd/io.h>)
+struct load_desc : shd_load_desc {
+  load_desc() noexcept : shd_load_desc(shd_load_desc_default()) {}
+};
+struct bitmap_info : shd_bitmap_info {
+  bitmap_info() noexcept : shd_bitmap_info(shd_bitmap_info_default()) {}
+};
+struct save_desc : shd_save_desc {
+  save_desc() noexcept : shd_save_desc(shd_save_desc_default()) {}
+};
+#endif
+struct light_desc : shd_light_desc {
+  light_desc() noexcept : shd_light_desc(shd_light_desc_default()) {}
+};
+struct lookups : shd_lookups {
+  lookups() noexcept : shd_lookups(shd_lookups_default()) {}
+};
+struct texels : shd_texels {
+  texels() noexcept : shd_texels(shd_texels_default()) {}
+};
+struct levels : shd_levels {
+  levels() noexcept : shd_levels(shd_levels_default()) {}
+};
+struct material_desc : shd_material_desc {
+  material_desc() noexcept : shd_material_desc(shd_material_desc_default()) {}
+};
+struct mesh_desc : shd_mesh_desc {
+  mesh_desc() noexcept : shd_mesh_desc(shd_mesh_desc_default()) {}
+};
+struct mesh_info : shd_mesh_info {
+  mesh_info() noexcept : shd_mesh_info(shd_mesh_info_default()) {}
+};
+struct mip_desc : shd_mip_desc {
+  mip_desc() noexcept : shd_mip_desc(shd_mip_desc_default()) {}
+};
+struct occlusion_desc : shd_occlusion_desc {
+  occlusion_desc() noexcept : shd_occlusion_desc(shd_occlusion_desc_default()) {}
+};
+struct occlusion_points : shd_occlusion_points {
+  occlusion_points() noexcept : shd_occlusion_points(shd_occlusion_points_default()) {}
+};
+struct occlusion_values : shd_occlusion_values {
+  occlusion_values() noexcept : shd_occlusion_values(shd_occlusion_values_default()) {}
+};
+struct occlusion_atlas : shd_occlusion_atlas {
+  occlusion_atlas() noexcept : shd_occlusion_atlas(shd_occlusion_atlas_default()) {}
+};
+struct polygon_desc : shd_polygon_desc {
+  polygon_desc() noexcept : shd_polygon_desc(shd_polygon_desc_default()) {}
+};
+struct polygon_points : shd_polygon_points {
+  polygon_points() noexcept : shd_polygon_points(shd_polygon_points_default()) {}
+};
+struct polygon_weights : shd_polygon_weights {
+  polygon_weights() noexcept : shd_polygon_weights(shd_polygon_weights_default()) {}
+};
+struct directions : shd_directions {
+  directions() noexcept : shd_directions(shd_directions_default()) {}
+};
+struct projected_points : shd_projected_points {
+  projected_points() noexcept : shd_projected_points(shd_projected_points_default()) {}
+};
+struct image_points : shd_image_points {
+  image_points() noexcept : shd_image_points(shd_image_points_default()) {}
+};
+struct point_directions : shd_point_directions {
+  point_directions() noexcept : shd_point_directions(shd_point_directions_default()) {}
+};
+struct direction_images : shd_direction_images {
+  direction_images() noexcept : shd_direction_images(shd_direction_images_default()) {}
+};
+struct render_stats : shd_render_stats {
+  render_stats() noexcept : shd_render_stats(shd_render_stats_default()) {}
+};
+struct render_desc : shd_render_desc {
+  render_desc() noexcept : shd_render_desc(shd_render_desc_default()) {}
+};
+struct sampler_desc : shd_sampler_desc {
+  sampler_desc() noexcept : shd_sampler_desc(shd_sampler_desc_default()) {}
+};
+#if __has_include(<shd/scene.h>)
+struct scene_desc : shd_scene_desc {
+  scene_desc() noexcept : shd_scene_desc(shd_scene_desc_default()) {}
+};
+struct scene_info : shd_scene_info {
+  scene_info() noexcept : shd_scene_info(shd_scene_info_default()) {}
+};
+struct scene_instance : shd_scene_instance {
+  scene_instance() noexcept : shd_scene_instance(shd_scene_instance_default()) {}
+};
+#endif
+struct shadow_desc : shd_shadow_desc {
+  shadow_desc() noexcept : shd_shadow_desc(shd_shadow_desc_default()) {}
+};
+struct shadow_render_desc : shd_shadow_render_desc {
+  shadow_render_desc() noexcept : shd_shadow_render_desc(shd_shadow_render_desc_default()) {}
+};
+struct shadow_lookups : shd_shadow_lookups {
+  shadow_lookups() noexcept : shd_shadow_lookups(shd_shadow_lookups_default()) {}
+};
+struct shadow_values : shd_shadow_values {
+  shadow_values() noexcept : shd_shadow_values(shd_shadow_values_default()) {}
+};
+struct shape_desc : shd_shape_desc {
+  shape_desc() noexcept : shd_shape_desc(shd_shape_desc_default()) {}
+};
+struct shape_columns : shd_shape_columns {
+  shape_columns() noexcept : shd_shape_columns(shd_shape_columns_default()) {}
+};
+struct slot : shd_slot {
+  slot() noexcept : shd_slot(shd_slot_default()) {}
+};
+struct solid_desc : shd_solid_desc {
+  solid_desc() noexcept : shd_solid_desc(shd_solid_desc_default()) {}
+};
+struct solid_points : shd_solid_points {
+  solid_points() noexcept : shd_solid_points(shd_solid_points_default()) {}
+};
+struct solid_values : shd_solid_values {
+  solid_values() noexcept : shd_solid_values(shd_solid_values_default()) {}
+};
+struct tessellation_desc : shd_tessellation_desc {
+  tessellation_desc() noexcept : shd_tessellation_desc(shd_tessellation_desc_default()) {}
+};
+struct texture_desc : shd_texture_desc {
+  texture_desc() noexcept : shd_texture_desc(shd_texture_desc_default()) {}
+};
+struct texture_info : shd_texture_info {
+  texture_info() noexcept : shd_texture_info(shd_texture_info_default()) {}
+};
+#if __has_include(<shd/texture_file.h>)
+struct texture_file_info : shd_texture_file_info {
+  texture_file_info() noexcept : shd_texture_file_info(shd_texture_file_info_default()) {}
+};
+struct ktx2_desc : shd_ktx2_desc {
+  ktx2_desc() noexcept : shd_ktx2_desc(shd_ktx2_desc_default()) {}
+};
+#endif
+struct tile_cache_desc : shd_tile_cache_desc {
+  tile_cache_desc() noexcept : shd_tile_cache_desc(shd_tile_cache_desc_default()) {}
+};
+struct tile_cache_stats : shd_tile_cache_stats {
+  tile_cache_stats() noexcept : shd_tile_cache_stats(shd_tile_cache_stats_default()) {}
+};
+#if __has_include(<shd/tile_file.h>)
+struct tile_file_desc : shd_tile_file_desc {
+  tile_file_desc() noexcept : shd_tile_file_desc(shd_tile_file_desc_default()) {}
+};
+struct tile_file_info : shd_tile_file_info {
+  tile_file_info() noexcept : shd_tile_file_info(shd_tile_file_info_default()) {}
+};
+#endif
+struct tile_region : shd_tile_region {
+  tile_region() noexcept : shd_tile_region(shd_tile_region_default()) {}
+};
+struct camera : shd_camera {
+  camera() noexcept : shd_camera(shd_camera_default()) {}
+};
+struct volume_desc : shd_volume_desc {
+  volume_desc() noexcept : shd_volume_desc(shd_volume_desc_default()) {}
+};
+struct volume_draw : shd_volume_draw {
+  volume_draw() noexcept : shd_volume_draw(shd_volume_draw_default()) {}
+};
+#if __has_include(<shd/volume_file.h>)
+struct raw_desc : shd_raw_desc {
+  raw_desc() noexcept : shd_raw_desc(shd_raw_desc_default()) {}
+};
+struct stack_desc : shd_stack_desc {
+  stack_desc() noexcept : shd_stack_desc(shd_stack_desc_default()) {}
+};
+struct vdb_desc : shd_vdb_desc {
+  vdb_desc() noexcept : shd_vdb_desc(shd_vdb_desc_default()) {}
+};
+struct vdb_info : shd_vdb_info {
+  vdb_info() noexcept : shd_vdb_info(shd_vdb_info_default()) {}
+};
+#endif
 
 #if __has_include(<shd/color.h>)
 /// Read a config. See shd_color_create().

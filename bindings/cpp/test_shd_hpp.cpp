@@ -37,7 +37,7 @@ void release(void* memory, std::size_t, std::size_t, void* user_data) {
 }
 
 shd::context counted(Counter& counter) {
-  shd_context_desc desc = shd_context_desc_default();
+  shd::context_desc desc;
   desc.worker_count = 1;
   desc.allocator = {allocate, release, &counter};
   return shd::context_create(&desc);
@@ -45,7 +45,7 @@ shd::context counted(Counter& counter) {
 
 shd::texture checker(shd_context* context) {
   const std::array<float, 4> texels = {0, 1, 1, 0};
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_R32F;
   desc.width = desc.height = 2;
   desc.texels = texels.data();
@@ -84,7 +84,7 @@ void test_errors() {
   {
     const shd::context context = counted(counter);
     const shd::texture kept = checker(context);
-    shd_sampler_desc desc = shd_sampler_desc_default();
+    shd::sampler_desc desc;
     desc.max_anisotropy = -1.0f;
     bool thrown = false;
     try {
@@ -132,8 +132,8 @@ void test_columns() {
   {
     const shd::context context = counted(counter);
     const shd::texture texture = checker(context);
-    shd_lookups lookups = shd_lookups_default();
-    shd_texels texels = shd_texels_default();
+    shd::lookups lookups;
+    shd::texels texels;
     std::vector<Record> result(2, Record{-1.0f, -1.0f});
     lookups.count = 2;
     lookups.u = shd::in(records, &Record::u), lookups.v = v;
@@ -151,12 +151,12 @@ void test_blocks() {
   static std::uint8_t bc7[16] = {192, 255, 159, 66, 1, 0, 254, 255, 1, 0, 0, 0, 0, 0, 0, 0};
   const shd::context context = shd::context_create(nullptr);
   const shd::sampler sampler = shd::sampler_create(context, nullptr);
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_BC1_RGB;
   desc.width = desc.height = 4;
   desc.texels = bc1;
   const shd::texture first = shd::texture_create(context, &desc);
-  shd_image level = shd_image_default();
+  shd::image level;
   level.format = desc.format = SHD_FORMAT_BC7;
   level.width = level.height = 2;
   desc.texels = level.pixels = bc7;
@@ -166,8 +166,8 @@ void test_blocks() {
   const shd::texture second = shd::texture_create(context, &desc);
   const float u = 0.375f, v = 0.125f;
   float blue = 0.0f, green = 0.0f;
-  shd_lookups lookups = shd_lookups_default();
-  shd_texels texels = shd_texels_default();
+  shd::lookups lookups;
+  shd::texels texels;
   lookups.count = 1;
   lookups.u.data = &u, lookups.v.data = &v;
   texels.channel[2].data = &blue;
@@ -211,8 +211,8 @@ std::array<float, 200> look_up(const shd::context& context, const shd::texture& 
     u[i] = static_cast<float>(i * 37 % 200) / 200;
     v[i] = static_cast<float>(i * 91 % 200) / 200;
   }
-  shd_lookups lookups = shd_lookups_default();
-  shd_texels texels = shd_texels_default();
+  shd::lookups lookups;
+  shd::texels texels;
   lookups.count = u.size();
   lookups.u = shd::in(u), lookups.v = shd::in(v);
   texels.channel[0] = shd::out(out);
@@ -227,10 +227,10 @@ void test_tiles() {
   bool fails = false;
   const auto kept = std::make_shared<int>(1);
   const shd::context context = shd::context_create(nullptr);
-  shd_tile_cache_desc cache_desc = shd_tile_cache_desc_default();
+  shd::tile_cache_desc cache_desc;
   cache_desc.tile_bytes = 1024, cache_desc.budget_bytes = 1 << 20;
   const shd::tile_cache cache = shd::tile_cache_create(context, &cache_desc);
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_R8;
   desc.width = kWidth, desc.height = kHeight;
   std::vector<std::uint8_t> texels(kWidth * kHeight);
@@ -268,15 +268,15 @@ void test_tiles() {
 void test_tiled_file() {
   const shd::context context = shd::context_create(nullptr);
   const shd::tile_cache cache = shd::tile_cache_create(context, nullptr);
-  shd_tile_file_desc desc = shd_tile_file_desc_default();
+  shd::tile_file_desc desc;
   desc.cache = cache;
   desc.encoding = SHD_COLOR_ENCODING_LINEAR;
-  shd_tile_file_info info = shd_tile_file_info_default();
+  shd::tile_file_info info;
   const shd::texture file = shd::texture_open(context, SHD_TEST_TILED_FILE, &desc, &info);
   expect(info.file_count == 1 && info.tile_width == 16, "file/info");
   std::array<std::uint8_t, 256> texels;
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i);
-  shd_texture_desc memory = shd_texture_desc_default();
+  shd::texture_desc memory;
   memory.format = SHD_FORMAT_R8;
   memory.width = memory.height = 16;
   memory.texels = texels.data();
@@ -308,7 +308,7 @@ void test_scene() {
   const shd::context context = shd::context_create(nullptr);
   const shd::span<const unsigned char> model(reinterpret_cast<const unsigned char*>(kModel), sizeof kModel - 1);
   const shd::span<const unsigned char> buffer(reinterpret_cast<const unsigned char*>(kBuffer), sizeof kBuffer);
-  shd_scene_desc desc = shd_scene_desc_default();
+  shd::scene_desc desc;
   for (const shd_scene_flags flags : {SHD_SCENE_NONE, SHD_SCENE_IN_PROCESS}) {
     desc.flags = flags;
     const shd::scene scene = shd::scene_load_memory(context, model, nullptr, &desc, [&](const char* name) {
@@ -350,13 +350,13 @@ void test_texture_memory() {
   file[19] = 32, file[20] = 0x41, file[22] = 32, file[27] = 0x1000;
   file[23] = 0xff, file[24] = 0xff00, file[25] = 0xff0000, file[26] = 0xff000000;
   for (std::uint32_t i = 32; i < 36; ++i) file[i] = 0xff000000 + i;
-  shd_texture_file_info info = shd_texture_file_info_default();
-  shd_load_desc desc = shd_load_desc_default();
+  shd::texture_file_info info;
+  shd::load_desc desc;
   desc.info = &info;
   const shd::texture texture = shd::texture_load_memory(context, file.data(), sizeof file, &desc);
   expect(info.kind == SHD_TEXTURE_FILE_KIND_DDS && info.level_count == 1, "texture/info");
   std::array<std::uint32_t, 4> texels = {};
-  shd_image image = shd_image_default();
+  shd::image image;
   image.format = shd::texture_get_info(texture).format;
   image.width = image.height = 2;
   image.pixels = texels.data();

@@ -58,13 +58,13 @@ uint32_t add_tiles(BlockBuilder* block) {
 void add_floor(shd_context* context, BlockBuilder* block) {
   const float width =
       std::max(block->bounds_max[0] - block->bounds_min[0], block->bounds_max[2] - block->bounds_min[2]);
-  shd_shape_desc plane = shd_shape_desc_default();
+  shd::shape_desc plane;
   plane.kind = SHD_SHAPE_PLANE;
   plane.size[0] = plane.size[2] = 4.0f * width;
   const shd::mesh mesh = shd::mesh_create_shape(context, &plane, SHD_MESH_NONE);
   shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, nullptr, nullptr);
   slot.uv_transform[0] = slot.uv_transform[4] = 24.0f;
-  shd_material_desc desc = shd_material_desc_default();
+  shd::material_desc desc;
   desc.diffuse[0] = desc.diffuse[1] = desc.diffuse[2] = 0.7f;
   desc.ambient_share = 1.0f;
   const uint32_t material = block->add_material(desc);

@@ -23,7 +23,7 @@ TextureRows add_textures(const shd_scene* scene, uint32_t count, BlockBuilder* o
     if (!size || info.layer_count != 1 || info.depth)
       throw std::runtime_error("a texture of the model has no plain texels");
     std::vector<char> texels(size_t{size} * info.width * info.height);
-    shd_image image = shd_image_default();
+    shd::image image;
     image.format = info.format, image.width = info.width, image.height = info.height;
     image.pixels = texels.data();
     shd::texture_read_level(texture, 0, 0, &image);
@@ -34,7 +34,7 @@ TextureRows add_textures(const shd_scene* scene, uint32_t count, BlockBuilder* o
 
 void add_materials(const shd_scene* scene, uint32_t count, const TextureRows& rows, BlockBuilder* out) {
   for (uint32_t i = 0; i < count; ++i) {
-    shd_material_desc desc = shd_material_desc_default();
+    shd::material_desc desc;
     shd::check(shd_scene_get_material_desc(scene, i, &desc));
     const uint32_t material = out->add_material(desc);
     for (uint32_t s = 0; s < desc.slot_count; ++s) {
@@ -54,7 +54,7 @@ void add_model(shd_context* context, const std::string& path, BlockBuilder* out)
   add_materials(scene, info.material_count, rows, out);
   for (uint32_t i = 0; i < info.mesh_count; ++i) out->add_mesh(shd_scene_get_mesh(scene, i), true);
   for (uint32_t i = 0; i < info.instance_count; ++i) {
-    shd_scene_instance instance = shd_scene_instance_default();
+    shd::scene_instance instance;
     shd::check(shd_scene_get_instance(scene, i, &instance));
     out->add_draw(instance.mesh, instance.material, instance.object_to_world);
   }

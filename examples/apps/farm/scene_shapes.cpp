@@ -27,12 +27,12 @@ uint32_t add_pattern(BlockBuilder* out, const uint8_t (&light)[3], const uint8_t
 }
 
 void add_shape(shd_context* context, BlockBuilder* out, shd_shape shape, float x, float y, uint32_t texture) {
-  shd_shape_desc desc = shd_shape_desc_default();
+  shd::shape_desc desc;
   desc.kind = shape;
   desc.segments[0] = shape == SHD_SHAPE_TEAPOT ? 24 : 96;
   desc.segments[1] = shape == SHD_SHAPE_TEAPOT ? 0 : 48;
   const shd::mesh mesh = shd::mesh_create_shape(context, &desc, SHD_MESH_NONE);
-  shd_material_desc material = shd_material_desc_default();
+  shd::material_desc material;
   material.model = SHD_MODEL_BLINN_PHONG;
   material.ambient_share = 1.0f;
   const uint32_t row = out->add_material(material);

@@ -45,7 +45,7 @@ void make_meshes(Stage* stage) {
   const auto column = [&](uint64_t offset) { return shd_f32_column(table<float>(block, offset), 0); };
   for (uint32_t i = 0; i < head_of(block).mesh_count; ++i) {
     const BlockMesh& row = rows[i];
-    shd_mesh_desc desc = shd_mesh_desc_default();
+    shd::mesh_desc desc;
     desc.vertex_count = row.vertex_count;
     for (size_t c = 0; c < 3; ++c) desc.position[c] = column(row.position[c]), desc.normal[c] = column(row.normal[c]);
     for (size_t c = 0; c < 2; ++c) desc.uv[c] = column(row.uv[c]);
@@ -60,7 +60,7 @@ void make_textures(Stage* stage) {
   const char* block = stage->block;
   const BlockTexture* rows = table<BlockTexture>(block, head_of(block).textures);
   for (uint32_t i = 0; i < head_of(block).texture_count; ++i) {
-    shd_texture_desc desc = shd_texture_desc_default();
+    shd::texture_desc desc;
     desc.format = static_cast<shd_format>(rows[i].format);
     desc.width = rows[i].width, desc.height = rows[i].height;
     desc.texels = block + rows[i].texels;
@@ -91,7 +91,7 @@ void make_draws(Stage* stage) {
   const char* block = stage->block;
   const BlockDraw* rows = table<BlockDraw>(block, head_of(block).draws);
   for (uint32_t i = 0; i < head_of(block).draw_count; ++i) {
-    shd_draw draw = shd_draw_default();
+    shd::draw draw;
     draw.mesh = stage->meshes[rows[i].mesh];
     draw.material = stage->materials[rows[i].material];
     std::copy_n(rows[i].object_to_world, 16, draw.object_to_world);
@@ -101,7 +101,7 @@ void make_draws(Stage* stage) {
 
 /// Light from everywhere, and a sun with shadows.
 void make_lights(Stage* stage) {
-  shd_light_desc ambient = shd_light_desc_default(), sun = shd_light_desc_default();
+  shd::light_desc ambient, sun;
   ambient.kind = SHD_LIGHT_KIND_AMBIENT;
   for (float& c : ambient.intensity) c = 0.2f;
   sun.kind = SHD_LIGHT_KIND_DIRECTIONAL;
@@ -110,11 +110,11 @@ void make_lights(Stage* stage) {
   std::copy_n(intensity, 3, sun.intensity);
   stage->lights[0] = shd::light_create(stage->context, &ambient);
   stage->lights[1] = shd::light_create(stage->context, &sun);
-  shd_shadow_desc desc = shd_shadow_desc_default();
+  shd::shadow_desc desc;
   desc.size = 2048;
   desc.filter = SHD_SHADOW_FILTER_PCF;
   stage->shadow = shd::shadow_create(stage->context, &desc);
-  shd_shadow_render_desc render = shd_shadow_render_desc_default();
+  shd::shadow_render_desc render;
   render.light = stage->lights[1];
   render.draws = stage->draws.data(), render.draw_count = stage->draws.size();
   shd::shadow_render(stage->context, stage->shadow, &render);
@@ -123,7 +123,7 @@ void make_lights(Stage* stage) {
 /// The camera looks at the middle of the models; the frames are one turn.
 shd_camera frame_camera(const Stage& stage, uint32_t frame) {
   const BlockHead& head = head_of(stage.block);
-  shd_camera camera = shd_camera_default();
+  shd::camera camera;
   float radius = 0.0f;
   for (size_t c = 0; c < 3; ++c) {
     const float half = 0.5f * (head.bounds_max[c] - head.bounds_min[c]);
@@ -145,7 +145,7 @@ shd_camera frame_camera(const Stage& stage, uint32_t frame) {
 
 void fit_framebuffer(Stage* stage, const Window& window) {
   if (stage->framebuffer && stage->width == window.width && stage->height == window.height) return;
-  shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+  shd::framebuffer_desc desc;
   desc.width = window.width, desc.height = window.height;
   desc.sample_count = stage->options.samples;
   desc.color_format = SHD_FORMAT_RGBA16F;
@@ -168,10 +168,10 @@ StagePtr make_stage(const Options& options, const char* block) {
   StagePtr stage(new Stage);
   stage->options = options;
   stage->block = block;
-  shd_context_desc context = shd_context_desc_default();
+  shd::context_desc context;
   context.worker_count = options.threads;
   stage->context = shd::context_create(&context);
-  shd_sampler_desc sampler = shd_sampler_desc_default();
+  shd::sampler_desc sampler;
   sampler.filter = SHD_FILTER_ANISOTROPIC;
   stage->sampler = shd::sampler_create(stage->context, &sampler);
   make_meshes(stage.get());
@@ -187,7 +187,7 @@ Pixels render_window(Stage* stage, uint32_t frame, const Window& window) {
   const shd_camera camera = frame_camera(*stage, frame);
   const shd_light* lights[2] = {stage->lights[0], stage->lights[1]};
   const shd_shadow* shadows[2] = {nullptr, stage->shadow};
-  shd_render_desc desc = shd_render_desc_default();
+  shd::render_desc desc;
   desc.framebuffer = stage->framebuffer;
   desc.camera = &camera;
   desc.clear_color[0] = 0.55f, desc.clear_color[1] = 0.62f, desc.clear_color[2] = 0.7f, desc.clear_color[3] = 1.0f;
@@ -197,7 +197,7 @@ Pixels render_window(Stage* stage, uint32_t frame, const Window& window) {
   desc.supersampling = std::max(stage->options.supersampling, 1u);
   desc.crop_x = window.x, desc.crop_y = window.y;
   shd::render(stage->context, &desc);
-  shd_image view = shd_image_default();
+  shd::image view;
   shd::check(shd_framebuffer_view_color(stage->framebuffer, &view));
   return {static_cast<const uint16_t*>(view.pixels), view.row_stride / sizeof(uint16_t)};
 }

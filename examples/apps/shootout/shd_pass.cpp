@@ -10,7 +10,7 @@ double now() {
 }
 
 shd_lookups columns_of(const Lookups& q) {
-  shd_lookups columns = shd_lookups_default();
+  shd::lookups columns;
   columns.count = q.count();
   columns.u = shd::in(q.u);
   columns.v = shd::in(q.v);
@@ -22,11 +22,11 @@ shd_lookups columns_of(const Lookups& q) {
 }
 
 ShdPass::ShdPass(const Texture& texture, const Setting& setting) {
-  shd_context_desc context = shd_context_desc_default();
+  shd::context_desc context;
   context.worker_count = 1;
   context_ = shd::context_create(&context);
   sampler_ = shd::sampler_create(context_, &setting.sampler);
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_RGBA8;
   desc.width = desc.height = texture.edge;
   desc.texels = texture.rgba.data();
@@ -34,14 +34,14 @@ ShdPass::ShdPass(const Texture& texture, const Setting& setting) {
   const double start = now();
   texture_ = shd::texture_create(context_, &desc);
   build_seconds_ = now() - start;
-  shd_texture_info info = shd_texture_info_default();
+  shd::texture_info info;
   shd::check(shd_texture_get_info(texture_, &info));
   table_bytes_ = info.byte_size;
 }
 
 void ShdPass::run(const Lookups& q, std::vector<float>* rgba) const {
   const shd_lookups columns = columns_of(q);
-  shd_texels out = shd_texels_default();
+  shd::texels out;
   for (size_t c = 0; c < 4; ++c) out.channel[c] = shd_f32_out_column(rgba->data() + c, 4 * sizeof(float));
   shd::check(shd_texture_sample(texture_, sampler_, &columns, &out));
 }
@@ -55,7 +55,7 @@ std::vector<float> ShdPass::filter(const Lookups& q) const {
 std::vector<float> ShdPass::levels(const Lookups& q) const {
   const shd_lookups columns = columns_of(q);
   std::vector<float> lod(q.count());
-  shd_levels out = shd_levels_default();
+  shd::levels out;
   out.lod = shd::out(lod);
   shd::check(shd_texture_query_levels(texture_, sampler_, &columns, &out));
   return lod;

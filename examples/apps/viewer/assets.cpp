@@ -23,7 +23,7 @@ shd_texture* load_texture(shd_context* context, const std::string& name, shd_tab
   } else if (name == "tiles") {
     assets.textures.push_back(make_tiles(context, tables));
   } else {
-    shd_load_desc desc = shd_load_desc_default();
+    shd::load_desc desc;
     desc.tables = tables;
     assets.textures.push_back(shd::texture_load(context, name.c_str(), &desc));
   }
@@ -39,7 +39,7 @@ void set_diffuse(SurfaceAsset& surface, shd_texture* texture) {
 }
 
 void add_shape(shd_context* context, shd_shape shape, Assets& assets) {
-  shd_shape_desc desc = shd_shape_desc_default();
+  shd::shape_desc desc;
   desc.shape = shape;
   desc.segments[0] = shape == SHD_SHAPE_TEAPOT ? 24 : shape == SHD_SHAPE_BOX || shape == SHD_SHAPE_PLANE ? 0 : 128;
   desc.segments[1] = shape == SHD_SHAPE_SPHERE || shape == SHD_SHAPE_TORUS ? 64 : 0;
@@ -55,11 +55,11 @@ void add_shape(shd_context* context, shd_shape shape, Assets& assets) {
 }
 
 void add_scene(shd_context* context, const std::string& path, shd_table_flags tables, Assets& assets) {
-  shd_sampler_desc nearest = shd_sampler_desc_default();
+  shd::sampler_desc nearest;
   nearest.filter = SHD_FILTER_NEAREST;  // wraps_of() needs it; each side has a sampler of its own
-  shd_load_desc texture = shd_load_desc_default();
+  shd::load_desc texture;
   texture.tables = tables;
-  shd_scene_desc desc = shd_scene_desc_default();
+  shd::scene_desc desc;
   desc.sampler = &nearest;
   desc.texture = &texture;
   assets.scene = shd::scene_load(context, path.c_str(), &desc);
@@ -133,7 +133,7 @@ shd::mesh make_floor(shd_context* context, float half) {
       }
     }
   }
-  shd_mesh_desc desc = shd_mesh_desc_default();
+  shd::mesh_desc desc;
   desc.vertex_count = kSide * kSide;
   for (size_t c = 0; c < 8; ++c) {
     shd_f32_in& column = c < 3 ? desc.position[c] : c < 6 ? desc.normal[c - 3] : desc.uv[c - 6];
@@ -171,11 +171,11 @@ void add_floor(shd_context* context, shd_table_flags tables, Assets& assets) {
 Wraps wraps_of(const shd_texture* texture, const shd_sampler* sampler) {
   const shd_texture_info info = shd::texture_get_info(texture);
   const auto wrap_of = [&](float u, float v, uint32_t size, uint32_t shd_tap::*index) {
-    shd_lookups lookups = shd_lookups_default();
+    shd::lookups lookups;
     lookups.count = 1;
     lookups.u = shd_f32_column(&u, 0), lookups.v = shd_f32_column(&v, 0);
     shd_tap tap = {};
-    shd_explanation explanation = shd_explanation_default();
+    shd::explanation explanation;
     explanation.taps = &tap, explanation.tap_capacity = 1;
     if (size < 4 || info.depth || shd_texture_explain(texture, sampler, &lookups, 0, &explanation) != SHD_OK) {
       return SHD_WRAP_REPEAT;

@@ -26,7 +26,7 @@ struct Wraps {
 /// A material before the settings of a side change it.
 struct SurfaceAsset {
   std::string name;
-  shd_material_desc desc = shd_material_desc_default();
+  shd::material_desc desc;
   std::vector<shd_slot> slots;  // `desc.slots` is unused
   std::vector<Wraps> wraps;     // one for each slot
   bool is_floor = false;

@@ -43,7 +43,7 @@ bool is_marked(const Options& options, int x, int y) {
 
 /// Pixels of the window, RGBA. Empty if the file cannot be read or has another size.
 std::vector<uint8_t> read_window(shd_context* context, const char* path, const Options& options) {
-  shd_load_desc desc = shd_load_desc_default();
+  shd::load_desc desc;
   desc.flags = SHD_LOAD_IN_PROCESS;  // the viewer has just written the file
   const shd::bitmap bitmap = shd::bitmap_load(context, path, &desc);
   const shd_image image = shd::bitmap_image(bitmap);

@@ -14,7 +14,7 @@ constexpr int kMostTexels = 96;  // per side of a view
 
 /// Columns of one lookup.
 shd_lookups one(const Lookup& lookup) {
-  shd_lookups lookups = shd_lookups_default();
+  shd::lookups lookups;
   lookups.count = 1;
   lookups.u = shd_f32_column(&lookup.u, 0), lookups.v = shd_f32_column(&lookup.v, 0);
   lookups.dudx = shd_f32_column(&lookup.dudx, 0), lookups.dvdx = shd_f32_column(&lookup.dvdx, 0);
@@ -73,7 +73,7 @@ float fraction(float x) {
 void read_texels(shd_context* context, const shd_texture* texture, const Explanation& e, shd_wrap wrap_u,
                  shd_wrap wrap_v, LevelView& view) {
   const bool is_mip = view.level_u == view.level_v;
-  shd_sampler_desc desc = shd_sampler_desc_default();
+  shd::sampler_desc desc;
   desc.filter = is_mip ? SHD_FILTER_NEAREST_MIP : SHD_FILTER_RIPMAP;
   desc.profile = SHD_PROFILE_EXACT;
   desc.wrap_u = wrap_u, desc.wrap_v = wrap_v;
@@ -89,12 +89,12 @@ void read_texels(shd_context* context, const shd_texture* texture, const Explana
       v.push_back((float(view.y + row) + 0.5f) / float(view.height));
     }
   }
-  shd_lookups lookups = shd_lookups_default();
+  shd::lookups lookups;
   lookups.count = count;
   lookups.u = shd::in(u), lookups.v = shd::in(v);
   if (is_mip) lookups.lod = shd::in(lod);
   if (!is_mip) lookups.dudx = shd::in(dudx), lookups.dvdy = shd::in(dvdy);
-  shd_texels texels = shd_texels_default();
+  shd::texels texels;
   for (size_t c = 0; c < 4; ++c) {
     channel[c].resize(count);
     texels.channel[c] = shd::out(channel[c]);
@@ -150,7 +150,7 @@ LevelView& view_of(const shd_tap& tap, Explanation& e) {
 /// Calls shd_texture_explain() twice: for the counts, then with memory.
 shd_explanation ask(const shd_texture* texture, const shd_sampler* sampler, const shd_lookups& lookups,
                     std::vector<shd_tap>& taps, std::vector<shd_blend_step>& blends) {
-  shd_explanation e = shd_explanation_default();
+  shd::explanation e;
   shd::texture_explain(texture, sampler, &lookups, 0, &e);
   taps.resize(e.tap_count);
   blends.resize(e.blend_count);
@@ -162,7 +162,7 @@ shd_explanation ask(const shd_texture* texture, const shd_sampler* sampler, cons
 
 void sample(const shd_texture* texture, const shd_sampler* sampler, const shd_lookups& lookups,
             std::array<float, 4>& out) {
-  shd_texels texels = shd_texels_default();
+  shd::texels texels;
   for (size_t c = 0; c < 4; ++c) texels.channel[c] = shd_f32_out_column(&out[c], 0);
   shd::texture_sample(texture, sampler, &lookups, &texels);
 }

@@ -14,7 +14,7 @@ constexpr float kShadowReach = 2.5f;  // [radii] around the model
 
 shd::light make_key(shd_context* context, const Lighting& lighting, float factor) {
   const float az = lighting.azimuth * kPi / 180.0f, el = lighting.elevation * kPi / 180.0f;
-  shd_light_desc desc = shd_light_desc_default();
+  shd::light_desc desc;
   desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   desc.direction[0] = -std::cos(el) * std::sin(az);
   desc.direction[1] = -std::sin(el);
@@ -25,7 +25,7 @@ shd::light make_key(shd_context* context, const Lighting& lighting, float factor
 }
 
 shd::light make_ambient(shd_context* context, float intensity) {
-  shd_light_desc desc = shd_light_desc_default();
+  shd::light_desc desc;
   desc.kind = SHD_LIGHT_KIND_AMBIENT;
   std::fill(desc.intensity, desc.intensity + 3, intensity);
   return shd::light_create(context, &desc);
@@ -39,13 +39,13 @@ shd::shadow make_shadow(shd_context* context, const shd_light* light, const Asse
     draws.back().mesh = part.mesh;
     std::copy(part.object_to_world.begin(), part.object_to_world.end(), draws.back().object_to_world);
   }
-  shd_shadow_desc desc = shd_shadow_desc_default();
+  shd::shadow_desc desc;
   desc.size = 2048;
   desc.filter = SHD_SHADOW_FILTER_PCSS;
   desc.taps = 7;
   desc.light_size = 0.14f;
   desc.normal_offset = 0.004f * assets.bounds.radius;
-  shd_shadow_render_desc render = shd_shadow_render_desc_default();
+  shd::shadow_render_desc render;
   render.light = light;
   render.draws = draws.data(), render.draw_count = draws.size();
   for (size_t c = 0; c < 3; ++c) {

@@ -41,7 +41,7 @@ Columns read_mesh(const shd_mesh* mesh) {
 }
 
 shd::mesh make_mesh(shd_context* context, const Columns& columns) {
-  shd_mesh_desc desc = shd_mesh_desc_default();
+  shd::mesh_desc desc;
   desc.vertex_count = static_cast<uint32_t>(columns.occlusion.size());
   const std::vector<float>& side = columns.tangent[3];
   const bool has_tangents = std::any_of(side.begin(), side.end(), [](float value) { return value != 0.0f; });
@@ -67,14 +67,14 @@ void add_occlusion(shd_context* context, Assets& assets) {
     std::copy(part.object_to_world.begin(), part.object_to_world.end(), draws.back().object_to_world);
     if (assets.surfaces[part.surface].is_floor) draws.pop_back();  // nothing lies below it
   }
-  shd_occlusion_desc desc = shd_occlusion_desc_default();
+  shd::occlusion_desc desc;
   desc.radius = kRadius * assets.bounds.radius;
   desc.rays = 48;
   desc.map_size = 512;
   desc.draws = draws.data(), desc.draw_count = draws.size();
   for (Part& part : assets.parts) {
     Columns columns = read_mesh(part.mesh);
-    shd_draw draw = shd_draw_default();
+    shd::draw draw;
     draw.mesh = part.mesh;
     std::copy(part.object_to_world.begin(), part.object_to_world.end(), draw.object_to_world);
     const shd_f32_out out = shd::out(columns.occlusion);

@@ -53,7 +53,7 @@ void zoom(Orbit& orbit, float steps, float aspect) {
 shd_camera camera_of(const Orbit& orbit, const Bounds& bounds, float aspect) {
   const Axes axes = axes_of(orbit);
   const float distance = distance_of(orbit, aspect) * bounds.radius;
-  shd_camera camera = shd_camera_default();
+  shd::camera camera;
   camera.fov_y = orbit.fov * kDegree;
   camera.aspect = aspect;
   camera.near_plane = 0.02f * distance;

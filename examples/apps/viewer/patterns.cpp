@@ -35,7 +35,7 @@ shd::texture make_texture(shd_context* context, uint32_t size, shd_table_flags t
       }
     }
   }
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_RGBA8_SRGB;
   desc.width = desc.height = size;
   desc.texels = texels.data();
@@ -119,20 +119,20 @@ shd::environment make_studio(shd_context* context) {
       pixels.insert(pixels.end(), {light.r, light.g, light.b});
     }
   }
-  shd_image image = shd_image_default();
+  shd::image image;
   image.format = SHD_FORMAT_RGB32F;
   image.width = kWidth, image.height = kHeight;
   image.pixels = pixels.data();
-  shd_environment_desc desc = shd_environment_desc_default();
+  shd::environment_desc desc;
   desc.image = &image;
   return shd::environment_create(context, &desc);
 }
 
 shd::environment load_environment(shd_context* context, const std::string& path) {
-  const shd_load_desc load = shd_load_desc_default();
+  const shd::load_desc load;
   const shd::bitmap bitmap = shd::bitmap_load(context, path.c_str(), &load);
   const shd_image image = shd::bitmap_image(bitmap);
-  shd_environment_desc desc = shd_environment_desc_default();
+  shd::environment_desc desc;
   desc.image = &image;
   return shd::environment_create(context, &desc);
 }

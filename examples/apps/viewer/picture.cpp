@@ -41,11 +41,11 @@ MagnifierLayout magnifier_layout(const Rect& viewport, float scale) {
 
 std::string save_pixels(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height, const std::string& path) {
   std::vector<uint8_t> copy = pixels;  // shd_image has no read-only pixels
-  shd_image image = shd_image_default();
+  shd::image image;
   image.format = SHD_FORMAT_RGBA8_SRGB;
   image.width = width, image.height = height;
   image.pixels = copy.data();
-  const shd_save_desc desc = shd_save_desc_default();
+  const shd::save_desc desc;
   return shd_image_save(&image, path.c_str(), &desc) == SHD_OK ? "" : path + ": " + shd_last_error();
 }
 

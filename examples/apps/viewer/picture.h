@@ -18,7 +18,7 @@ struct Image {
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> display;  // [height][width][4], encoded for the display, opaque
   std::vector<float> linear;     // [height][width][4], scene-linear, premultiplied
-  shd_render_stats stats = shd_render_stats_default();
+  shd::render_stats stats;
   double seconds = 0.0;  // time of shd_render() and the display transform
 };
 

@@ -11,7 +11,7 @@ namespace viewer {
 namespace {
 
 shd::context make_context(uint32_t workers) {
-  shd_context_desc desc = shd_context_desc_default();
+  shd::context_desc desc;
   desc.worker_count = workers;
   return shd::context_create(&desc);
 }
@@ -44,7 +44,7 @@ shd_model model_of(const Surface& surface, const Assets& assets) {
 }
 
 shd::sampler make_sampler(shd_context* context, const Sampling& sampling, const Wraps& wraps) {
-  shd_sampler_desc desc = shd_sampler_desc_default();
+  shd::sampler_desc desc;
   desc.filter = sampling.filter;
   desc.max_anisotropy = sampling.max_anisotropy;
   desc.precision = sampling.precision;
@@ -68,7 +68,7 @@ void set_surface(const Surface& surface, bool has_texture, shd_material_desc& de
 
 shd::framebuffer make_framebuffer(shd_context* context, uint32_t width, uint32_t height, uint32_t samples,
                                   shd_aov_flags aovs) {
-  shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+  shd::framebuffer_desc desc;
   desc.width = width, desc.height = height, desc.samples = samples, desc.aovs = aovs;
   return shd::framebuffer_create(context, &desc);
 }
@@ -80,7 +80,7 @@ bool suits(const shd_framebuffer* framebuffer, uint32_t width, uint32_t height, 
 }
 
 shd_image rgba(std::vector<uint8_t>& pixels, const Image& image, shd_format format) {
-  shd_image out = shd_image_default();
+  shd::image out;
   out.format = format;
   out.width = image.width, out.height = image.height;
   out.pixels = pixels.data();
@@ -144,7 +144,7 @@ Stage::Look Stage::make_look(const Side& side) const {
     look.materials.push_back(make_material(side, model, surface, look));
   }
   for (const Part& part : assets_.parts) {
-    shd_draw draw = shd_draw_default();
+    shd::draw draw;
     draw.mesh = part.mesh;
     draw.material = look.materials[part.surface];
     std::copy(part.object_to_world.begin(), part.object_to_world.end(), draw.object_to_world);
@@ -155,7 +155,7 @@ Stage::Look Stage::make_look(const Side& side) const {
 
 shd_render_desc Stage::make_frame(const State& state, const Side& side, const Look& look) const {
   const shd_camera camera = camera_of(state.orbit, assets_.bounds, aspect_of(state));
-  shd_render_desc frame = shd_render_desc_default();
+  shd::render_desc frame;
   frame.view = shd::view_from_camera(&camera);
   frame.draws = look.draws.data(), frame.draw_count = look.draws.size();
   lights_.set(look.over_pi, frame);

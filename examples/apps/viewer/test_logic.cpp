@@ -134,13 +134,13 @@ void test_unwrapped() {
 
 void test_wraps(shd_context* context) {
   std::vector<uint8_t> texels(8 * 8, 9);
-  shd_texture_desc desc = shd_texture_desc_default();
+  shd::texture_desc desc;
   desc.format = SHD_FORMAT_R8;
   desc.width = desc.height = 8;
   desc.texels = texels.data();
   const shd::texture texture = shd::texture_create(context, &desc);
   for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_BORDER}) {
-    shd_sampler_desc nearest = shd_sampler_desc_default();
+    shd::sampler_desc nearest;
     nearest.filter = SHD_FILTER_NEAREST;
     nearest.wrap_u = wrap;
     const shd::sampler sampler = shd::sampler_create(context, &nearest);

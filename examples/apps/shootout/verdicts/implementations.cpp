@@ -15,7 +15,7 @@ shd_lookups columns_with_levels(const Lookups& q) {
 }
 
 shd_texels packed(std::vector<float>* rgba) {
-  shd_texels out = shd_texels_default();
+  shd::texels out;
   for (size_t c = 0; c < 4; ++c) out.channel[c] = shd_f32_out_column(rgba->data() + c, 4 * sizeof(float));
   return out;
 }
@@ -41,7 +41,7 @@ Implementation own(shd_simd simd, const std::string& target, shd_precision preci
 void add_own(std::vector<Implementation>* all) {
   std::vector<std::string> seen;
   for (int simd = SHD_SIMD_BASELINE; simd <= SHD_SIMD_WASM; ++simd) {
-    shd_context_desc desc = shd_context_desc_default();
+    shd::context_desc desc;
     desc.simd = static_cast<shd_simd>(simd);
     shd_context* context = nullptr;
     if (shd_context_create(&desc, &context) != SHD_OK) continue;
@@ -74,19 +74,19 @@ Implementation peer(Who who) {
 }  // namespace
 
 JudgedTexture::JudgedTexture(const Texture& from, shd_simd simd, uint32_t workers) {
-  shd_context_desc desc = shd_context_desc_default();
+  shd::context_desc desc;
   desc.simd = simd;
   desc.worker_count = workers;
   context = shd::context_create(&desc);
   std::vector<shd_image> levels;
   for (uint32_t level = 1; level < level_count(from); ++level) {
-    shd_image image = shd_image_default();
+    shd::image image;
     image.format = SHD_FORMAT_RGBA8;
     image.width = image.height = level_edge(from, level);
     image.pixels = const_cast<uint8_t*>(level_texels(from, level));
     levels.push_back(image);
   }
-  shd_texture_desc made = shd_texture_desc_default();
+  shd::texture_desc made;
   made.format = SHD_FORMAT_RGBA8;
   made.width = made.height = from.edge;
   made.texels = from.rgba.data();
@@ -106,7 +106,7 @@ std::vector<float> JudgedTexture::sample(const Lookups& q, const shd_sampler_des
 }
 
 shd_sampler_desc judged_sampler(shd_filter filter, shd_profile profile) {
-  shd_sampler_desc desc = shd_sampler_desc_default();
+  shd::sampler_desc desc;
   desc.filter = filter;
   desc.profile = profile;
   desc.wrap_u = desc.wrap_v = SHD_WRAP_REPEAT;

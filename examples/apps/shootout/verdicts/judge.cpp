@@ -13,7 +13,7 @@ namespace {
 constexpr double kAnisotropicShare = 0.04;
 
 shd_bounds_desc preset_of(size_t rules) {
-  shd_bounds_desc desc = shd_bounds_desc_default();
+  shd::bounds_desc desc;
   shd::check(shd_bounds_desc_from_rules(kJudgedRules[rules].rules, &desc));
   if (kJudgedRules[rules].own) desc.level_rules = SHD_LEVEL_RULE_PROFILE;
   return desc;
