@@ -21,6 +21,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/shdConfigVersion.cmake CO
 install(FILES ${PROJECT_BINARY_DIR}/shdConfig.cmake ${PROJECT_BINARY_DIR}/shdConfigVersion.cmake
         DESTINATION ${cmake_dir} COMPONENT dev)
 
+# gdb loads this file together with the library of the same name.
+if(SHD_BUILD_SHARED AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  install(FILES ${PROJECT_SOURCE_DIR}/src/packaging/gdb/libshd-gdb.py RENAME $<TARGET_FILE_NAME:shd>-gdb.py
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/gdb/auto-load${CMAKE_INSTALL_FULL_LIBDIR} COMPONENT dev)
+endif()
+
 # The .pc files find their prefix from where they lie, so that `cmake --install --prefix` and moved trees work.
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
   set(PC_PREFIX ${CMAKE_INSTALL_PREFIX})
@@ -87,7 +93,6 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${doc_dir} COMPONENT do
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc_dir} COMPONENT doc
         FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "*.png" PATTERN "*.md")
 
-option(SHD_DEB "Set up CPack for Debian packages" OFF)
 if(SHD_DEB)
   include(${PROJECT_SOURCE_DIR}/src/packaging/ShdDeb.cmake)
 endif()

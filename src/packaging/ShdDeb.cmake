@@ -15,7 +15,7 @@ set(soname_version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${SHD_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # the descriptions below have a summary of their own
-set(CPACK_STRIP_FILES ON)
+set(CPACK_STRIP_FILES OFF)  # deb/finish.sh strips, and keeps the debug information
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -29,6 +29,24 @@ check_with_lintian() {
   echo "lintian: no error, no warning"
 }
 
+# gdb finds the debug information of the library, and prints a handle by it.
+check_debugger() {
+  if ! command -v gdb >/dev/null; then
+    echo "not checked: no gdb (Debian: gdb)"
+    return
+  fi
+  local package debug=$WORK/debug out
+  rm -rf "$debug"
+  for package in "$WORK/packages/"libshd[0-9]*.deb "$WORK/packages/"libshd-dev_*.deb; do dpkg-deb -x "$package" "$debug"; done
+  "$CC" -std=c99 -g "-I$debug/usr/include" "$SOURCE/examples/hello.c" -o "$debug/hello" "-L$debug/usr/lib/$multiarch" -lshd
+  out=$(LD_LIBRARY_PATH=$debug/usr/lib/$multiarch gdb -nx -batch -iex 'set debuginfod enabled off' \
+    -iex "set debug-file-directory $debug/usr/lib/debug" \
+    -ex "source $(echo "$debug/usr/share/gdb/auto-load/usr/lib/$multiarch/libshd.so."*-gdb.py)" \
+    -ex 'break shd_texture_sample' -ex run -ex up -ex 'print texture' "$debug/hello" 2>&1 </dev/null)
+  grep -qF ': 2D, 2 x 2, SHD_FORMAT_R8, 1 level, 1 layer; 1 reference' <<<"$out" || die "gdb does not print a texture: $out"
+  echo "gdb prints a texture"
+}
+
 # Without root or debootstrap: the packages unpacked, and a search path.
 run_unpacked() {
   local package
@@ -111,4 +129,5 @@ render_teapot() {
 
 build_packages
 check_with_lintian
+check_debugger
 if [ "$(id -u)" -eq 0 ] && command -v debootstrap >/dev/null; then run_in_chroot; else run_unpacked; fi
