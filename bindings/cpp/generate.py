@@ -73,7 +73,8 @@ class Generator:
         if f"{name}_default" not in self.functions:
             return None
         own = name.removeprefix("shd_")
-        return f"struct {own} : {name} {{\n  {own}() noexcept : {name}({name}_default()) {{}}\n}};"
+        return "\n".join([f"struct {own} : {name} {{", f"  {own}() noexcept : {name}({name}_default()) {{}}",
+                          f"  {own}(const {name}& values) noexcept : {name}(values) {{}}", "};"])
 
     def group(self, entries, make):
         """The text of each entry. Entries of a component exist only where its header is installed."""

@@ -114,242 +114,318 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 // Structs of C that start with their defaults.
 struct bake_stats : shd_bake_stats {
   bake_stats() noexcept : shd_bake_stats(shd_bake_stats_default()) {}
+  bake_stats(const shd_bake_stats& values) noexcept : shd_bake_stats(values) {}
 };
 struct bake_desc : shd_bake_desc {
   bake_desc() noexcept : shd_bake_desc(shd_bake_desc_default()) {}
+  bake_desc(const shd_bake_desc& values) noexcept : shd_bake_desc(values) {}
 };
 struct bounds_desc : shd_bounds_desc {
   bounds_desc() noexcept : shd_bounds_desc(shd_bounds_desc_default()) {}
+  bounds_desc(const shd_bounds_desc& values) noexcept : shd_bounds_desc(values) {}
 };
 #if __has_include(<shd/color.h>)
 struct color_desc : shd_color_desc {
   color_desc() noexcept : shd_color_desc(shd_color_desc_default()) {}
+  color_desc(const shd_color_desc& values) noexcept : shd_color_desc(values) {}
 };
 #endif
 struct context_desc : shd_context_desc {
   context_desc() noexcept : shd_context_desc(shd_context_desc_default()) {}
+  context_desc(const shd_context_desc& values) noexcept : shd_context_desc(values) {}
 };
 struct draw : shd_draw {
   draw() noexcept : shd_draw(shd_draw_default()) {}
+  draw(const shd_draw& values) noexcept : shd_draw(values) {}
 };
 struct edges_desc : shd_edges_desc {
   edges_desc() noexcept : shd_edges_desc(shd_edges_desc_default()) {}
+  edges_desc(const shd_edges_desc& values) noexcept : shd_edges_desc(values) {}
 };
 struct edges : shd_edges {
   edges() noexcept : shd_edges(shd_edges_default()) {}
+  edges(const shd_edges& values) noexcept : shd_edges(values) {}
 };
 struct environment_desc : shd_environment_desc {
   environment_desc() noexcept : shd_environment_desc(shd_environment_desc_default()) {}
+  environment_desc(const shd_environment_desc& values) noexcept : shd_environment_desc(values) {}
 };
 struct environment_info : shd_environment_info {
   environment_info() noexcept : shd_environment_info(shd_environment_info_default()) {}
+  environment_info(const shd_environment_info& values) noexcept : shd_environment_info(values) {}
 };
 struct environment_lookups : shd_environment_lookups {
   environment_lookups() noexcept : shd_environment_lookups(shd_environment_lookups_default()) {}
+  environment_lookups(const shd_environment_lookups& values) noexcept : shd_environment_lookups(values) {}
 };
 struct environment_values : shd_environment_values {
   environment_values() noexcept : shd_environment_values(shd_environment_values_default()) {}
+  environment_values(const shd_environment_values& values) noexcept : shd_environment_values(values) {}
 };
 struct explanation : shd_explanation {
   explanation() noexcept : shd_explanation(shd_explanation_default()) {}
+  explanation(const shd_explanation& values) noexcept : shd_explanation(values) {}
 };
 struct derivatives : shd_derivatives {
   derivatives() noexcept : shd_derivatives(shd_derivatives_default()) {}
+  derivatives(const shd_derivatives& values) noexcept : shd_derivatives(values) {}
 };
 struct ray_differentials : shd_ray_differentials {
   ray_differentials() noexcept : shd_ray_differentials(shd_ray_differentials_default()) {}
+  ray_differentials(const shd_ray_differentials& values) noexcept : shd_ray_differentials(values) {}
 };
 struct ray_cones : shd_ray_cones {
   ray_cones() noexcept : shd_ray_cones(shd_ray_cones_default()) {}
+  ray_cones(const shd_ray_cones& values) noexcept : shd_ray_cones(values) {}
 };
 struct framebuffer_desc : shd_framebuffer_desc {
   framebuffer_desc() noexcept : shd_framebuffer_desc(shd_framebuffer_desc_default()) {}
+  framebuffer_desc(const shd_framebuffer_desc& values) noexcept : shd_framebuffer_desc(values) {}
 };
 struct framebuffer_info : shd_framebuffer_info {
   framebuffer_info() noexcept : shd_framebuffer_info(shd_framebuffer_info_default()) {}
+  framebuffer_info(const shd_framebuffer_info& values) noexcept : shd_framebuffer_info(values) {}
 };
 struct plane_view : shd_plane_view {
   plane_view() noexcept : shd_plane_view(shd_plane_view_default()) {}
+  plane_view(const shd_plane_view& values) noexcept : shd_plane_view(values) {}
 };
 struct image : shd_image {
   image() noexcept : shd_image(shd_image_default()) {}
+  image(const shd_image& values) noexcept : shd_image(values) {}
 };
 #if __has_include(<shd/io.h>)
 struct load_desc : shd_load_desc {
   load_desc() noexcept : shd_load_desc(shd_load_desc_default()) {}
+  load_desc(const shd_load_desc& values) noexcept : shd_load_desc(values) {}
 };
 struct bitmap_info : shd_bitmap_info {
   bitmap_info() noexcept : shd_bitmap_info(shd_bitmap_info_default()) {}
+  bitmap_info(const shd_bitmap_info& values) noexcept : shd_bitmap_info(values) {}
 };
 struct save_desc : shd_save_desc {
   save_desc() noexcept : shd_save_desc(shd_save_desc_default()) {}
+  save_desc(const shd_save_desc& values) noexcept : shd_save_desc(values) {}
 };
 #endif
 struct light_desc : shd_light_desc {
   light_desc() noexcept : shd_light_desc(shd_light_desc_default()) {}
+  light_desc(const shd_light_desc& values) noexcept : shd_light_desc(values) {}
 };
 struct lookups : shd_lookups {
   lookups() noexcept : shd_lookups(shd_lookups_default()) {}
+  lookups(const shd_lookups& values) noexcept : shd_lookups(values) {}
 };
 struct texels : shd_texels {
   texels() noexcept : shd_texels(shd_texels_default()) {}
+  texels(const shd_texels& values) noexcept : shd_texels(values) {}
 };
 struct levels : shd_levels {
   levels() noexcept : shd_levels(shd_levels_default()) {}
+  levels(const shd_levels& values) noexcept : shd_levels(values) {}
 };
 struct material_desc : shd_material_desc {
   material_desc() noexcept : shd_material_desc(shd_material_desc_default()) {}
+  material_desc(const shd_material_desc& values) noexcept : shd_material_desc(values) {}
 };
 struct mesh_desc : shd_mesh_desc {
   mesh_desc() noexcept : shd_mesh_desc(shd_mesh_desc_default()) {}
+  mesh_desc(const shd_mesh_desc& values) noexcept : shd_mesh_desc(values) {}
 };
 struct mesh_info : shd_mesh_info {
   mesh_info() noexcept : shd_mesh_info(shd_mesh_info_default()) {}
+  mesh_info(const shd_mesh_info& values) noexcept : shd_mesh_info(values) {}
 };
 struct mip_desc : shd_mip_desc {
   mip_desc() noexcept : shd_mip_desc(shd_mip_desc_default()) {}
+  mip_desc(const shd_mip_desc& values) noexcept : shd_mip_desc(values) {}
 };
 struct occlusion_desc : shd_occlusion_desc {
   occlusion_desc() noexcept : shd_occlusion_desc(shd_occlusion_desc_default()) {}
+  occlusion_desc(const shd_occlusion_desc& values) noexcept : shd_occlusion_desc(values) {}
 };
 struct occlusion_points : shd_occlusion_points {
   occlusion_points() noexcept : shd_occlusion_points(shd_occlusion_points_default()) {}
+  occlusion_points(const shd_occlusion_points& values) noexcept : shd_occlusion_points(values) {}
 };
 struct occlusion_values : shd_occlusion_values {
   occlusion_values() noexcept : shd_occlusion_values(shd_occlusion_values_default()) {}
+  occlusion_values(const shd_occlusion_values& values) noexcept : shd_occlusion_values(values) {}
 };
 struct occlusion_atlas : shd_occlusion_atlas {
   occlusion_atlas() noexcept : shd_occlusion_atlas(shd_occlusion_atlas_default()) {}
+  occlusion_atlas(const shd_occlusion_atlas& values) noexcept : shd_occlusion_atlas(values) {}
 };
 struct polygon_desc : shd_polygon_desc {
   polygon_desc() noexcept : shd_polygon_desc(shd_polygon_desc_default()) {}
+  polygon_desc(const shd_polygon_desc& values) noexcept : shd_polygon_desc(values) {}
 };
 struct polygon_points : shd_polygon_points {
   polygon_points() noexcept : shd_polygon_points(shd_polygon_points_default()) {}
+  polygon_points(const shd_polygon_points& values) noexcept : shd_polygon_points(values) {}
 };
 struct polygon_weights : shd_polygon_weights {
   polygon_weights() noexcept : shd_polygon_weights(shd_polygon_weights_default()) {}
+  polygon_weights(const shd_polygon_weights& values) noexcept : shd_polygon_weights(values) {}
 };
 struct directions : shd_directions {
   directions() noexcept : shd_directions(shd_directions_default()) {}
+  directions(const shd_directions& values) noexcept : shd_directions(values) {}
 };
 struct projected_points : shd_projected_points {
   projected_points() noexcept : shd_projected_points(shd_projected_points_default()) {}
+  projected_points(const shd_projected_points& values) noexcept : shd_projected_points(values) {}
 };
 struct image_points : shd_image_points {
   image_points() noexcept : shd_image_points(shd_image_points_default()) {}
+  image_points(const shd_image_points& values) noexcept : shd_image_points(values) {}
 };
 struct point_directions : shd_point_directions {
   point_directions() noexcept : shd_point_directions(shd_point_directions_default()) {}
+  point_directions(const shd_point_directions& values) noexcept : shd_point_directions(values) {}
 };
 struct direction_images : shd_direction_images {
   direction_images() noexcept : shd_direction_images(shd_direction_images_default()) {}
+  direction_images(const shd_direction_images& values) noexcept : shd_direction_images(values) {}
 };
 struct render_stats : shd_render_stats {
   render_stats() noexcept : shd_render_stats(shd_render_stats_default()) {}
+  render_stats(const shd_render_stats& values) noexcept : shd_render_stats(values) {}
 };
 struct render_desc : shd_render_desc {
   render_desc() noexcept : shd_render_desc(shd_render_desc_default()) {}
+  render_desc(const shd_render_desc& values) noexcept : shd_render_desc(values) {}
 };
 struct sampler_desc : shd_sampler_desc {
   sampler_desc() noexcept : shd_sampler_desc(shd_sampler_desc_default()) {}
+  sampler_desc(const shd_sampler_desc& values) noexcept : shd_sampler_desc(values) {}
 };
 #if __has_include(<shd/scene.h>)
 struct scene_desc : shd_scene_desc {
   scene_desc() noexcept : shd_scene_desc(shd_scene_desc_default()) {}
+  scene_desc(const shd_scene_desc& values) noexcept : shd_scene_desc(values) {}
 };
 struct scene_info : shd_scene_info {
   scene_info() noexcept : shd_scene_info(shd_scene_info_default()) {}
+  scene_info(const shd_scene_info& values) noexcept : shd_scene_info(values) {}
 };
 struct scene_instance : shd_scene_instance {
   scene_instance() noexcept : shd_scene_instance(shd_scene_instance_default()) {}
+  scene_instance(const shd_scene_instance& values) noexcept : shd_scene_instance(values) {}
 };
 #endif
 struct shadow_desc : shd_shadow_desc {
   shadow_desc() noexcept : shd_shadow_desc(shd_shadow_desc_default()) {}
+  shadow_desc(const shd_shadow_desc& values) noexcept : shd_shadow_desc(values) {}
 };
 struct shadow_render_desc : shd_shadow_render_desc {
   shadow_render_desc() noexcept : shd_shadow_render_desc(shd_shadow_render_desc_default()) {}
+  shadow_render_desc(const shd_shadow_render_desc& values) noexcept : shd_shadow_render_desc(values) {}
 };
 struct shadow_lookups : shd_shadow_lookups {
   shadow_lookups() noexcept : shd_shadow_lookups(shd_shadow_lookups_default()) {}
+  shadow_lookups(const shd_shadow_lookups& values) noexcept : shd_shadow_lookups(values) {}
 };
 struct shadow_values : shd_shadow_values {
   shadow_values() noexcept : shd_shadow_values(shd_shadow_values_default()) {}
+  shadow_values(const shd_shadow_values& values) noexcept : shd_shadow_values(values) {}
 };
 struct shape_desc : shd_shape_desc {
   shape_desc() noexcept : shd_shape_desc(shd_shape_desc_default()) {}
+  shape_desc(const shd_shape_desc& values) noexcept : shd_shape_desc(values) {}
 };
 struct shape_columns : shd_shape_columns {
   shape_columns() noexcept : shd_shape_columns(shd_shape_columns_default()) {}
+  shape_columns(const shd_shape_columns& values) noexcept : shd_shape_columns(values) {}
 };
 struct slot : shd_slot {
   slot() noexcept : shd_slot(shd_slot_default()) {}
+  slot(const shd_slot& values) noexcept : shd_slot(values) {}
 };
 struct solid_desc : shd_solid_desc {
   solid_desc() noexcept : shd_solid_desc(shd_solid_desc_default()) {}
+  solid_desc(const shd_solid_desc& values) noexcept : shd_solid_desc(values) {}
 };
 struct solid_points : shd_solid_points {
   solid_points() noexcept : shd_solid_points(shd_solid_points_default()) {}
+  solid_points(const shd_solid_points& values) noexcept : shd_solid_points(values) {}
 };
 struct solid_values : shd_solid_values {
   solid_values() noexcept : shd_solid_values(shd_solid_values_default()) {}
+  solid_values(const shd_solid_values& values) noexcept : shd_solid_values(values) {}
 };
 struct tessellation_desc : shd_tessellation_desc {
   tessellation_desc() noexcept : shd_tessellation_desc(shd_tessellation_desc_default()) {}
+  tessellation_desc(const shd_tessellation_desc& values) noexcept : shd_tessellation_desc(values) {}
 };
 struct texture_desc : shd_texture_desc {
   texture_desc() noexcept : shd_texture_desc(shd_texture_desc_default()) {}
+  texture_desc(const shd_texture_desc& values) noexcept : shd_texture_desc(values) {}
 };
 struct texture_info : shd_texture_info {
   texture_info() noexcept : shd_texture_info(shd_texture_info_default()) {}
+  texture_info(const shd_texture_info& values) noexcept : shd_texture_info(values) {}
 };
 #if __has_include(<shd/texture_file.h>)
 struct texture_file_info : shd_texture_file_info {
   texture_file_info() noexcept : shd_texture_file_info(shd_texture_file_info_default()) {}
+  texture_file_info(const shd_texture_file_info& values) noexcept : shd_texture_file_info(values) {}
 };
 struct ktx2_desc : shd_ktx2_desc {
   ktx2_desc() noexcept : shd_ktx2_desc(shd_ktx2_desc_default()) {}
+  ktx2_desc(const shd_ktx2_desc& values) noexcept : shd_ktx2_desc(values) {}
 };
 #endif
 struct tile_cache_desc : shd_tile_cache_desc {
   tile_cache_desc() noexcept : shd_tile_cache_desc(shd_tile_cache_desc_default()) {}
+  tile_cache_desc(const shd_tile_cache_desc& values) noexcept : shd_tile_cache_desc(values) {}
 };
 struct tile_cache_stats : shd_tile_cache_stats {
   tile_cache_stats() noexcept : shd_tile_cache_stats(shd_tile_cache_stats_default()) {}
+  tile_cache_stats(const shd_tile_cache_stats& values) noexcept : shd_tile_cache_stats(values) {}
 };
 #if __has_include(<shd/tile_file.h>)
 struct tile_file_desc : shd_tile_file_desc {
   tile_file_desc() noexcept : shd_tile_file_desc(shd_tile_file_desc_default()) {}
+  tile_file_desc(const shd_tile_file_desc& values) noexcept : shd_tile_file_desc(values) {}
 };
 struct tile_file_info : shd_tile_file_info {
   tile_file_info() noexcept : shd_tile_file_info(shd_tile_file_info_default()) {}
+  tile_file_info(const shd_tile_file_info& values) noexcept : shd_tile_file_info(values) {}
 };
 #endif
 struct tile_region : shd_tile_region {
   tile_region() noexcept : shd_tile_region(shd_tile_region_default()) {}
+  tile_region(const shd_tile_region& values) noexcept : shd_tile_region(values) {}
 };
 struct camera : shd_camera {
   camera() noexcept : shd_camera(shd_camera_default()) {}
+  camera(const shd_camera& values) noexcept : shd_camera(values) {}
 };
 struct volume_desc : shd_volume_desc {
   volume_desc() noexcept : shd_volume_desc(shd_volume_desc_default()) {}
+  volume_desc(const shd_volume_desc& values) noexcept : shd_volume_desc(values) {}
 };
 struct volume_draw : shd_volume_draw {
   volume_draw() noexcept : shd_volume_draw(shd_volume_draw_default()) {}
+  volume_draw(const shd_volume_draw& values) noexcept : shd_volume_draw(values) {}
 };
 #if __has_include(<shd/volume_file.h>)
 struct raw_desc : shd_raw_desc {
   raw_desc() noexcept : shd_raw_desc(shd_raw_desc_default()) {}
+  raw_desc(const shd_raw_desc& values) noexcept : shd_raw_desc(values) {}
 };
 struct stack_desc : shd_stack_desc {
   stack_desc() noexcept : shd_stack_desc(shd_stack_desc_default()) {}
+  stack_desc(const shd_stack_desc& values) noexcept : shd_stack_desc(values) {}
 };
 struct vdb_desc : shd_vdb_desc {
   vdb_desc() noexcept : shd_vdb_desc(shd_vdb_desc_default()) {}
+  vdb_desc(const shd_vdb_desc& values) noexcept : shd_vdb_desc(values) {}
 };
 struct vdb_info : shd_vdb_info {
   vdb_info() noexcept : shd_vdb_info(shd_vdb_info_default()) {}
+  vdb_info(const shd_vdb_info& values) noexcept : shd_vdb_info(values) {}
 };
 #endif
 

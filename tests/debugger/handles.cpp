@@ -16,12 +16,12 @@
 
 namespace {
 
-#define REQUIRE(call)                                       \
-  do {                                                      \
-    if ((call) != SHD_OK) {                                 \
+#define REQUIRE(call)                                            \
+  do {                                                           \
+    if ((call) != SHD_OK) {                                      \
       std::fprintf(stderr, "%s: %s\n", #call, shd_last_error()); \
-      return 1;                                             \
-    }                                                       \
+      return 1;                                                  \
+    }                                                            \
   } while (0)
 
 /// The debugger stops here.

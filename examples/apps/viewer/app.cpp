@@ -9,6 +9,7 @@
 #include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
+#include "dialogs.h"
 #include "explain_view.h"
 #include "gui_render.h"
 #include "panels.h"
@@ -175,6 +176,8 @@ void App::draw() {
   ImGui_ImplSDL2_NewFrame();
   ImGui::NewFrame();
   show_panel();
+  show_help(ui_);
+  show_open(ui_, state_);
   const bool is_slow = worker_->is_busy() && worker_->seconds() > 0.3;
   show_status(ui_, layout_.status, viewport_->shown().get(), is_slow ? worker_->progress() : -1.0f);
   obey_buttons();
@@ -207,8 +210,11 @@ void App::handle_key(SDL_Keycode key) {
   if (key == SDLK_m) ui_.magnifier = !ui_.magnifier;
   if (key == SDLK_s) ui_.save = true;
   if (key == SDLK_r) ui_.reset = true;
+  if (key == SDLK_o) ui_.open = !ui_.open;
+  if (key == SDLK_F1) ui_.help = !ui_.help;
   if (key == SDLK_TAB) ui_.pixel_tab = !ui_.pixel_tab, ui_.select_tab = true;
   if (key != SDLK_ESCAPE) return;
+  ui_.help = ui_.open = false;
   if (worker_->is_busy()) worker_->cancel();
   if (!ui_.message.empty()) leave_error();
   state_.pick.reset();

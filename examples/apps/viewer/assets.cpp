@@ -40,7 +40,7 @@ void set_diffuse(SurfaceAsset& surface, shd_texture* texture) {
 
 void add_shape(shd_context* context, shd_shape shape, Assets& assets) {
   shd::shape_desc desc;
-  desc.shape = shape;
+  desc.kind = shape;
   desc.segments[0] = shape == SHD_SHAPE_TEAPOT ? 24 : shape == SHD_SHAPE_BOX || shape == SHD_SHAPE_PLANE ? 0 : 128;
   desc.segments[1] = shape == SHD_SHAPE_SPHERE || shape == SHD_SHAPE_TORUS ? 64 : 0;
   assets.meshes.push_back(shd::mesh_create_shape(context, &desc, SHD_MESH_TANGENTS));

@@ -46,7 +46,7 @@ std::vector<uint8_t> read_window(shd_context* context, const char* path, const O
   shd::load_desc desc;
   desc.flags = SHD_LOAD_IN_PROCESS;  // the viewer has just written the file
   const shd::bitmap bitmap = shd::bitmap_load(context, path, &desc);
-  const shd_image image = shd::bitmap_image(bitmap);
+  const shd_image image = shd::bitmap_get_image(bitmap);
   if (static_cast<int>(image.width) != options.width || static_cast<int>(image.height) != options.height) return {};
   if (shd_format_size(image.format) != 4) return {};
   std::vector<uint8_t> pixels(size_t{4} * image.width * image.height);

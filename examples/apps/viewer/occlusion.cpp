@@ -69,7 +69,7 @@ void add_occlusion(shd_context* context, Assets& assets) {
   }
   shd::occlusion_desc desc;
   desc.radius = kRadius * assets.bounds.radius;
-  desc.rays = 48;
+  desc.ray_count = 48;
   desc.map_size = 512;
   desc.draws = draws.data(), desc.draw_count = draws.size();
   for (Part& part : assets.parts) {

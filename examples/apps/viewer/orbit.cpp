@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <shd.hpp>
+
 namespace viewer {
 namespace {
 

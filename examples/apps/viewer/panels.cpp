@@ -174,7 +174,7 @@ void label(const char* text) {
 }
 
 void set_wipe(Ui& ui, State& state, bool is_on) {
-  if (is_on && !ui.b_is_own) state.side[1] = state.side[0];
+  if (is_on && !ui.b_is_own) state.side[1] = other_side(state.side[0]);
   ui.b_is_own = ui.b_is_own || is_on;
   ui.side = is_on ? 1 : 0;
   state.wipe = is_on;
@@ -196,6 +196,10 @@ void show_buttons(Ui& ui) {
   if (ImGui::Button("Reset camera")) ui.reset = true;
   ImGui::SameLine();
   ImGui::Checkbox("Magnifier", &ui.magnifier);
+  ImGui::SameLine();
+  if (ImGui::Button("Open")) ui.open = true;
+  ImGui::SameLine();
+  if (ImGui::Button("Keys")) ui.help = true;
 }
 
 std::string with_commas(uint64_t count) {
@@ -216,7 +220,7 @@ void show_status(Ui& ui, const Rect& place, const Picture* picture, float progre
     double seconds = 0.0;
     uint64_t fragments = 0;
     for (const auto& image : picture->side) {
-      if (image) seconds += image->seconds, fragments += image->stats.fragments;
+      if (image) seconds += image->seconds, fragments += image->stats.fragment_count;
     }
     ImGui::Text("%.1f ms   %s fragments   %.1f M/s   %s triangles   %s, %u worker%s", 1e3 * seconds,
                 with_commas(fragments).c_str(), 1e-6 * double(fragments) / std::max(seconds, 1e-9),

@@ -131,7 +131,7 @@ shd::environment make_studio(shd_context* context) {
 shd::environment load_environment(shd_context* context, const std::string& path) {
   const shd::load_desc load;
   const shd::bitmap bitmap = shd::bitmap_load(context, path.c_str(), &load);
-  const shd_image image = shd::bitmap_image(bitmap);
+  const shd_image image = shd::bitmap_get_image(bitmap);
   shd::environment_desc desc;
   desc.image = &image;
   return shd::environment_create(context, &desc);

@@ -69,14 +69,14 @@ void set_surface(const Surface& surface, bool has_texture, shd_material_desc& de
 shd::framebuffer make_framebuffer(shd_context* context, uint32_t width, uint32_t height, uint32_t samples,
                                   shd_aov_flags aovs) {
   shd::framebuffer_desc desc;
-  desc.width = width, desc.height = height, desc.samples = samples, desc.aovs = aovs;
+  desc.width = width, desc.height = height, desc.sample_count = samples, desc.aovs = aovs;
   return shd::framebuffer_create(context, &desc);
 }
 
 bool suits(const shd_framebuffer* framebuffer, uint32_t width, uint32_t height, uint32_t samples, shd_aov_flags aovs) {
   if (!framebuffer) return false;
   const shd_framebuffer_info info = shd::framebuffer_get_info(framebuffer);
-  return info.width == width && info.height == height && info.samples == samples && info.aovs == aovs;
+  return info.width == width && info.height == height && info.sample_count == samples && info.aovs == aovs;
 }
 
 shd_image rgba(std::vector<uint8_t>& pixels, const Image& image, shd_format format) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <initializer_list>
 
 namespace viewer {
 
@@ -81,23 +82,40 @@ shd_table_flags tables_of(const State& state) {
   return state.wipe ? a | tables_of(state.side[1].sampling.filter) : a;
 }
 
-void open_file(State& state, const std::string& path) {
+FileKind kind_of_file(const std::string& path) {
   std::string end = path.substr(std::min(path.rfind('.'), path.size()));
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto is_one_of = [&](std::initializer_list<const char*> ends) {
+    return std::find(ends.begin(), ends.end(), end) != ends.end();
+  };
+  if (is_one_of({".hdr", ".exr"})) return FileKind::kEnvironment;
+  if (is_one_of({".png", ".jpg", ".jpeg", ".tif", ".tiff", ".tga", ".bmp", ".webp", ".gif"})) return FileKind::kTexture;
+  if (is_one_of({".glb", ".gltf", ".obj", ".ply", ".stl", ".fbx", ".dae", ".3ds", ".blend", ".x", ".off"})) {
+    return FileKind::kModel;
+  }
+  return FileKind::kOther;
+}
+
+void open_file(State& state, const std::string& path) {
+  const FileKind kind = kind_of_file(path);
   state.pick.reset();
-  if (end == ".hdr" || end == ".exr") {
+  if (kind == FileKind::kEnvironment) {
     state.lighting.environment = path;
-    return;
-  }
-  for (const char* const image : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".tga", ".bmp", ".webp", ".gif"}) {
-    if (end != image) continue;
+  } else if (kind == FileKind::kTexture) {
     state.content.texture = path;
-    return;
+  } else {
+    state.content.model = path;
+    state.content.texture = "default";
+    state.orbit.shift = {0, 0, 0};
+    state.orbit.distance = 0.0f;
   }
-  state.content.model = path;
-  state.content.texture = "default";
-  state.orbit.shift = {0, 0, 0};
-  state.orbit.distance = 0.0f;
+}
+
+Side other_side(const Side& side) {
+  Side other = side;
+  const bool is_trilinear = side.sampling.filter == SHD_FILTER_TRILINEAR;
+  other.sampling.filter = is_trilinear ? SHD_FILTER_ANISOTROPIC : SHD_FILTER_TRILINEAR;
+  return other;
 }
 
 std::optional<shd_shape> shape_of(const std::string& model) {

@@ -140,8 +140,16 @@ shd_table_flags tables_of(shd_filter filter);
 /// Tables that the shown sides need.
 shd_table_flags tables_of(const State& state);
 
-/// Shows a file that was dropped on the window: an environment, a texture or a model, by its extension.
+enum class FileKind { kEnvironment, kTexture, kModel, kOther };
+
+/// Returns what a file is by its extension.
+FileKind kind_of_file(const std::string& path);
+
+/// Shows a file that was dropped on the window or chosen: an environment, a texture, or else a model.
 void open_file(State& state, const std::string& path);
+
+/// The settings that side B begins with: those of side A with another filter, trilinear or anisotropic.
+Side other_side(const Side& side);
 
 /// The shape of that word, or none for the path of a file.
 std::optional<shd_shape> shape_of(const std::string& model);

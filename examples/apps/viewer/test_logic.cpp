@@ -3,10 +3,15 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 #include "command/failure.h"
+#include "folder.h"
 #include "layout.h"
 #include "options.h"
 #include "stage.h"
@@ -117,6 +122,34 @@ void test_dropped_files() {
   check(state.content.model == "teapot", "the model stays");
   open_file(state, "/a.b/model");
   check(state.content.model == "/a.b/model" && state.content.texture == "default", "model");
+}
+
+void test_folders() {
+  namespace fs = std::filesystem;
+  const fs::path top = fs::temp_directory_path() / ("viewer_folder_" + std::to_string(::getpid()));
+  fs::create_directories(top / "b");
+  fs::create_directories(top / "a");
+  fs::create_directories(top / ".hidden");
+  for (const char* const name : {"z.PNG", "m.glb", "sky.hdr", "notes.txt", ".secret.png", "noend"}) {
+    std::ofstream(top / name) << "x";
+  }
+  const Folder folder = list_folder(top.string());
+  check(folder.path == top.string(), "path of a folder");
+  check(folder.folders == std::vector<std::string>{"a", "b"}, "folders, sorted, none hidden");
+  check(folder.files == std::vector<std::string>{"m.glb", "sky.hdr", "z.PNG"}, "files that can be shown");
+  check(list_folder((top / "absent").string()).files.empty(), "an absent folder is empty");
+  check(list_folder("").path == fs::current_path().string(), "no path is the current folder");
+  check(parent_of((top / "a").string()) == top.string() && parent_of(top.string() + "/a/") == top.string(), "parent");
+  check(parent_of("/") == "/", "the top has no parent");
+  fs::remove_all(top);
+}
+
+void test_sides() {
+  Side side;
+  check(other_side(side).sampling.filter == SHD_FILTER_TRILINEAR, "B of anisotropic is trilinear");
+  side.sampling.filter = SHD_FILTER_TRILINEAR, side.samples = 1;
+  check(other_side(side).sampling.filter == SHD_FILTER_ANISOTROPIC, "B of trilinear is anisotropic");
+  check(other_side(side).samples == 1, "B has the other settings of A");
 }
 
 void test_unwrapped() {
@@ -247,7 +280,7 @@ void test_failures(Stage& stage) {
   check(!stage.show(state, shd_progress{}, nullptr).error.empty(), "texture");
   const Picture again = stage.show(small_state(), shd_progress{}, nullptr);
   check(again.error.empty() && again.side[0]->display == good.side[0]->display, "the same picture after failures");
-  const shd_progress stop = {[](float, void*) -> shd_result { return 1; }, nullptr};
+  const shd_progress stop = {[](float, void*) -> shd_result { return SHD_ERROR_CANCELLED; }, nullptr};
   state = small_state();
   state.orbit.azimuth = 90.0f;
   check(stage.show(state, stop, nullptr).cancelled, "a progress callback cancels");
@@ -292,6 +325,8 @@ int main() {
   test_options();
   test_places();
   test_dropped_files();
+  test_folders();
+  test_sides();
   test_unwrapped();
   try {
     const shd::context context = shd::context_create(nullptr);

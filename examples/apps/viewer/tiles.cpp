@@ -56,12 +56,13 @@ shd_result Tiles::add(const shd_present_tile* tile, void* user_data) {
   auto* const self = static_cast<Tiles*>(user_data);
   const std::lock_guard<std::mutex> lock(self->mutex_);
   TileImage& image = self->image_;
-  if (tile->x + tile->width > image.width || tile->y + tile->height > image.height) return SHD_OK;
+  const shd_region area = tile->area;
+  if (area.x + area.width > image.width || area.y + area.height > image.height) return SHD_OK;
   const Codes& codes = self->is_light_ ? light : numbers;
   const size_t stride = tile->row_stride / sizeof(float);
-  for (uint32_t y = 0; y < tile->height; ++y) {
-    uint8_t* to = &image.pixels[4 * (size_t{tile->y + y} * image.width + tile->x)];
-    for (uint32_t x = 0; x < tile->width; ++x, to += 4) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    uint8_t* to = &image.pixels[4 * (size_t{area.y + y} * image.width + area.x)];
+    for (uint32_t x = 0; x < area.width; ++x, to += 4) {
       for (size_t c = 0; c < 3; ++c) to[c] = code_of(codes, tile->channel[c][y * stride + x]);
       to[3] = 255;
     }

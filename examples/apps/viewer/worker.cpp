@@ -85,7 +85,7 @@ shd_result Worker::report(float fraction, void* user_data) {
     self->last_report_ = time;
     self->changed_();
   }
-  return self->stop_ ? 1 : 0;
+  return self->stop_ ? SHD_ERROR_CANCELLED : SHD_OK;
 }
 
 std::shared_ptr<const Picture> Worker::make_picture(Stage* stage, const State& state, const Picture* previous) {
