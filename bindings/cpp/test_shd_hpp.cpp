@@ -52,6 +52,19 @@ shd::texture checker(shd_context* context) {
   return shd::texture_create(context, &desc);
 }
 
+/// Structs have the bytes of C's, start with the defaults, and take a struct of C.
+void test_structs() {
+  static_assert(sizeof(shd::texture_desc) == sizeof(shd_texture_desc));
+  const shd::sampler_desc made;
+  const shd_sampler_desc wanted = shd_sampler_desc_default();
+  expect(made.struct_size == sizeof wanted && made.filter == wanted.filter, "structs/defaults");
+  expect(made.max_anisotropy == wanted.max_anisotropy, "structs/defaults of numbers");
+  shd::slot slot = shd_slot_vertex(SHD_SLOT_DIFFUSE, 2);
+  expect(slot.target == SHD_SLOT_DIFFUSE, "structs/from a struct of C");
+  slot = shd_slot_default();
+  expect(slot.target == shd_slot_default().target, "structs/assigned");
+}
+
 void test_ownership() {
   Counter counter;
   {
@@ -377,6 +390,7 @@ int main() {
   test_scene();
   test_texture_memory();
 #endif
+  test_structs();
   test_ownership();
   test_errors();
   test_columns();

@@ -12,7 +12,7 @@ struct Folder {
   std::vector<std::string> files;    // names of files that the viewer may show, sorted
 };
 
-/// Lists a folder without hidden names. What cannot be read is not listed. An empty path is the current folder.
+/// Lists a folder without hidden names. Names that cannot be read are left out. An empty path is the current folder.
 Folder list_folder(const std::string& path);
 
 /// Returns the folder above, or the path itself at the top.
