@@ -83,10 +83,7 @@ shd_result check_matrix(const char* field, const float m[16]) {
 }
 
 shd_result in_element(shd_result result, const char* desc, const char* array, size_t index) {
-  if (result == SHD_OK) return result;
-  char text[512];
-  std::snprintf(text, sizeof text, "%s", core::last_error());
-  return core::fail(result, "%s.%s[%zu]: %s", desc, array, index, text);
+  return result == SHD_OK ? result : core::fail_within(result, "%s.%s[%zu]: ", desc, array, index);
 }
 
 shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<frame::Draw>* out) {

@@ -139,10 +139,7 @@ shd_result check_coordinates(const shd_slot& desc, uint32_t index, const texture
 /// check_use() with a message that names the slot.
 shd_result check_slot_tables(uint32_t index, const texture::Texture& texture, const texture::Sampler& sampler) {
   const shd_result result = check_use(texture, sampler);
-  if (result == SHD_OK) return SHD_OK;
-  char message[160];  // "sampler.filter: RIPMAP, but ..."
-  std::snprintf(message, sizeof message, "%s", core::last_error());
-  return core::fail(result, "material.slots[%u].%s", index, message);
+  return result == SHD_OK ? result : core::fail_within(result, "material.slots[%u].", index);
 }
 
 /// Texture and sampler of a slot, retained.

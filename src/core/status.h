@@ -20,6 +20,9 @@ namespace shd::core {
 /// Stores the text for shd_last_error() on this thread and returns `code`.
 shd_result fail(shd_result code, const char* format, ...) noexcept SHD_PRINTF(2, 3);
 
+/// Puts the formatted place, of at most 159 bytes, before the text of the last failure and returns `code`.
+shd_result fail_within(shd_result code, const char* format, ...) noexcept SHD_PRINTF(2, 3);
+
 /// The text of the latest failure on this thread; never null.
 const char* last_error() noexcept;
 
