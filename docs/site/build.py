@@ -13,6 +13,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -33,6 +34,8 @@ HEAD = f"""<link rel="icon" href="$relpath^../icon.svg">
 <script src="$relpath^{TOGGLE}"></script>
 <script>DoxygenAwesomeDarkModeToggle.init()</script>
 """
+SEARCH = """</tr><tr><td id="projectsearch"><div id="MSearchBox"><form action="$relpath^../index.html">
+<input id="MSearchField" name="q" type="search" placeholder="Search the manual" autocomplete="off"></form></div></td>"""
 ABSENT = 77
 
 
@@ -57,7 +60,8 @@ def make_reference(root, output, stage):
     header = output / "header.html"
     doxyfile = HERE / "Doxyfile"
     run(["doxygen", "-w", "html", header, output / "footer.html", output / "style.css", doxyfile], cwd=root, env=environment)
-    text = header.read_text(encoding="utf-8").replace("</head>", f"{HEAD}</head>")
+    text = re.sub(r"<!--BEGIN DISABLE_INDEX-->\s*<!--BEGIN SEARCHENGINE-->.*?<!--END DISABLE_INDEX-->", SEARCH,
+                  header.read_text(encoding="utf-8"), flags=re.S).replace("</head>", f"{HEAD}</head>")
     header.write_text(text, encoding="utf-8")
     sheets = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css",
               AWESOME / "doxygen-awesome-sidebar-only-darkmode-toggle.css", HERE / "reference.css"]

@@ -12,7 +12,7 @@ import reference
 # File of the page, heading in bindings.md, folder of the binding.
 LANGUAGES = [("cpp", "C++", "cpp"), ("python", "Python", "python"), ("javascript", "JavaScript", "js"), ("lua", "Lua", "lua"),
              ("rust", "Rust", "rust"), ("csharp", "C sharp", "csharp")]
-TITLES = {"csharp": "C#"}
+TITLES = {"csharp": "C\\#"}  # a mark at the end of a heading needs the backslash
 LINK = re.compile(r"\[([^\]]+)\]\((?!https?:|#)([^)#]*)(#[^)]*)?\)")
 
 
