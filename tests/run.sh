@@ -21,11 +21,11 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
-packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen doxygen-awesome-css
-          g++ gcc git libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev
-          libdraco-dev libeigen3-dev libembree-dev libhwy-dev libjs-katex libmeshoptimizer-dev libopencolorio-dev
-          libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev mkdocs-material ninja-build
-          nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
+packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
+          doxygen-awesome-css libjs-katex mkdocs-material  # the manual
+          libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
+          libembree-dev libhwy-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev
+          ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
 jobs=$(nproc)
