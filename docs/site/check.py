@@ -19,6 +19,15 @@ import reference
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 FILTERS = ("bilinear", "nearest_mip")
+# A declaration in the reference of each language.
+DECLARATIONS = {
+    "cpp": "[`shd::shadow_create`](c/shadow_8h.html#",
+    "python": "### shd.Shadow\n",
+    "javascript": "  trim(): void;",
+    "lua": "[`shadow:sample(...)`](c/shadow_8h.html#",
+    "rust": "`fn at(mut self, object_to_world: [f32; 16]) -> Self`",
+    "csharp": "`static Mesh FromShape(Context context, ShapeDesc desc, MeshFlags flags",
+}
 
 
 def write(path, text):
@@ -142,9 +151,10 @@ def check_site(folder):
     assert not problems, "\n".join(problems[:20])
     for page in (ROOT / "docs").glob("*.md"):
         assert (site / f"{page.stem}.html").is_file(), page
-    for name, heading, _ in languages.LANGUAGES:
-        text = (folder / f"stage/{name}.md").read_text(encoding="utf-8")
-        assert text.count("\n### ") > 9 and heading, name
+    for name, declaration in DECLARATIONS.items():
+        text = (folder / f"stage/{name}.md").read_text(encoding="utf-8").partition("\n## Reference\n")[2]
+        assert text.count("\n### ") > 9 and declaration in text, name
+    assert DECLARATIONS.keys() == {name for name, _, _ in languages.LANGUAGES}
     assert (site / extras.REPORT).is_file() and (site / "katex/fonts/KaTeX_Main-Regular.woff2").is_file()
     assert Page(site / "coordinates.html").formulas > 2
     check_search(site)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One page for each language: its part of docs/bindings.md, the README of its binding, and a reference from its sources.
 
-A reference is a list of parts: heading, text and rows of a declaration and its comment.
+A reference is a list of parts: heading, text and rows of a declaration, its comment and its function of C, if it has one.
 """
 import ast
 import re
@@ -64,28 +64,30 @@ def python_signature(node):
     return node.name if is_property else f"{node.name}({arguments})", ast.get_docstring(node)
 
 
-def comment(text, mark="///"):
-    lines = [line.strip().removeprefix(mark).strip() for line in (text or "").splitlines()]
-    return re.sub(r"</?summary>|</?\w+ ?[^>]*>", "", " ".join(lines))
+def comment(text):
+    """The text of a comment without its marks, tags of XML, and brackets of links in Rust."""
+    lines = [line.strip().removeprefix("///").strip() for line in (text or "").splitlines()]
+    text = re.sub(r"</?\w+ ?[^>]*>", "", " ".join(lines))
+    return re.sub(r"\[(`[^`]+`)\](?!\()", r"\1", text)
 
 
-def grouped(text, group, member, mark):
+def grouped(text, group, member):
     """Parts of a source: `group` matches a comment and the name of a type, `member` a comment and a declaration."""
     starts = list(re.finditer(group, text, re.M))
     for start, end in zip(starts, [*starts[1:], None]):
         body = text[start.end():end.start() if end else None]
-        rows = [(re.sub(r"\s+", " ", match[2]).strip(), comment(match[1], mark)) for match in re.finditer(member, body, re.M)]
-        yield start[2], comment(start[1], mark), rows
+        rows = [(re.sub(r"\s+", " ", match[2]).strip(), comment(match[1])) for match in re.finditer(member, body, re.M)]
+        yield start[2], comment(start[1]), rows
 
 
 def rust_parts(folder, _):
     group = r"((?:^/// ?.*\n)+)?(?:^#\[.*\n)*^(?:pub (?:struct|enum|trait)|impl(?:<[^>]*>)?) (\w+)"
-    member = r"((?:^    /// ?.*\n)+)(?:^    #\[.*\n)*^    (pub (?:const |unsafe )*fn [^{;]*)"
+    member = r"((?:^    /// ?.*\n)+)(?:^    #\[.*\n)*^    pub ((?:const |unsafe )*fn [\s\S]*?)(?= \{\n| \{.*\}\n|\n    where|;\n)"
     parts = {}
     for path, text in read(folder / "shd/src", "*.rs"):
         if path.stem == "descs":
             continue
-        for name, doc, rows in grouped(text, group, member, "///"):
+        for name, doc, rows in grouped(text, group, member):
             old = parts.setdefault(name, ["", []])
             old[0] = old[0] or doc
             old[1] += rows
@@ -94,18 +96,36 @@ def rust_parts(folder, _):
 
 def csharp_parts(folder, _):
     group = r"((?:^    /// ?.*\n)+)?^    public [\w ]*(?:class|struct|interface) (\w+)"
-    member = r"((?:^        /// ?.*\n)+)^        (public [^{;=]*)"
+    member = r"((?:^        /// ?.*\n)+)^        public ([^{;=]*)"
     for _, text in read(folder / "src", "*.cs"):
-        yield from (part for part in grouped(text, group, member, "///") if part[1])
+        yield from (part for part in grouped(text, group, member) if part[1])
 
 
 def javascript_parts(folder, _):
     """Each exported type with its whole declaration."""
-    text = (folder / "lib/index.d.ts").read_text(encoding="utf-8")
-    for match in re.finditer(r"^(?:/\*\*(.*?)\*/\n)?export (?:declare )?(?:class|interface|function) (\w+).*?(?:^}|;)$", text,
-                             re.S | re.M):
-        declaration = re.sub(r"^/\*\*.*?\*/\n(?=export)", "", match[0], flags=re.S)
-        yield match[2], f"{match[1] or ''}\n\n```ts\n{declaration}\n```", []
+    lines = (folder / "lib/index.d.ts").read_text(encoding="utf-8").splitlines()
+    above = []
+    while lines:
+        start = re.match(r"export (?:declare )?(?:class|interface|function|const|type) (\w+)", lines[0])
+        if start:
+            declaration = take_declaration(lines)
+            text = " ".join(re.sub(r"^/?\*+/?|\*/$", "", line.strip()).strip() for line in above)
+            yield start[1], f"{text}\n\n```ts\n{declaration}\n```", []
+            above = []
+        else:
+            line = lines.pop(0)
+            above = [*above, line] if re.match(r"/\*\*| \*", line) else []
+
+
+def take_declaration(lines):
+    """Removes the lines of a declaration: up to the end of its braces, or to a semicolon outside of braces."""
+    taken, depth = [], 0
+    while lines:
+        taken.append(lines.pop(0))
+        depth += taken[-1].count("{") - taken[-1].count("}")
+        if depth == 0 and taken[-1].rstrip().endswith(("}", ";")):
+            break
+    return "\n".join(taken)
 
 
 def cpp_parts(folder, functions):
@@ -114,7 +134,7 @@ def cpp_parts(folder, functions):
     by_header = {}
     for function in functions:
         if (name := function["name"].removeprefix("shd_")) in names:
-            by_header.setdefault(function["header"], []).append((f"shd::{name}", function["doc"]))
+            by_header.setdefault(function["header"], []).append((f"shd::{name}", function["doc"], function["name"]))
     return [(f"shd/{header}.h", "", rows) for header, rows in sorted(by_header.items())]
 
 
@@ -130,9 +150,10 @@ def lua_parts(_, functions):
         kind = handle[1]
         if name == f"{kind}_create" or name.endswith("_create") and kind == "context":
             made = name.removesuffix("_create")
-            by_kind.setdefault(made, []).insert(0, (f"shd.{made}(context, desc)", function["doc"]))
+            by_kind.setdefault(made, []).insert(0, (f"shd.{made}(context, desc)", function["doc"], function["name"]))
         else:
-            by_kind.setdefault(kind, []).append((f"{kind}:{name.removeprefix(kind + '_')}(...)", function["doc"]))
+            method = f"{kind}:{name.removeprefix(kind + '_')}(...)"
+            by_kind.setdefault(kind, []).append((method, function["doc"], function["name"]))
     return [(kind, "", rows) for kind, rows in sorted(by_kind.items())]
 
 
@@ -153,9 +174,9 @@ def reference_lines(name, parts, places):
     for heading, text, rows in parts:
         yield f"\n### {heading}\n\n{pages.convert(text, places).strip()}\n"
         if rows:
-            yield "| | |\n|---|---|"
-        for declaration, doc in rows:
-            place = places.get("shd_" + declaration.removeprefix("shd::")) if name == "cpp" else None
+            yield "| declaration | purpose |\n|---|---|"
+        for declaration, doc, *function in rows:
+            place = places.get(function[0]) if function else None
             code = f"`{declaration.replace('|', chr(92) + '|')}`"
             yield f"| {f'[{code}]({place})' if place else code} | {reference.cell(first_sentence(doc or ''))} |"
 

@@ -82,7 +82,7 @@ def page(description, places):
             name = f"shd/{header['name']}.h"
             yield f"\n## {name}\n"
             yield f"{plain(header['doc'].split(chr(10) * 2)[0])} Library: {library}; [the header]({places[name]}).\n"
-            yield "| name | |\n|---|---|"
+            yield "| name | purpose |\n|---|---|"
             functions.sort(key=lambda function: "library" not in function or function["library"] == "inline")
             yield from rows([*handles, *functions, *structs], places)
 
