@@ -82,6 +82,8 @@ def check_faults(folder):
     assert refused(extras.add_playground, stage, source, source / "shd.wasm") == "filter-nearest-mip.md: no heading ## Error"
     (source / "lib/api.js").unlink()
     assert "cmake --build --preset wasm" in refused(extras.add_playground, stage, source, source / "shd.wasm")
+    write(folder / "stage/bindings.md", "# Other languages\n\n## C++\n\nText.\n")
+    assert refused(languages.make, ROOT, folder / "stage", {"functions": []}, {}).startswith("bindings.md: no heading C++")
     assert "FILTERS" in refused(extras.playground_filters, "const FILTER = [];")
     command = [sys.executable, "-B", HERE / "build.py", folder / "site"]
     run = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "PATH": str(folder)})
@@ -106,18 +108,42 @@ def check_pages(_):
 
 
 class Page(html.parser.HTMLParser):
-    """Ids, links and sources of a page."""
+    """Ids, links, sources and formulas of a page."""
 
     def __init__(self, path):
         super().__init__()
-        self.ids, self.links, self.formulas = set(), [], 0
+        self.ids, self.links, self.formulas, self.is_formula = set(), [], [], False
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
         self.ids |= {attributes.get("id"), attributes.get("name")}
-        self.formulas += attributes.get("class") == "arithmatex"
+        self.is_formula = attributes.get("class") == "arithmatex"
         self.links += [(tag, attributes[name]) for name in ("href", "src", "data") if attributes.get(name)]
+
+    def handle_data(self, data):
+        if self.is_formula:
+            self.formulas.append(data.strip()[2:-2])
+            self.is_formula = False
+
+
+# Renders the formulas of a JSON list by the KaTeX of the site.
+RENDER = """
+const katex = require(process.argv[1]);
+for (const formula of JSON.parse(require("fs").readFileSync(0))) katex.renderToString(formula, { throwOnError: true });
+"""
+
+
+def check_formulas(site):
+    formulas = {page: Page(page).formulas for page in sorted(site.glob("*.html"))}
+    assert len(formulas[site / "coordinates.html"]) > 9 and len(formulas[site / "solid.html"]) > 9, formulas
+    if not shutil.which("node"):
+        print("docs.site: no node, so no formula was rendered")
+        return
+    everything = json.dumps([formula for found in formulas.values() for formula in found])
+    run = subprocess.run(["node", "-e", RENDER, site / "katex/katex.min.js"], input=everything, capture_output=True, text=True,
+                         check=False)
+    assert run.returncode == 0, run.stderr
 
 
 def broken_links(site):
@@ -156,7 +182,7 @@ def check_site(folder):
         assert text.count("\n### ") > 9 and declaration in text, name
     assert DECLARATIONS.keys() == {name for name, _, _ in languages.LANGUAGES}
     assert (site / extras.REPORT).is_file() and (site / "katex/fonts/KaTeX_Main-Regular.woff2").is_file()
-    assert Page(site / "coordinates.html").formulas > 2
+    check_formulas(site)
     check_search(site)
 
 

@@ -6,6 +6,7 @@ A reference is a list of parts: heading, text and rows of a declaration, its com
 import ast
 import re
 
+import extras
 import pages
 import reference
 
@@ -208,8 +209,10 @@ def make(root, stage, description, places):
     known = {path.name for path in stage.glob("*.md")}
     functions = description["functions"]
     for name, heading, folder in LANGUAGES:
-        start = text.index(f"\n## {heading}\n")
-        end = text.index("\n## ", start + 4)
+        start = text.find(f"\n## {heading}\n")
+        end = text.find("\n## ", start + 4)
+        if start < 0 or end < 0:
+            raise extras.SiteError(f"bindings.md: no heading {heading}, or no heading after it")
         section = text[start:end].split("\n", 2)[2]
         title = TITLES.get(name, heading)
         text = text[:start] + f"\n## {heading}\n\n[{title}]({name}.md) has a page of its own.\n" + text[end:]
