@@ -118,19 +118,30 @@ class Page(html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
         self.ids |= {attributes.get("id"), attributes.get("name")}
-        self.is_formula = attributes.get("class") == "arithmatex"
+        if attributes.get("class") == "arithmatex":
+            self.formulas.append("")
+            self.is_formula = True
         self.links += [(tag, attributes[name]) for name in ("href", "src", "data") if attributes.get(name)]
+
+    def handle_endtag(self, _):
+        self.is_formula = False
 
     def handle_data(self, data):
         if self.is_formula:
-            self.formulas.append(data.strip()[2:-2])
-            self.is_formula = False
+            self.formulas[-1] += data
 
 
 # Renders the formulas of a JSON list by the KaTeX of the site.
 RENDER = """
 const katex = require(process.argv[1]);
-for (const formula of JSON.parse(require("fs").readFileSync(0))) katex.renderToString(formula, { throwOnError: true });
+for (const formula of JSON.parse(require("fs").readFileSync(0))) {
+  try {
+    katex.renderToString(formula, { displayMode: true });
+  } catch (error) {
+    console.error(`${formula}: ${error.message}`);
+    process.exitCode = 1;
+  }
+}
 """
 
 
@@ -140,7 +151,7 @@ def check_formulas(site):
     if not shutil.which("node"):
         print("docs.site: no node, so no formula was rendered")
         return
-    everything = json.dumps([formula for found in formulas.values() for formula in found])
+    everything = json.dumps([formula.strip()[2:-2] for found in formulas.values() for formula in found])
     run = subprocess.run(["node", "-e", RENDER, site / "katex/katex.min.js"], input=everything, capture_output=True, text=True,
                          check=False)
     assert run.returncode == 0, run.stderr
