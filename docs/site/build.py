@@ -24,10 +24,12 @@ import pages
 import reference
 
 HERE = pathlib.Path(__file__).resolve().parent
-PACKAGES = {"doxygen": "doxygen", "mkdocs": "mkdocs", "mkdocs-material": "/usr/share/mkdocs/themes/material",
-            "doxygen-awesome-css": "/usr/share/doxygen-awesome-css", "libjs-katex": "/usr/share/javascript/katex"}
-AWESOME = pathlib.Path(PACKAGES["doxygen-awesome-css"])
-KATEX = pathlib.Path(PACKAGES["libjs-katex"])
+AWESOME = pathlib.Path("/usr/share/doxygen-awesome-css")
+KATEX = pathlib.Path("/usr/share/javascript/katex")
+PROGRAMS = ("doxygen", "mkdocs")
+# Folders of packages; mkdocs-material has the first one in Debian 12 and the second one in Debian 13.
+FOLDERS = {"mkdocs-material": ["/usr/share/mkdocs/themes/material", "/usr/lib/python3/dist-packages/material"],
+           "doxygen-awesome-css": [AWESOME], "libjs-katex": [KATEX]}
 TOGGLE = "doxygen-awesome-darkmode-toggle.js"
 HEAD = f"""<link rel="icon" href="$relpath^../icon.svg">
 <script src="$relpath^reference.js"></script>
@@ -40,8 +42,8 @@ ABSENT = 77
 
 
 def absent_packages():
-    return [package for package, place in PACKAGES.items()
-            if not (pathlib.Path(place).is_dir() if place.startswith("/") else shutil.which(place))]
+    absent = [program for program in PROGRAMS if not shutil.which(program)]
+    return absent + [package for package, folders in FOLDERS.items() if not any(map(os.path.isdir, folders))]
 
 
 def run(command, **options):
@@ -107,7 +109,7 @@ def add_to_search(html, description, places):
     index["docs"] += reference.search_entries(description, places)
     text = json.dumps(index, separators=(",", ":"))
     path.write_text(text, encoding="utf-8")
-    (html / "search/search_index.js").write_text(f"var searchIndex = {text};\n", encoding="utf-8")
+    (html / "search/search_index.js").write_text(f"var __index = {text};\n", encoding="utf-8")
 
 
 def build(options, output):

@@ -200,7 +200,7 @@ def check_site(folder):
 def check_search(site):
     """Every function is in the search, and its address leads to its place in the reference."""
     text = (site / "search/search_index.json").read_text(encoding="utf-8")
-    assert (site / "search/search_index.js").read_text(encoding="utf-8") == f"var searchIndex = {text};\n"
+    assert (site / "search/search_index.js").read_text(encoding="utf-8") == f"var __index = {text};\n"
     found = {entry["title"]: entry["location"] for entry in json.loads(text)["docs"]}
     description = reference.read_description(ROOT / "bindings/shd.json")
     for function in description["functions"]:

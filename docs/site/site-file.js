@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The search of pages that are opened as files. The index comes from search_index.js, and the worker runs in a frame.
+// The search of pages that are opened as files. The index comes from search_index.js, under the name that newer versions of
+// the theme take, and the worker runs in a frame.
 "use strict";
 
-window.__search = { index: Promise.resolve(searchIndex) };
+window.__search = { index: Promise.resolve(__index) };
 
 window.Worker = class extends EventTarget {
   constructor(address) {
