@@ -4,7 +4,7 @@
 #
 #   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | arm
 #
-#   format    clang-format 14 over every tracked C and C++ file; the documentation, by Doxygen, without warnings
+#   format    clang-format 14 over every tracked C and C++ file; the manual, by Doxygen and MkDocs, without warnings
 #   highway   every file with kernels compiles with the headers of the newest Highway (tests/highway.sh)
 #   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
 #   asan      address and undefined-behaviour sanitizers; every test but those about the binary
@@ -23,8 +23,10 @@ cd "$(dirname "$0")/.." || exit 1
 
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc gdb git
           libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
-          libembree-dev libhwy-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev
-          libimgui-dev libsdl2-dev ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
+          libembree-dev libhwy-dev libimgui-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev
+          libopenvdb-dev libsdl2-dev libtbb-dev libzstd-dev
+          doxygen-awesome-css libjs-katex mkdocs-material  # the manual
+          ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
 jobs=$(nproc)
@@ -87,7 +89,7 @@ run_tests() {
 }
 
 stage_format() {
-  tests/support/check_format.sh && mkdir -p build/ci/docs && SHD_DOCS_OUTPUT=build/ci/docs doxygen docs/Doxyfile
+  tests/support/check_format.sh && python3 docs/site/build.py build/ci/docs
 }
 stage_highway() {
   tests/highway.sh | tee build/ci/highway.log && tail -n 1 build/ci/highway.log >build/ci/highway.count

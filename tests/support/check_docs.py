@@ -7,7 +7,8 @@
 - README has at most 150 lines, and its first program is a part of examples/hello.c, without its indentation.
 - Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
 - Every relative link and picture is there, and every heading that a link names.
-- docs/index.md or docs/filters.md links every page.
+- docs/index.md, docs/filters.md or docs/tutorial.md links every page, and the menu of the site has it.
+- The whole programs of the tutorial are the files of examples/ that their pages name, without the line of the licence.
 - Every test that a page names in backticks is in CTest, and its source contains the case that follows the name.
 - docs/build.md, CMakeLists.txt and CMakePresets.json name the same version of CMake.
 - The C examples of the pages compile as C99, without warnings. An example without functions is the body of one, with the
@@ -67,7 +68,7 @@ def check_names(path, text, names):
 
 
 def headings(path):
-    """The names that GitHub and docs/pages.py give to the headings of a page."""
+    """The names that GitHub and the site give to the headings of a page."""
     text = CODE.sub("", path.read_text(encoding="utf-8"))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in HEADING.findall(text)}
 
@@ -162,6 +163,7 @@ def check(root, compiler):
         yield "README.md: its first program is not a part of examples/hello.c"
     yield from check_cmake_version(root)
     yield from check_lists(root)
+    yield from check_tutorial(root)
     tests = find_tests(root)
     for path in pages(root):
         if not path.exists():
@@ -180,11 +182,25 @@ def check(root, compiler):
 
 
 def check_lists(root):
-    """The first page and the page of filters name every other page; the tree of the site has only those."""
-    lists = "".join((root / "docs" / name).read_text(encoding="utf-8") for name in ("index.md", "filters.md"))
+    """The pages with lists name every other page, and so does the menu of the site."""
+    lists = "".join((root / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("index", "filters", "tutorial"))
+    menu = (root / "docs/site/mkdocs.yml").read_text(encoding="utf-8")
     for page in sorted((root / "docs").glob("*.md")):
         if page.name != "index.md" and f"]({page.name})" not in lists:
             yield f"docs/index.md: {page.name} is not in its lists"
+        if not re.search(rf"[:-] {re.escape(page.name)}$", menu, re.M):
+            yield f"docs/site/mkdocs.yml: {page.name} is not in nav"
+
+
+def check_tutorial(root):
+    """Each page of the tutorial has its whole program, which CTest compiles and runs."""
+    for page in sorted((root / "docs").glob("tutorial-*.md")):
+        text = page.read_text(encoding="utf-8")
+        names = re.findall(r"^`(examples/[\w/]+\.c)`:$", text, re.M)
+        programs = [match.group(1) for match in EXAMPLE.finditer(text) if "int main(" in match.group(1)]
+        files = [(root / name).read_text(encoding="utf-8").split("\n", 1)[1] for name in names]
+        if not programs or programs != files:
+            yield f"docs/{page.name}: its program is not {' '.join(names) or 'named'}"
 
 
 def main():

@@ -4,8 +4,11 @@
 
 `float *x, *y; /**< position */` becomes two declarations with that comment, on the same line so that line numbers stay.
 The second member of a pair, such as `du` and `dv` under one comment, refers to the first. Pages in headers become
-paragraphs of the file: docs/ has the pages.
+paragraphs of the file: docs/ has the pages. The comment of the header ends with links to the pages of the manual that
+name it, if the JSON file SHD_DOCS_MANUAL lists them.
 """
+import json
+import os
 import re
 import sys
 
@@ -39,9 +42,24 @@ def partner(line, before):
     return line
 
 
+def manual_links(header):
+    """The last line of a header's comment."""
+    manual = os.environ.get("SHD_DOCS_MANUAL")
+    if not manual:
+        return None
+    with open(manual, encoding="utf-8") as file:
+        pages = json.load(file).get(header, [["all pages", "../index.html"]])
+    links = ", ".join(f'<a href="{address}">{title}</a>' for title, address in pages)
+    return f" * @par In the manual\n * {links}"
+
+
 def main():
     before = ""
+    links = manual_links(os.path.basename(sys.argv[1]))
     for line in open(sys.argv[1], encoding="utf-8").read().split("\n"):
+        if links and line == " */":
+            print(links)
+            links = None
         line = PAGE.sub("@par", line)
         line = VERSION.sub(r"\g<0> /**< of these headers */", line)
         print(partner(spread(line, before.rstrip().endswith("*/")), before))
