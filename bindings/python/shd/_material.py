@@ -3,19 +3,15 @@
 import numpy as np
 
 from . import _api
+from ._array import pixels_of
 from ._convert import enum_value
 from ._desc import desc_type
 from ._objects import Material, Sampler, slot
+from ._png import decode
 from ._texture import Texture
 
 SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
-
-
-def decode(codes):
-    """sRGB codes 0..1 to linear light (IEC 61966-2-1)."""
-    codes = np.asarray(codes, np.float64)
-    return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
 
 
 def linear_color(color, name="color"):
@@ -31,18 +27,6 @@ def linear_color(color, name="color"):
         made[..., :3] = array[..., :3]
     made[..., 3:] = array[..., 3:] if array.shape[-1] == 4 else 1
     return made
-
-
-def pixels_of(image, name="texture"):
-    """An array of an image: a NumPy array, or an image of Pillow."""
-    if hasattr(image, "convert"):
-        if image.mode.startswith("I"):  # 16 bits a pixel, which convert() would clamp to 8
-            image = np.asarray(image).astype(np.int64).clip(0, 65535).astype(np.uint16)
-        else:
-            image = np.asarray(image if image.mode in ("L", "RGB", "RGBA") else image.convert("RGBA"))
-    if not isinstance(image, np.ndarray):
-        raise TypeError(f"{name}: a NumPy array, an image of Pillow or a Texture, not {type(image).__name__}")
-    return np.ascontiguousarray(image)
 
 
 def colored(pixels):

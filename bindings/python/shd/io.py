@@ -18,6 +18,16 @@ class Bitmap(Object):
 
     _kind = "shd_bitmap"
 
+    def _parts(self):
+        height, width, channels = self.pixels.shape
+        return [f"{width}x{height}", f"{channels} channels of {self.pixels.dtype}", self.color_space]
+
+    def __array__(self, dtype=None, copy=None):
+        """The pixels, which are read-only unless they are converted."""
+        made = self.pixels
+        made = made if dtype is None else made.astype(dtype, copy=False)
+        return made.copy() if copy else made
+
     @property
     def info(self):
         """File format, channels in the file and flags, as a dict."""
@@ -55,7 +65,7 @@ def load(context, source, desc=None, **values) -> Bitmap:
         raw = np.frombuffer(source, np.uint8)
         made._adopt(keep, _api.lib.shd_bitmap_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
-        made._adopt(keep, _api.lib.shd_bitmap_load, handle, text_bytes(source, "path"), address)
+        made._adopt(keep, _api.lib.shd_bitmap_load, handle, text_bytes(source, "path"), address, path=source)
     return made
 
 
@@ -79,7 +89,7 @@ def load_texture(context, source=None, desc=None, **values) -> Texture:
         made._adopt(keep, _api.lib.shd_texture_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
         path = None if source is None else text_bytes(source, "path")
-        made._adopt(keep, _api.lib.shd_texture_load, handle, path, address)
+        made._adopt(keep, _api.lib.shd_texture_load, handle, path, address, path="" if source is None else source)
     made.file = None
     if infos["info"].kind:
         made.file = read_struct("shd_texture_file_info", infos["info"])
@@ -107,7 +117,7 @@ def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, d
     built = _built("shd_tile_file_desc", desc, {**values, "cache": cache}, keep)
     texture._adopt(keep, lambda out: _api.lib.shd_texture_open(context.handle("shd_context", keep),
                                                                text_bytes(path, "path"), built, out,
-                                                               ctypes.addressof(info)))
+                                                               ctypes.addressof(info)), path=path)
     return texture, read_struct("shd_tile_file_info", info)
 
 
