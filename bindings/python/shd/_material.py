@@ -10,6 +10,7 @@ from ._objects import Material, Sampler, slot
 from ._png import decode
 from ._texture import Texture
 
+ANISOTROPIC = {"filter": "anisotropic", "max_anisotropy": 8, "wrap_u": "repeat", "wrap_v": "repeat"}
 SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
 
@@ -42,6 +43,7 @@ def make_texture(context, image, srgb, name="texture"):
     """A texture with mip levels, and whether a part of it is translucent."""
     if isinstance(image, Texture):
         return image, False
+    image = getattr(image, "source", image) if hasattr(image, "source_channels") else image
     pixels = colored(pixels_of(image, name)) if srgb else pixels_of(image, name)
     integer = pixels.ndim == 3 and pixels.dtype in (np.uint8, np.uint16)
     translucent = integer and pixels.shape[2] == 4 and pixels[..., 3].min() < np.iinfo(pixels.dtype).max
@@ -50,6 +52,12 @@ def make_texture(context, image, srgb, name="texture"):
         light[..., :3] = decode(light[..., :3])
         pixels = light.astype(np.float32)
     return Texture(context, pixels, srgb=srgb and pixels.dtype == np.uint8, tables="mipmap"), translucent
+
+
+def make_sampler(context, image):
+    """The sampler of a texture of shd.pyrender, or the one of all other images."""
+    own = image.sampler.options() if hasattr(image, "source_channels") else ANISOTROPIC
+    return Sampler(context, **own)
 
 
 class Look:
@@ -81,16 +89,14 @@ def make_look(context, color=None, texture=None, vertex_colors=False, blend=None
     `maps` has tuples of the target of a slot, an image, whether its codes are those of sRGB, and a channel.
     """
     rgba = np.ones(4) if color is None else linear_color(color)
-    slots, is_translucent, sampler = [], rgba[3] < 1, None
-    if texture is not None or maps:
-        sampler = Sampler(context, filter="anisotropic", max_anisotropy=8, wrap_u="repeat", wrap_v="repeat")
+    slots, is_translucent = [], rgba[3] < 1
     if vertex_colors:
         slots.append(slot("diffuse", attribute=0))
     elif texture is not None:
         made, has_alpha = make_texture(context, texture, True)
-        slots.append(slot("diffuse", made, sampler))
+        slots.append(slot("diffuse", made, make_sampler(context, texture)))
         is_translucent |= has_alpha
-    slots += [slot(target, make_texture(context, image, srgb, target)[0], sampler, channel=channel)
+    slots += [slot(target, make_texture(context, image, srgb, target)[0], make_sampler(context, image), channel=channel)
               for target, image, srgb, channel in maps]
     return Look(context, desc_type("shd_material_desc")(**{
         "model": "metallic_roughness", "flags": "double_sided", "ambient_share": 1.0, "roughness": 0.8,

@@ -89,7 +89,7 @@ def _look(context, rgba, texture, values):
     return make_look(context, None if per_vertex else rgba, texture, per_vertex, **values)
 
 
-def _surface(item, linear_codes=False):
+def _surface(item):
     """Colours or texture of a mesh of trimesh, by the names of the attributes of its `visual`."""
     visual = getattr(item, "visual", None)
     if visual is None or getattr(visual, "defined", True) is False:
@@ -108,8 +108,7 @@ def _surface(item, linear_codes=False):
     colors = getattr(visual, f"{kind}_colors", None)
     if colors is None:
         return None, {}
-    colors = np.asarray(colors)
-    return kind, {"color": colors / 255 if linear_codes and colors.dtype.kind in "iu" else colors}
+    return kind, {"color": np.asarray(colors)}
 
 
 def _unshared(columns, surface, kind):
@@ -124,16 +123,11 @@ def _unshared(columns, surface, kind):
     return made, surface
 
 
-def from_trimesh(context, item, smooth=True, material=None, local=None, linear_codes=False, replace=None, **values):
-    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual.
-
-    `linear_codes` means that integers of colours are linear. `replace` has options that replace those of its material.
-    """
+def from_trimesh(context, item, smooth=True, material=None, local=None, **values):
+    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual."""
     position = floats(item.vertices, 3, "vertices")
     faces = triangles(item.faces, len(position), "faces")
-    kind, surface = _surface(item, linear_codes)
-    if replace is not None:
-        surface = {**{k: v for k, v in surface.items() if k == "uv"}, **replace}
+    kind, surface = _surface(item)
     normals = getattr(item, "vertex_normals", None) if smooth else None
     columns = {"position": position, "indices": faces, "normal": normals}
     if not smooth or kind == "face":

@@ -128,7 +128,7 @@ class Inputs(Case):
 
     def test_devices(self):
         """Memory of another device is refused in one line."""
-        self.check_refused(TypeError, "mesh.position: an array in the memory of the CPU, not of device .2, 0.", shd.Mesh,
+        self.check_refused(TypeError, "mesh.position: an array in the memory of the CPU, not of device .2", shd.Mesh,
                            self.context, Exported(POSITION, (2, 0)), topology="strip")
 
     def test_pillow(self):
