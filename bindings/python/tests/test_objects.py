@@ -188,7 +188,7 @@ class Stubs(Case):
     def test_names(self):
         """Classes and members of the stubs are those of the module."""
         tree = ast.parse((pathlib.Path(shd.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
-        classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+        classes = [node for node in tree.body if isinstance(node, ast.ClassDef) and node.name in shd._names]
         self.assertGreater(len(classes), 100)
         for node in classes:
             made = getattr(shd, node.name)
@@ -198,6 +198,9 @@ class Stubs(Case):
             self.assertEqual(declared, set(members) - {"struct_size"}, node.name)
         names = {node.name for node in classes}
         self.assertEqual({n for n in shd.__dir__() if n in shd._names}, names)
+        declared = {n.name for n in tree.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))}
+        declared |= {alias.asname for n in tree.body if isinstance(n, ast.ImportFrom) and n.level for alias in n.names}
+        self.assertEqual({n for n in declared if not n.startswith("_")}, set(shd.__all__))
 
 
 class Meshes(Case):
