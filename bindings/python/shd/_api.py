@@ -11,6 +11,8 @@ import os
 import pathlib
 import re
 
+from ._words import Words
+
 HERE = pathlib.Path(__file__).resolve().parent
 NUMBERS = {"float": ctypes.c_float, "double": ctypes.c_double, "size_t": ctypes.c_size_t, "int": ctypes.c_int,
            "char": ctypes.c_char, **{f"{sign}int{bits}_t": getattr(ctypes, f"c_{sign}int{bits}")
@@ -37,6 +39,15 @@ constants = {e["name"]: e["value"] for e in _table["constants"]}
 def camel(name):
     """shd_render_desc -> RenderDesc."""
     return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
+
+
+def short_name(enum_name, constant_name):
+    """SHD_FILTER_EWA of shd_filter -> EWA."""
+    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", enum_name.removeprefix("shd_")).upper() + "_"
+    return constant_name.removeprefix(prefix).removeprefix("SHD_")
+
+
+words = Words(enums, {name: camel(name) for name in (*structs, *enums, *handles)}, short_name)
 
 
 def value_type(text):
@@ -114,14 +125,15 @@ def enum_type(name):
     if name not in _enum_types:
         entry = enums[name]
         is_flags = any(t.get("bits_of") == name for t in typedefs.values())
-        prefix = "SHD_" + re.sub(r"_(flag|target)$", "", name.removeprefix("shd_")).upper() + "_"
         members = []
         for member in entry["constants"]:
-            short = member["name"].removeprefix(prefix).removeprefix("SHD_")
+            short = short_name(name, member["name"])
             if not member["name"].endswith("_MAX_ENUM"):
                 members.append((short if short[0].isalpha() else f"N{short}", member["value"]))
         made = (Flags if is_flags else Constant)(camel(name), members, module=__package__)
-        made.__doc__ = entry.get("doc", "")
+        made.__doc__ = "\n".join([words.python(entry.get("doc", "")), "\nNames:", *(
+            f"    {short_name(name, m['name']).lower()}: {words.python(' '.join(m.get('doc', '').split()))}".rstrip(": ")
+            for m in entry["constants"] if not m["name"].endswith("_MAX_ENUM"))])
         _enum_types[name] = made
     return _enum_types[name]
 

@@ -117,9 +117,9 @@ def desc_type(struct):
     if struct not in _types:
         entry = _api.structs[struct]
         fields = {f["name"]: f for f in entry["fields"]}
-        text = "\n".join(f"    {f['name']}: {' '.join(f.get('doc', '').split())}" for f in entry["fields"]
-                         if f["name"] != "struct_size")
+        text = _api.words.python("\n".join(f"    {f['name']}: {' '.join(f.get('doc', '').split())}"
+                                           for f in entry["fields"] if f["name"] != "struct_size"))
         _types[struct] = type(_api.camel(struct), (Desc,), {
-            "__doc__": f"{entry['doc']}\n\nFields:\n{text}", "__module__": __package__, "_struct": struct,
+            "__doc__": f"{_api.words.python(entry['doc'])}\n\nFields:\n{text}", "__module__": __package__, "_struct": struct,
             "_fields": fields})
     return _types[struct]

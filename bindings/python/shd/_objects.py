@@ -120,7 +120,7 @@ def make_desc(struct, desc, values):
 
 def document(cls):
     """Adds the texts of the headers to a class."""
-    texts = [cls.__doc__ or "", _api.functions[f"{cls._kind}_create"].get("doc", ""),
+    texts = [cls.__doc__ or "", _api.words.python(_api.functions[f"{cls._kind}_create"].get("doc", "")),
              desc_type(f"{cls._kind}_desc").__doc__]
     cls.__doc__ = "\n\n".join(filter(None, texts))
     return cls

@@ -8,7 +8,7 @@ from . import _api
 from ._convert import is_bytes, text_bytes
 from ._desc import read_struct
 from ._frame import Framebuffer
-from ._image import array_type, image
+from ._image import array_type, image, split
 from ._objects import Object, make_desc
 from ._texture import Texture
 
@@ -121,6 +121,17 @@ def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, d
     return texture, read_struct("shd_tile_file_info", info)
 
 
+def _with_opacity(picture):
+    """An image as files have it: grey with opacity and r, g, b become r, g, b, a."""
+    array = split(picture, 2, "picture")
+    if array.shape[2] == 2:
+        return array[..., (0, 0, 0, 1)]
+    if array.shape[2] == 3:
+        full = np.iinfo(array.dtype).max if array.dtype.kind in "iu" else 1
+        return np.append(array, np.full_like(array[..., :1], full), axis=2)
+    return array
+
+
 def save(picture, path, desc=None, srgb=False, **values) -> None:
     """Writes a framebuffer, or an image [height][width][channels], to the format of the extension.
 
@@ -136,5 +147,5 @@ def save(picture, path, desc=None, srgb=False, **values) -> None:
     if isinstance(picture, Framebuffer):
         call = _api.lib.shd_framebuffer_save, picture.handle("shd_framebuffer", keep, "picture")
     else:
-        call = _api.lib.shd_image_save, ctypes.addressof(image(picture, keep, "picture", srgb=srgb))
+        call = _api.lib.shd_image_save, ctypes.addressof(image(_with_opacity(picture), keep, "picture", srgb=srgb))
     _api.check(call[0](call[1], text_bytes(path, "path"), built))

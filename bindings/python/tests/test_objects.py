@@ -10,6 +10,7 @@ import threading
 import numpy as np
 
 import shd
+from shd import _api
 from support import Allocator, Case
 
 
@@ -87,6 +88,19 @@ class Lifetimes(Case):
         self.assertIn("\n    filter = Filter.TRILINEAR\n", text)
         self.assertIn("\n    max_anisotropy = 2", text)
         self.assertEqual(str(shd.Result.OK), "Result.OK")
+
+    def test_docs(self):
+        """Texts of the headers have the words of Python."""
+        for text, words in ((shd.SamplerDesc.__doc__, ("    filter: default \"trilinear\"\n", "(Magnification)")),
+                            (shd.FramebufferDesc.__doc__, ('"rgba32f", four planes', '"rgba16f", "rgba8_srgb"')),
+                            (shd.Filter.__doc__, ("\nNames:\n    trilinear: Bilinear on the two",)),
+                            (shd.Texture.__doc__, ('kind: default "2d"',))):
+            for word in words:
+                self.assertIn(word, text)
+            self.assertNotRegex(text, r"SHD_FILTER|SHD_FORMAT|\bNULL\b")
+        python = _api.words.python
+        self.assertEqual(python("shd_texture_create() of a shd_texture; NULL; SHD_ERROR_IO; shd_version()"),
+                         "Texture() of a Texture; None; Result.ERROR_IO; shd_version()")
 
     def test_module(self):
         """The names of the module are those of the library alone."""
