@@ -36,44 +36,41 @@ def address(array):
     return array.__array_interface__["data"][0]
 
 
-def converting(dtype):
-    return f".astype(numpy.{dtype}) converts it"
-
-
 def column(array, dtype, writable, name, keep, in_place=False):
-    """Address and stride of a column, as an array has them. Columns that the library only reads are converted, unless
-    they must be read in place."""
-    if writable or (in_place and isinstance(array, np.ndarray)):
-        array = fitting(array, dtype, writable, name)
-    else:
-        array = converted(array, dtype, name)
-        if array.ndim != 1:
-            array = np.ascontiguousarray(array).reshape(-1)
-        stride = array.strides[0]
-        if (array.size > 1 and (stride <= 0 or stride % dtype.itemsize)) or address(array) % dtype.itemsize:
-            array = array.copy()
+    """Address, stride and length of a column, as an array has them. Columns that the library only reads are converted,
+    unless they must be read in place."""
+    if not isinstance(array, np.ndarray) or array.dtype != dtype or array.ndim != 1 or writable:
+        array = flat(array, dtype, writable, name, in_place)
+    stride, where, size = array.strides[0], address(array), array.size
+    if (size > 1 and (stride <= 0 or stride % dtype.itemsize)) or where % dtype.itemsize:
+        if writable or in_place:
+            check_place(stride, where, dtype, name)
+        array = array.copy()
+        stride, where = array.strides[0], address(array)
     keep.append(array)
-    return address(array), array.strides[0] if array.size > 1 else 0, array.size
+    return where, stride if size > 1 else 0, size
 
 
-def fitting(array, dtype, writable, name):
-    """An array of one axis that the library uses in place."""
-    if not isinstance(array, np.ndarray):
+def flat(array, dtype, writable, name, in_place):
+    """An array of one axis with numbers of a type. It has the memory of the given one if it must be used in place."""
+    if writable and not isinstance(array, np.ndarray):
         raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
+    if not (writable or in_place) or not isinstance(array, np.ndarray):
+        return np.ascontiguousarray(converted(array, dtype, name)).reshape(-1)
     if array.dtype != dtype:
-        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; {converting(dtype)}")
+        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; .astype(numpy.{dtype}) converts it")
     if writable and not array.flags.writeable:
         raise ValueError(f"{name}: the array is read-only")
-    if array.ndim != 1:
-        if not array.flags.c_contiguous:
-            raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
-        array = array.reshape(-1)
-    stride = array.strides[0]
-    if array.size > 1 and (stride <= 0 or stride % dtype.itemsize):
-        raise ValueError(f"{name}: its stride is {stride} bytes, not a positive multiple of {dtype.itemsize}")
-    if address(array) % dtype.itemsize:
+    if array.ndim != 1 and not array.flags.c_contiguous:
+        raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
+    return array if array.ndim == 1 else array.reshape(-1)
+
+
+def check_place(stride, where, dtype, name):
+    """Refuses an array whose memory the library cannot use as it is."""
+    if where % dtype.itemsize:
         raise ValueError(f"{name}: the array is not aligned to {dtype.itemsize} bytes")
-    return array
+    raise ValueError(f"{name}: its stride is {stride} bytes, not a positive multiple of {dtype.itemsize}")
 
 
 def columns(value, count, name, writable=False):
@@ -154,8 +151,7 @@ def data(value, kind, name, keep):
     elif not isinstance(value, np.ndarray):
         raise TypeError(f"{name}: a NumPy array, not {type(value).__name__}")
     elif base in ELEMENTS and value.dtype != ELEMENTS[base]:
-        dtype = np.dtype(ELEMENTS[base])
-        raise TypeError(f"{name}: the array is of {value.dtype}, not {dtype}; {converting(dtype)}")
+        raise TypeError(f"{name}: the array is of {value.dtype}, not {np.dtype(ELEMENTS[base])}")
     elif not value.flags.c_contiguous:
         raise ValueError(f"{name}: the array must be contiguous")
     keep.append(value)

@@ -5,6 +5,8 @@ import zlib
 
 import numpy as np
 
+from ._array import pixels_of
+
 COLOUR_TYPES = {1: 0, 2: 4, 3: 2, 4: 6}
 
 
@@ -27,8 +29,12 @@ def encode(pixels):
 
 
 def save_png(path, pixels):
-    """Writes an array [height][width][3 or 4] of uint8 in sRGB as a PNG file. Needs no component."""
-    encoded = encode(pixels)
+    """Writes a framebuffer, or an image [height][width][1..4] of uint8 or uint16 in sRGB, as a PNG file. Needs no
+    component."""
+    if hasattr(pixels, "read_color"):
+        pixels = straight(pixels.read_color("rgba8_srgb"))
+    array = pixels_of(pixels, "pixels")
+    encoded = encode(array[..., np.newaxis] if array.ndim == 2 else array)
     with open(path, "wb") as file:
         file.write(encoded)
 

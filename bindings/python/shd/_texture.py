@@ -182,6 +182,15 @@ class Texture(Object):
                  if info[name] > 1]
         return [*size_text(info, info["format"]), *stack, counted(info["level_count"], "level")]
 
+    def __array__(self, dtype=None, copy=None):
+        """The texels of the base level as a new array, with an axis for layers or slices if there are several."""
+        if copy is False:
+            raise ValueError("texture: its array is a copy")
+        info = self.info
+        count = max(info["depth"], info["layer_count"])
+        made = self.read_level() if count == 1 else np.stack([self.read_level(0, i) for i in range(count)])
+        return made if dtype is None else made.astype(dtype, copy=False)
+
     @property
     def info(self):
         """Size, format and memory, as a dict."""

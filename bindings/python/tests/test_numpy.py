@@ -14,6 +14,7 @@ from unittest import mock
 import numpy as np
 
 import shd
+from shd import golden
 from support import Case, require_component
 
 POSITION = np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
@@ -163,6 +164,14 @@ class Outputs(Case):
         self.check_refused(ValueError, "its array is a copy", framebuffer.__array__, copy=False)
         self.check_refused(ValueError, "stream 2", framebuffer.__dlpack__, stream=2)
 
+    def test_textures(self):
+        texels = np.arange(24, dtype=np.uint8).reshape(2, 3, 4)
+        np.testing.assert_array_equal(np.asarray(shd.Texture(self.context, texels, srgb=True)), texels)
+        layers = np.stack([texels, texels + 1])
+        np.testing.assert_array_equal(shd.Texture(self.context, layers, layer_count=2), layers)
+        np.testing.assert_array_equal(shd.Texture(self.context, layers, depth=2), layers)
+        self.check_refused(ValueError, "its array is a copy", shd.Texture(self.context, texels).__array__, copy=False)
+
     def test_notebook(self):
         """Pictures of notebooks have straight sRGB codes."""
         png = self.render()._repr_png_()
@@ -207,6 +216,15 @@ class Files(Case):
             path = pathlib.Path(folder) / "a.png"
             shd.save_png(path, np.zeros((2, 2, 3), np.uint8))
             self.assertEqual(path.read_bytes()[1:4], b"PNG")
+            framebuffer = self.framebuffer(2, 1)
+            shd.render(self.context, framebuffer, clear_color=(0.125, 0, 0, 0.5))
+            for picture, want in ((framebuffer, [[[137, 0, 0, 128]] * 2]), ([[1, 2]], None),
+                                  (np.uint8([[1, 2]]), [[[1], [2]]]), (np.uint16([[[300, 1, 2]]]), [[[300, 1, 2]]])):
+                if want is None:
+                    self.check_refused(TypeError, "of int64", shd.save_png, path, picture)
+                    continue
+                shd.save_png(path, picture)
+                np.testing.assert_array_equal(golden.load(path), want)
 
 
 class Reports(Case):
