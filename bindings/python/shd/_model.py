@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 
+from ._array import array_of, check_range
 from ._camera import matrix
 from ._convert import enum_value
 from ._desc import desc_type
@@ -13,7 +14,7 @@ from ._objects import Mesh
 
 def floats(value, width, name):
     """Numbers [count][width] as float32."""
-    array = np.asarray(value)
+    array = array_of(value, name)
     if array.dtype.kind not in "fiu" or array.ndim != 2 or array.shape[1] != width:
         raise ValueError(f"{name}: numbers of shape [count][{width}], not {array.dtype} of shape {array.shape}")
     return np.ascontiguousarray(array, np.float32)
@@ -21,12 +22,10 @@ def floats(value, width, name):
 
 def triangles(value, count, name):
     """Numbers of vertices as uint32, [triangles][3]."""
-    array = np.asarray(value)
+    array = array_of(value, name)
     if array.dtype.kind not in "iu" or (array.ndim == 2 and array.shape[1] != 3) or array.size % 3:
         raise ValueError(f"{name}: integers of shape [triangles][3], not {array.dtype} of shape {array.shape}")
-    if array.size and not 0 <= array.min() <= array.max() < count:
-        wrong = array.min() if array.min() < 0 else array.max()
-        raise ValueError(f"{name}: {wrong} is not in 0..{count - 1}")
+    check_range(array, count - 1, name)
     return np.ascontiguousarray(array.reshape(-1, 3), np.uint32)
 
 

@@ -127,6 +127,17 @@ class Inputs(Case):
         for direction in ([(0, 0, 1), (0, 1, 0)], np.eye(3)[:2], Exported(np.eye(3, dtype=np.float32))):
             np.testing.assert_allclose(sky.sample_irradiance(direction), np.pi, rtol=0.02)
 
+    def test_renderer(self):
+        """Pictures of models from objects that share their numbers."""
+        with shd.Renderer(16, 16, context=self.context) as renderer:
+            for hold in (np.asarray, Exported, Interface, Converting):
+                item = renderer.add(position=hold(2 * POSITION - 1), indices=hold(np.array([[0, 1, 2], [1, 3, 2]])),
+                                    uv=hold(POSITION[:, :2].copy()), texture=hold(np.full((2, 2, 3), 255, np.uint8)))
+                self.assertEqual(renderer.render(flat=True)[0][8, 8].tolist(), [255] * 3)
+                renderer.remove(item)
+        made = shd.pyrender.Primitive(Exported(POSITION), indices=Exported(np.array([0, 1, 2])))
+        self.assertEqual(made.bounds.tolist(), [[0, 0, 0], [1, 1, 0]])
+
     def test_devices(self):
         """Memory of another device is refused in one line."""
         self.check_refused(TypeError, "mesh.position: an array in the memory of the CPU, not of device .2", shd.Mesh,

@@ -213,11 +213,11 @@ class Misuse(Renderers):
         renderer, model = self.renderer(), square()
         add = lambda **values: renderer.add(**{"position": model.vertices, "indices": model.faces, **values})
         for kind, message, values in (
-                (ValueError, "indices: 7 is not in 0..3", {"indices": [[0, 1, 7]]}),
-                (ValueError, "indices: -1 is not in 0..3", {"indices": [[0, 1, -1]]}),
+                (ValueError, "indices.2.: 7 is not in 0..3", {"indices": [[0, 1, 7]]}),
+                (ValueError, "indices.2.: -1 is not in 0..3", {"indices": [[0, 1, -1]]}),
                 (ValueError, "indices: integers of shape", {"indices": np.zeros((2, 4), int)}),
                 (ValueError, "position: numbers of shape .count..3., not float64 of shape", {"position": np.zeros(3)}),
-                (ValueError, "position: numbers of shape .count..3., not <U1", {"position": [["a"]]}),
+                (TypeError, "position: an array of numbers, not list", {"position": [["a"]]}),
                 (ValueError, "uv: 3 rows, not 4", {"uv": np.zeros((3, 2))}),
                 (ValueError, "color: 2 rows, not 4", {"color": np.zeros((2, 3))}),
                 (ValueError, "color: one colour if there is", {"color": np.zeros((4, 3)), "texture": QUARTERS}),

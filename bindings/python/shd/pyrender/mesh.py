@@ -5,7 +5,7 @@ import functools
 
 import numpy as np
 
-from .._array import check_range
+from .._array import array_of, check_range, converted
 from .._camera import matrix
 from .._material import Fixed
 from .._model import floats, from_arrays
@@ -29,7 +29,7 @@ def rows(*widths, optional=True, like_positions=True):
     def check(primitive, value, name):
         if value is None and optional:
             return None
-        array = np.ascontiguousarray(value, np.float32)
+        array = np.ascontiguousarray(converted(value, np.dtype("f4"), name))
         if not array.size and not like_positions:
             return array.reshape(-1, widths[0])
         count = len(primitive.positions) if like_positions else len(array)
@@ -44,7 +44,7 @@ def colors(primitive, value, name):
     """Linear colours of vertices [n][4]; integers are 0..255. One colour is that of all vertices."""
     if value is None:
         return None
-    array = np.asarray(value)
+    array = array_of(value, name)
     array = np.asarray(array / 255 if array.dtype.kind in "iu" else array, np.float32)
     array = np.tile(array, (len(primitive.positions), 1)) if array.ndim == 1 else array
     array = rows(3, 4)(primitive, array, name)
@@ -55,7 +55,7 @@ def vertices(primitive, value, name):
     """Numbers of vertices."""
     if value is None:
         return None
-    array = np.asarray(value)
+    array = array_of(value, name)
     if array.size and array.dtype.kind not in "iu":
         raise TypeError(f"{name}: integers, not {array.dtype}")
     check_range(array, len(primitive.positions) - 1, name)
