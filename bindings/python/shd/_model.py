@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Models of the renderer: parts with a mesh and a material, from arrays, from meshes of trimesh, and from files."""
+import copy
 import itertools
 
 import numpy as np
@@ -39,13 +40,29 @@ class Part:
         bounds = np.array([info["bounds_min"], info["bounds_max"]], np.float64)
         picks = np.array(list(itertools.product((0, 1), repeat=3)))
         self.corners = np.concatenate([bounds[picks, np.arange(3)], np.ones((8, 1))], axis=1).T
+        self.instances = None
         self.is_empty = not info["triangle_count"]
+
+    def at(self, matrices):
+        """This part at several places, [n][4][4]: one part, or two if some of the places are mirrored."""
+        placed = matrices @ self.local
+        mirrored = np.linalg.det(placed[:, :3, :3]) < 0
+        made = []
+        for group in (placed[~mirrored], placed[mirrored]):
+            if len(group):
+                made.append(copy.copy(self))
+                made[-1].local, made[-1].instances = np.eye(4), group
+                made[-1].corners = np.moveaxis(group @ self.corners, 1, 0).reshape(4, -1)
+        return made
 
     def draw(self, pose, **values):
         """A draw at a pose. Culling is that of the surface: mirrors turn the winding of its triangles."""
         placed = pose @ self.local
         made = {"mesh": self.mesh, "object_to_world": placed.astype(np.float32), "compare": "greater", **self.values,
                 **values}
+        if self.instances is not None:
+            made["instances"] = (placed @ self.instances).astype(np.float32)
+            placed = placed @ self.instances[0]
         if np.linalg.det(placed[:3, :3]) < 0:
             cull = enum_value("shd_cull", made.get("cull", "none"), "cull")
             made["cull"] = {1: "front", 2: "back"}.get(int(cull), cull)

@@ -166,7 +166,8 @@ class Renderer:
         to_view = np.linalg.inv(self._pose)
         found = [-(to_view @ item.pose @ part.local @ part.corners)[2] for item in self._visible()
                  for part in item.parts if not part.is_empty]
-        planes = self._lens.fit((np.min(found), np.max(found)) if found else (0, 0))
+        distances = np.concatenate(found) if found else np.zeros(1)
+        planes = self._lens.fit((distances.min(), distances.max()))
         view = {"world_to_view": to_view, "eye": self._pose[:3, 3],
                 "view_to_clip": self._lens.matrix(width, height, *planes)}
         return view, planes

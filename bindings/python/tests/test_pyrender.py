@@ -109,6 +109,14 @@ class Pictures(Cases):
     def test_instances_and_shadows(self):
         mesh = self.mesh(poses=[np.diag([0.25, 0.25, 1, 1]) + x for x in (np.eye(4, k=3) * 0.5, np.eye(4, k=3) * -0.5)])
         self.assertEqual((self.render(self.scene(mesh))[1] > 0).sum(), 32)
+        instanced = self.scene()
+        nodes = [instanced.add(mesh), instanced.add(self.mesh(), pose=at(-1))]
+        color = self.render(instanced, Flags.SEG, seg_node_map={nodes[0]: 1, nodes[1]: 2})[0]
+        self.assertEqual([int((color == n).all(axis=2).sum()) for n in (1, 2)], [32, 100 - 24])
+        for flip, count in ((1, 256), (-1, 256)):  # a mirror keeps the front of a surface
+            many = self.mesh(poses=np.array([at(-0.5), np.diag([flip, 1.0, 1, 1])]))
+            self.assertEqual((self.render(self.scene(many))[1] > 0).sum(), count)
+            np.testing.assert_allclose(self.render(self.scene(many))[1][8, 8], 2, rtol=1e-5)
         scene = self.scene(mesh)
         scene.add(self.mesh(ColorVisuals(vertex_colors=WHITE.repeat(4, 0))), pose=np.diag([9.0, 9, 1, 1]) @ at(-1))
         pose = np.eye(4)

@@ -133,12 +133,7 @@ class Primitive(Boxed):
 
     def _placed(self, parts):
         """Copies of parts at each of the poses."""
-        if self.poses is None:
-            return parts
-        made = [copy.copy(part) for _ in self.poses for part in parts]
-        for part, pose in zip(made, self.poses.repeat(len(parts), axis=0)):
-            part.local = pose @ part.local
-        return made
+        return parts if self.poses is None else [placed for part in parts for placed in part.at(self.poses)]
 
     def _corners(self):
         """Numbers of vertices of triangles, and their fill. Points and lines are triangles without area."""
