@@ -11,6 +11,7 @@ from ._png import decode
 from ._texture import Texture
 
 ANISOTROPIC = {"filter": "anisotropic", "max_anisotropy": 8, "wrap_u": "repeat", "wrap_v": "repeat"}
+CODED = 4           # first column of colours of vertices as linear light of codes
 SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
 
@@ -61,10 +62,15 @@ def make_sampler(context, image):
 
 
 class Look:
-    """A material, and a variant of it that shows its colours without light."""
+    """A material, and a variant of it that shows its colours without light.
+
+    With `shows_codes` the variant shows linear numbers as if they were sRGB codes, as pyrender does: 0.5 is 128. For
+    colours of vertices, the columns CODED of the mesh have the linear light of these codes if `has_codes` is true.
+    """
 
     def __init__(self, context, desc):
         self.lit, self._context, self._desc, self._flat = Material(context, desc), context, desc, None
+        self.shows_codes = self.has_codes = False
 
     @property
     def flat(self):
@@ -72,6 +78,10 @@ class Look:
             kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
             slots = [s for s in self._desc._values.get("slots", ())
                      if int(enum_value("shd_slot_target", s.target, "target")) in SHOWN]
+            if self.shows_codes:
+                kept["diffuse"] = decode(kept["diffuse"])
+            if self.has_codes:
+                slots = [s.replace(attribute=CODED) for s in slots]
             self._flat = Material(self._context, model="unlit", slots=slots, **kept)
         return self._flat
 

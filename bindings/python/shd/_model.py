@@ -11,6 +11,7 @@ from ._convert import enum_value
 from ._desc import desc_type
 from ._material import Fixed, file_look, linear_color, make_look, options_of
 from ._objects import Mesh
+from ._png import decode
 
 
 def floats(value, width, name):
@@ -70,8 +71,9 @@ class Part:
 
 
 def from_arrays(context, position, indices=None, normal=None, uv=None, color=None, texture=None, material=None,
-                cull="none", local=None, **values):
-    """A part from arrays. `color` is one colour, or one for each vertex: integers are sRGB codes, floats are linear."""
+                cull="none", local=None, shows_codes=False, **values):
+    """A part from arrays. `color` is one colour, or one for each vertex: integers are sRGB codes, floats are linear.
+    `shows_codes` is that of its Look."""
     position = floats(position, 3, "position")
     columns = {name: floats(value, width, name) for name, value, width in (("normal", normal, 3), ("uv", uv, 2))
                if value is not None}
@@ -86,11 +88,13 @@ def from_arrays(context, position, indices=None, normal=None, uv=None, color=Non
             raise ValueError(f"color: {len(rgba)} rows, not {len(position)}")
         if texture is not None:
             raise ValueError("color: one colour if there is a texture, not one for each vertex")
-        columns["attributes"] = list(np.ascontiguousarray(rgba.T, np.float32))
+        coded = [np.append(decode(rgba[:, :3]), rgba[:, 3:], axis=1)] if shows_codes else []
+        columns["attributes"] = list(np.ascontiguousarray(np.concatenate([rgba, *coded], axis=1).T, np.float32))
     if any(target == "normal" for target, *_ in values.get("maps", ())):
         columns["flags"] = "tangents"
     if material is None:
         material = _look(context, rgba, texture, values)
+        material.shows_codes, material.has_codes = shows_codes, shows_codes and "attributes" in columns
     elif values:
         raise TypeError(f"add: {', '.join(values)} cannot change a material")
     else:

@@ -4,6 +4,7 @@ import numpy as np
 
 import shd
 import shd.pyrender as pyrender
+from shd._png import decode
 from support import Case, require_component
 from trimesh_like import UV, ColorVisuals, PBRMaterial, Scene, SimpleMaterial, TextureVisuals, Trimesh, square
 
@@ -52,6 +53,19 @@ class Pictures(Cases):
             self.assertAlmostEqual(linear, irradiance / np.pi, delta=0.03)
             self.assertEqual(len(set(color.tolist())), 1)
 
+    def test_falloff(self):
+        """The light of a spot falls off with t^2, t linear in the cosine between the inner and the outer cone."""
+        material = pyrender.MetallicRoughnessMaterial(metallicFactor=0.0, roughnessFactor=1.0)
+        inner, outer, size = 0.1, 0.4, 65
+        scene, plain = (self.scene(self.mesh(material=material), bg_color=[0.0, 0.0, 0.0]) for _ in range(2))
+        scene.add(pyrender.SpotLight(intensity=4.0, innerConeAngle=inner, outerConeAngle=outer), pose=at(2))
+        plain.add(pyrender.PointLight(intensity=4.0), pose=at(2))
+        spot, point = (decode(self.render(s, size=size)[0][size // 2, :, 0] / 255) for s in (scene, plain))
+        cosine = 1 / np.sqrt(1 + (((2 * np.arange(size) + 1) / size - 1) / 2) ** 2)
+        t = np.clip((cosine - np.cos(outer)) / (np.cos(inner) - np.cos(outer)), 0, 1)
+        np.testing.assert_allclose(spot / point, t ** 2, atol=0.02)
+        self.assertGreater(np.abs(spot / point - t ** 2 * (3 - 2 * t)).max(), 0.1)
+
     def test_background_and_ambient(self):
         color, depth = self.render(self.scene(bg_color=[0.5, 0.5, 0.5]))
         self.assertEqual((color.shape, np.unique(color).tolist(), depth.max()), ((16, 16, 3), [128], 0))
@@ -68,9 +82,9 @@ class Pictures(Cases):
         for visual, smooth, green in (
                 (TextureVisuals(UV, SimpleMaterial(image, diffuse=(255, 255, 255, 255))), True, 255),
                 (TextureVisuals(UV, PBRMaterial(baseColorTexture=image, doubleSided=True)), False, 255),
-                (ColorVisuals(vertex_colors=codes.repeat(4, 0)), True, 188),   # linear, as in pyrender
-                (ColorVisuals(face_colors=codes.repeat(2, 0)), False, 188),
-                (None, True, 148)):
+                (ColorVisuals(vertex_colors=codes.repeat(4, 0)), True, 128),  # numbers as they are, as in pyrender
+                (ColorVisuals(face_colors=codes.repeat(2, 0)), False, 128),
+                (None, True, 77)):
             color = self.render(self.scene(self.mesh(visual, smooth=smooth)), Flags.FLAT)[0]
             self.assertAlmostEqual(int(color[8, 8, 1]), green, delta=1)
 

@@ -283,6 +283,21 @@ class Drawn(Cases):
         primitive.positions = primitive.positions - (0, 0, 1)
         self.assertAlmostEqual(float(self.render(scene)[1][8, 8]), 3, places=5)
 
+    def test_lit_colors(self):
+        """Colours of vertices are linear in the light: white and grey surfaces in ambient light of 0.5."""
+        def shown(value):
+            colors = ColorVisuals(np.uint8([[value, value, value, 255]] * 4))
+            scene = self.scene(self.mesh(colors), ambient_light=[0.5, 0.5, 0.5])
+            return int(self.render(scene)[0][8, 8, 0])
+        np.testing.assert_allclose((shown(255), shown(128)), (188, 137), atol=5)  # sRGB of 0.5 and of 0.251
+
+    def test_translucent_depth(self):
+        """Translucent surfaces show what is behind them, and have a depth."""
+        glass = pyrender.MetallicRoughnessMaterial(alphaMode="BLEND", baseColorFactor=[1.0, 0, 0, 0.5])
+        scene = self.scene(self.mesh(material=glass), bg_color=[0.0, 0.0, 1.0])
+        color, depth = self.render(scene, RenderFlags.FLAT)
+        self.assertEqual((color[8, 8].tolist(), float(depth[8, 8])), ([188, 0, 188], 2.0))
+
     def test_samplers(self):
         """Wraps and filters of a sampler: u from 1 to 2 of a texture of two texels."""
         pixels = np.uint8([[[255, 0, 0], [0, 255, 0]]])

@@ -1,13 +1,28 @@
 # SPDX-License-Identifier: MIT
 """Lights of shd.pyrender, which shine along the -z axis of their node."""
+import functools
 import math
 
+import numpy as np
+
+from .._texture import Texture as Image
 from ._checked import Checked, anything, color, number, text
 from .camera import OrthographicCamera, PerspectiveCamera
 from .constants import SHADOW_TEX_SZ
+from .mesh import context
 from .texture import Texture
 
-WIDEST = 1.5707  # outer angle of a spot light [rad]
+WIDEST = 1.55         # outer angle of a spot light with a cookie [rad]
+COOKIE_SIZE = 256     # texels of a side
+
+
+@functools.lru_cache(maxsize=64)
+def falloff(inner, outer):
+    """A cookie that makes the falloff of shd, t^2 (3 - 2 t), the t^2 of pyrender (t as in shd/light.h)."""
+    side = (2 * np.arange(COOKIE_SIZE) + 1) / COOKIE_SIZE - 1
+    cosine = 1 / np.sqrt(1 + (side ** 2 + side[:, np.newaxis] ** 2) * math.tan(outer) ** 2)
+    t = np.clip((cosine - math.cos(outer)) / max(math.cos(inner) - math.cos(outer), 1e-6), 0, 1)
+    return Image(context(), 1 / (3 - 2 * t), swizzle=("r", "r", "r", "fill"))
 
 
 class Light:
@@ -84,8 +99,9 @@ class SpotLight(Light):
 
     def options(self):
         outer = min(self.outerConeAngle, WIDEST)
-        return {**super().options(), "range": self.range or 0.0, "inner_angle": min(self.innerConeAngle, outer),
-                "outer_angle": outer}
+        inner = min(self.innerConeAngle, outer)
+        return {**super().options(), "range": self.range or 0.0, "inner_angle": inner, "outer_angle": outer,
+                "texture": falloff(inner, outer)}
 
     def _get_shadow_camera(self, scene_scale):
         field = min(2 * self.outerConeAngle + math.pi / 16, math.pi - math.pi / 16)

@@ -12,7 +12,7 @@ from .._model import floats, from_arrays
 from .._objects import Context
 from ._checked import Boxed, Checked, anything, bounds_of, corners_of, instance_of, text
 from .constants import GLTF
-from .material import Material, default_material, material_of
+from .material import Material, MetallicRoughnessMaterial, default_material, material_of
 
 LINE_COLOR = (0.1, 0.1, 1.0)  # of normals
 LINE_LENGTH = 0.05            # of normals, as a part of the scale of their primitive
@@ -70,6 +70,10 @@ def matrices(_, value, name):
     return np.array([matrix(pose, f"{name}[{i}]") for i, pose in enumerate(array)]).reshape(-1, 4, 4)
 
 
+def material_or_default(primitive, value, name):
+    return instance_of(Material, "a Material")(primitive, value, name) or MetallicRoughnessMaterial()
+
+
 def mode_of(_, value, name):
     made = GLTF.TRIANGLES if value is None else int(value)
     if not GLTF.POINTS <= made <= GLTF.TRIANGLE_FAN:
@@ -89,7 +93,7 @@ class Primitive(Boxed):
     joints_0 = Checked(anything, "Kept for programs.")
     weights_0 = Checked(anything, "Kept for programs.")
     indices = Checked(vertices, "Numbers of vertices; None for all of them in order.")
-    material = Checked(instance_of(Material, "a Material"))
+    material = Checked(material_or_default, "A Material; None is a white metal.")
     mode = Checked(mode_of, "One of the modes of GLTF.")
     targets = Checked(anything, "Kept for programs.")
     poses = Checked(matrices, "Poses of copies [x][4][4].")
@@ -100,8 +104,6 @@ class Primitive(Boxed):
         self.texcoord_0, self.texcoord_1, self.color_0 = texcoord_0, texcoord_1, color_0
         self.joints_0, self.weights_0, self.indices, self.targets = joints_0, weights_0, indices, targets
         self.material, self.poses = material, poses
-        if material is None:
-            self.material = default_material(base=(1.0,) * 4) if color_0 is not None else default_material()
         self._made = None  # versions of what the parts were made from, and the parts
 
     @property
@@ -167,7 +169,7 @@ class Primitive(Boxed):
                 options["blend"] = "sorted"
         is_solid = self.mode >= GLTF.TRIANGLES
         cull = "none" if self.material.doubleSided or not is_solid else "back"
-        part = from_arrays(context(), self.positions, corners, self.normals, uv, cull=cull, **options)
+        part = from_arrays(context(), self.positions, corners, self.normals, uv, cull=cull, shows_codes=True, **options)
         part.values["fill"] = fill
         if not is_solid and self.normals is None:
             part.look = Fixed(part.look.flat)
@@ -188,7 +190,7 @@ class Primitive(Boxed):
         lengths = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-30)
         ends = start + LINE_LENGTH * np.linalg.norm(np.ptp(self.positions, axis=0)) * along / lengths
         numbers = np.arange(len(start))[:, np.newaxis] + (0, len(start), len(start))
-        part = from_arrays(context(), np.concatenate([start, ends]), numbers, color=LINE_COLOR)
+        part = from_arrays(context(), np.concatenate([start, ends]), numbers, color=LINE_COLOR, shows_codes=True)
         part.values["fill"], part.look = "wireframe", Fixed(part.look.flat)
         return self._placed([part])
 

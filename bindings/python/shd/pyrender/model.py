@@ -18,8 +18,11 @@ def load(source, **values):
     from ..scene import Scene as File
     scene = File(context(), source, **values)
     descs, names = scene.material_descs, scene.names("mesh")
+    parts = from_scene(context(), scene, metallic=1.0)
+    for part in parts:
+        part.look.shows_codes = True
     pieces = [Piece(part, descs[instance.material], names[instance.mesh] or f"mesh{instance.mesh}")
-              for part, instance in zip(from_scene(context(), scene, metallic=1.0), scene.instances)]
+              for part, instance in zip(parts, scene.instances)]
     return Model(pieces, scene.warnings)
 
 

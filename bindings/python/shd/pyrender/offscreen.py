@@ -44,8 +44,11 @@ class OffscreenRenderer:
             return renderer.render_depth(**values)
         if flags & RenderFlags.SEG:
             return self._segments(scene, seg_node_map, values)
-        return renderer.render(alpha=bool(flags & RenderFlags.RGBA), flat=bool(flags & RenderFlags.FLAT),
-                               shadows=[kind for kind, flag in SHADOWS.items() if flags & flag], **values)
+        color, depth = renderer.render(alpha=bool(flags & RenderFlags.RGBA), flat=bool(flags & RenderFlags.FLAT),
+                                       shadows=[kind for kind, flag in SHADOWS.items() if flags & flag], **values)
+        if any(node.mesh.is_transparent for node in scene.mesh_nodes if node.mesh.is_visible):
+            depth = renderer.render_depth(**values)  # translucent surfaces have a depth, too
+        return color, depth
 
     def _prepare(self, scene, flags, seg_node_map):
         """Puts the models, lights and camera of a scene into the renderer."""
