@@ -12,8 +12,8 @@ from trimesh_like import UV, ColorVisuals, PBRMaterial, SimpleMaterial, TextureV
 
 # The names of the API documentation of pyrender 0.1.45.
 NAMES = """Camera PerspectiveCamera OrthographicCamera IntrinsicsCamera Light PointLight DirectionalLight SpotLight
-Sampler Texture Material MetallicRoughnessMaterial Primitive Mesh Node Scene Renderer Viewer OffscreenRenderer __version__
-RenderFlags TextAlign GLTF""".split()
+Sampler Texture Material MetallicRoughnessMaterial Primitive Mesh Node Scene Renderer Viewer
+OffscreenRenderer __version__ RenderFlags TextAlign GLTF""".split()
 
 
 def box(size=1.0):
