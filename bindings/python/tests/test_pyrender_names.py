@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The names, attributes and checks that the documentation of pyrender has, for programs that come from it."""
+import copy
 import math
+import pickle
 
 import numpy as np
 
@@ -126,6 +128,7 @@ class Attributes(Case):
                            source_channels="RGB")
         self.check_refused(ValueError, "source_channels: 'BGR' is none of", pyrender.Texture, source_channels="BGR")
         self.check_refused(TypeError, "source: an array of numbers, not str", pyrender.Texture, source="wood.png")
+        self.check_refused(TypeError, "sampler: a Sampler, not int", pyrender.Texture, sampler=3)
         self.assertTrue(pyrender.Texture(source=np.uint8([[[1, 2, 3, 254]]]), source_channels="RGBA").is_transparent())
 
     def test_materials(self):
@@ -297,6 +300,17 @@ class Drawn(Cases):
         scene = self.scene(self.mesh(material=glass), bg_color=[0.0, 0.0, 1.0])
         color, depth = self.render(scene, RenderFlags.FLAT)
         self.assertEqual((color[8, 8].tolist(), float(depth[8, 8])), ([188, 0, 188], 2.0))
+
+    def test_copies(self):
+        """Scenes can be copied and pickled, and the copies are independent."""
+        mesh = self.mesh(TextureVisuals(UV, SimpleMaterial(np.uint8([[[255, 0, 0]]]), diffuse=[255] * 4)))
+        scene = self.scene(mesh)
+        look = lambda shown: self.render(shown, RenderFlags.FLAT)[0][8, 8].tolist()
+        self.assertEqual(look(scene), [255, 0, 0])
+        for made in (copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+            self.assertEqual(look(made), [255, 0, 0])
+            next(iter(made.meshes)).primitives[0].material.baseColorFactor = [0, 255, 0, 255]
+            self.assertEqual((look(made), look(scene)), ([0, 0, 0], [255, 0, 0]))
 
     def test_samplers(self):
         """Wraps and filters of a sampler: u from 1 to 2 of a texture of two texels."""

@@ -18,7 +18,12 @@ class Checked:
         self._name = name
 
     def __get__(self, instance, owner=None):
-        return self if instance is None else instance.__dict__["_" + self._name]
+        if instance is None:
+            return self
+        try:
+            return instance.__dict__["_" + self._name]
+        except KeyError:
+            raise AttributeError(f"{type(instance).__name__} has no {self._name} yet") from None
 
     def __set__(self, instance, value):
         instance.__dict__["_" + self._name] = self._check(instance, value, self._name)

@@ -119,6 +119,9 @@ class Primitive(Boxed):
         """Whether the material or a colour lets light through."""
         return self.material.is_transparent or (self.color_0 is not None and bool((self.color_0[:, 3] < 1).any()))
 
+    def __getstate__(self):  # of copies and pickles, which make parts of their own
+        return {**self.__dict__, "_made": None}
+
     def versions(self):
         return self.version, self.material.versions()
 

@@ -30,6 +30,15 @@ def quaternion_of(rotation):
     return found if found[3] >= 0 else -found
 
 
+def placing(check):
+    """A check of a part of the place, which replaces the matrix."""
+    def run(node, value, name):
+        made = check(node, value, name)
+        node._matrix = None
+        return made
+    return run
+
+
 class Node:
     """A place in a scene: node to parent, with a mesh, a light or a camera.
 
@@ -55,18 +64,9 @@ class Node:
             self.scale = np.ones(3) if scale is None else scale
             self.translation = np.zeros(3) if translation is None else translation
 
-    def _placed(check):
-        """An attribute of the place, which replaces the matrix."""
-        def forget(self, value, name):
-            made = check(self, value, name)
-            self._matrix = None
-            return made
-        return Checked(forget)
-
-    rotation = _placed(vector(4, unit=True))
-    scale = _placed(vector(3))
-    translation = _placed(vector(3))
-    del _placed
+    rotation = Checked(placing(vector(4, unit=True)))
+    scale = Checked(placing(vector(3)))
+    translation = Checked(placing(vector(3)))
 
     @property
     def matrix(self):

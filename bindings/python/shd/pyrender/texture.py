@@ -3,7 +3,7 @@
 import numpy as np
 
 from .._array import pixels_of
-from ._checked import Checked, anything, text
+from ._checked import Checked, anything, instance_of, text
 from .constants import GLTF
 
 WRAPS = {GLTF.REPEAT: "repeat", GLTF.CLAMP_TO_EDGE: "clamp", GLTF.MIRRORED_REPEAT: "mirror"}
@@ -69,7 +69,7 @@ class Texture:
     """An image and its sampler. `source_channels` are the channels that are taken from the source, such as "RGB"."""
 
     name = Checked(text)
-    sampler = Checked(lambda _, value, name: Sampler() if value is None else value)
+    sampler = Checked(lambda self, value, name: instance_of(Sampler, "a Sampler")(self, value, name) or Sampler())
     source = Checked(lambda self, value, name: None if value is None else with_channels(value, self.source_channels),
                      "The image, [height][width][channels] of uint8.")
     source_channels = Checked(one_of({None: 0, **CHANNELS}), "Channels that are taken from a source.")
