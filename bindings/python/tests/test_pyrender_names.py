@@ -131,6 +131,20 @@ class Attributes(Case):
         self.check_refused(TypeError, "sampler: a Sampler, not int", pyrender.Texture, sampler=3)
         self.assertTrue(pyrender.Texture(source=np.uint8([[[1, 2, 3, 254]]]), source_channels="RGBA").is_transparent())
 
+    def test_texts(self):
+        """Texts say what an object is."""
+        texture = pyrender.Texture(source=np.zeros((2, 3, 3), np.uint8), source_channels="RGB", name="wood")
+        mesh = pyrender.Mesh.from_trimesh(square(), poses=[np.eye(4)] * 2)
+        for made, text in (
+                (pyrender.PerspectiveCamera(1.0), "PerspectiveCamera znear=0.05 yfov=1"),
+                (pyrender.PointLight(intensity=3, name="lamp"), "PointLight intensity=3 name='lamp'"),
+                (texture, "Texture 3x2 name='wood' source_channels='RGB'"), (mesh, "Mesh 1 primitives"),
+                (mesh.primitives[0], "Primitive TRIANGLES 4 vertices 2 poses"),
+                (pyrender.Node("n", mesh=mesh), "Node 'n' mesh=Mesh 0 children"),
+                (pyrender.Scene(), "Scene 0 meshes 0 lights 0 cameras"),
+                (pyrender.OffscreenRenderer(8, 4), "OffscreenRenderer 8x4")):
+            self.assertEqual(repr(made), f"<shd.pyrender.{text}>")
+
     def test_materials(self):
         self.check_attributes(
             pyrender.MetallicRoughnessMaterial,

@@ -30,6 +30,17 @@ class Checked:
         instance.__dict__["version"] = instance.__dict__.get("version", 0) + 1
 
 
+class Shown:
+    """Objects whose texts have their numbers and names."""
+
+    def _texts(self):
+        return [f"{name[1:]}={value:g}" if isinstance(value, float) else f"{name[1:]}={value!r}"
+                for name, value in self.__dict__.items() if name[0] == "_" and isinstance(value, (float, str))]
+
+    def __repr__(self):
+        return f"<{' '.join([f'shd.pyrender.{type(self).__name__}', *self._texts()])}>"
+
+
 def anything(_, value, name):
     return value
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from .. import _camera
-from ._checked import Checked, number, text
+from ._checked import Checked, Shown, number, text
 from .constants import DEFAULT_Z_FAR, DEFAULT_Z_NEAR
 
 
@@ -18,7 +18,7 @@ def _far(camera, value, name):
     return made
 
 
-class Camera:
+class Camera(Shown):
     """Base of the cameras."""
 
     name = Checked(text)

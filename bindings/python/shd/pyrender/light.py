@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from .._texture import Texture as Image
-from ._checked import Checked, anything, color, number, text
+from ._checked import Checked, Shown, anything, color, number, text
 from .camera import OrthographicCamera, PerspectiveCamera
 from .constants import SHADOW_TEX_SZ
 from .mesh import context
@@ -25,7 +25,7 @@ def falloff(inner, outer):
     return Image(context(), 1 / (3 - 2 * t), swizzle=("r", "r", "r", "fill"))
 
 
-class Light:
+class Light(Shown):
     """Base of the lights."""
 
     kind = ""

@@ -2,7 +2,7 @@
 """Materials of shd.pyrender."""
 import numpy as np
 
-from ._checked import Checked, anything, color, number, text
+from ._checked import Checked, Shown, anything, color, number, text
 from .texture import Texture, one_of
 
 GREY = (0.3, 0.3, 0.3, 1.0)  # of meshes without a material
@@ -19,7 +19,7 @@ def factor(_, value, name):
     return number(0, 1)(None, 1.0 if value is None else value, name)
 
 
-class Material:
+class Material(Shown):
     """Base of the materials: what all models have."""
 
     name = Checked(text)

@@ -10,11 +10,12 @@ from .._camera import matrix
 from .._material import Fixed
 from .._model import floats, from_arrays
 from .._objects import Context
-from ._checked import Boxed, Checked, anything, bounds_of, corners_of, instance_of, text
+from ._checked import Boxed, Checked, Shown, anything, bounds_of, corners_of, instance_of, text
 from .constants import GLTF
 from .material import Material, MetallicRoughnessMaterial, default_material, material_of
 
 LINE_COLOR = (0.1, 0.1, 1.0)  # of normals
+MODES = ("POINTS", "LINES", "LINE_LOOP", "LINE_STRIP", "TRIANGLES", "TRIANGLE_STRIP", "TRIANGLE_FAN")
 LINE_LENGTH = 0.05            # of normals, as a part of the scale of their primitive
 
 
@@ -81,7 +82,7 @@ def mode_of(_, value, name):
     return made
 
 
-class Primitive(Boxed):
+class Primitive(Boxed, Shown):
     """Points, lines or triangles with a material."""
 
     positions = Checked(rows(3, optional=False, like_positions=False), "[n][3]")
@@ -118,6 +119,10 @@ class Primitive(Boxed):
     def is_transparent(self):
         """Whether the material or a colour lets light through."""
         return self.material.is_transparent or (self.color_0 is not None and bool((self.color_0[:, 3] < 1).any()))
+
+    def _texts(self):
+        copies = [] if self.poses is None else [f"{len(self.poses)} poses"]
+        return [MODES[self.mode], f"{len(self.positions)} vertices", *copies]
 
     def __getstate__(self):  # of copies and pickles, which make parts of their own
         return {**self.__dict__, "_made": None}
@@ -198,7 +203,7 @@ class Primitive(Boxed):
         return self._placed([part])
 
 
-class Mesh(Boxed):
+class Mesh(Boxed, Shown):
     """Primitives that are drawn together."""
 
     name = Checked(text)
@@ -215,6 +220,9 @@ class Mesh(Boxed):
         """Lowest and highest x, y, z of all primitives."""
         found = [p.bounds for p in self.primitives if len(p.positions)]
         return bounds_of(np.concatenate(found)) if found else np.zeros((2, 3))
+
+    def _texts(self):
+        return [*super()._texts(), f"{len(self.primitives)} primitives"]
 
     @property
     def is_transparent(self):

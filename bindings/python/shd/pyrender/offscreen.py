@@ -105,6 +105,9 @@ class OffscreenRenderer:
             row[:] = seg_node_map[node]
         return table[self._renderer.render_ids(**values)], self._renderer.render_depth(**values)
 
+    def __repr__(self):
+        return f"<shd.pyrender.OffscreenRenderer {self.viewport_width}x{self.viewport_height}>"
+
     def delete(self):
         """Drops the framebuffer; later renders raise ValueError."""
         if self._renderer is not None:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .._array import pixels_of
-from ._checked import Checked, anything, instance_of, text
+from ._checked import Checked, Shown, anything, instance_of, text
 from .constants import GLTF
 
 WRAPS = {GLTF.REPEAT: "repeat", GLTF.CLAMP_TO_EDGE: "clamp", GLTF.MIRRORED_REPEAT: "mirror"}
@@ -23,7 +23,7 @@ def one_of(table):
     return check
 
 
-class Sampler:
+class Sampler(Shown):
     """Filters and wraps by the constants of GLTF. Without a minFilter, textures are filtered anisotropically."""
 
     name = Checked(text)
@@ -65,7 +65,7 @@ def with_channels(image, channels):
     return array[..., :count]
 
 
-class Texture:
+class Texture(Shown):
     """An image and its sampler. `source_channels` are the channels that are taken from the source, such as "RGB"."""
 
     name = Checked(text)
@@ -81,6 +81,10 @@ class Texture:
         self.name, self.sampler, self.source_channels, self.source = name, sampler, source_channels, source
         self.width, self.height = width, height
         self.tex_type, self.data_format = tex_type, data_format  # of OpenGL, kept for programs that read them
+
+    def _texts(self):
+        size = [] if self.source is None else ["x".join(map(str, (self.source.shape[1], self.source.shape[0])))]
+        return [*size, *super()._texts()]
 
     def is_transparent(self, cutoff=1.0):
         """Whether the opacity of a texel is below a number."""
