@@ -84,6 +84,8 @@ def columns(value, count, name, writable=False):
                 raise ValueError(f"{name}: an array of {value.ndim} axes must be contiguous")
             value = value.reshape(-1, count)
         return [value[:, i] for i in range(count)]
+    if isinstance(value, np.ndarray) and not value.ndim:
+        raise TypeError(f"{name}: an array [count][{count}] or a list of columns, not a number")
     value = list(value)
     if value and np.ndim(value[0]) == 0 and value[0] is not None:  # a single row
         if len(value) != count:

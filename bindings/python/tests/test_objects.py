@@ -240,6 +240,7 @@ class Meshes(Case):
         self.check_refused(ValueError, r"mesh.indices\[1\]: 4294967296 is not in 0..4294967295", make, position,
                            np.array([0, 1 << 32, -1]))
         self.check_refused(ValueError, r"mesh.indices\[2\]: -1 is not in", make, position, np.int8([0, 1, -1]))
+        self.check_refused(TypeError, "mesh.*position: an array .count..3. or a list of columns, not a number", make, 3)
         self.check_refused(shd.InvalidArgument, "indices", make, position, np.uint32([0, 1, 7]))
         self.check_refused(ValueError, "vertex_count 9", make, position, vertex_count=9)
         self.check_refused(ValueError, "index_count: 6, but indices has 3", make, position, [0, 1, 2], index_count=6)

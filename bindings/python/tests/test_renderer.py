@@ -234,6 +234,8 @@ class Misuse(Renderers):
         self.check_refused(TypeError, "add: a mesh or scene of trimesh, .* not int", renderer.add, 3)
         self.assertEqual(renderer.items, [])
         self.check_refused(ValueError, "must differ", renderer.look_at, (0, 0, 0))
+        self.check_refused(ValueError, "camera.eye: three numbers, not float64 of shape .2,.", renderer.look_at, (0.0, 1))
+        self.check_refused(TypeError, "camera.up: an array of numbers, not str", renderer.look_at, (0, 0, 1), up="y")
         self.check_refused(ValueError, "yfov: 4 is not in", renderer.look_at, (0, 0, 1), yfov=4)
         self.check_refused(ValueError, "far: 1 is not above near, 2", renderer.look_at, (0, 0, 1), near=2, far=1)
         self.check_refused(ValueError, "background", setattr, renderer, "background", (2, 0, 0))
