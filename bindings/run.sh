@@ -17,7 +17,7 @@ packages=(ca-certificates clang cmake g++ gcc git ninja-build pkg-config python3
           libassimp-dev libbenchmark-dev libboost-dev libcli11-dev libcmocka-dev libdraco-dev libeigen3-dev libembree-dev
           libhwy-dev libmeshoptimizer-dev nlohmann-json3-dev
           libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev assimp-testmodels
-          python3-numpy python3-pip python3-pytest python3-setuptools python3-venv python3-wheel
+          mypy python3-numpy python3-pil python3-pip python3-pytest python3-setuptools python3-venv python3-wheel
           chromium emscripten
           luajit love godot3-server
           cargo rustc

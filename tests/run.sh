@@ -29,6 +29,7 @@ packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-for
           ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
+packages+=(mypy python3-pil)  # types and images of the Python package
 jobs=$(nproc)
 # Clones share what they compile, wherever they lie.
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}

@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes shd/__init__.pyi, the types of descs and enums for editors and type checkers, from shd.json."""
+"""Writes shd/*.pyi, the types for editors and type checkers, from shd.json and the templates in stubs/.
+
+A template is a stub file. {sampler_desc} stands for the fields of a desc as keywords, {sampler_desc-filter} for them
+without a field, {enum:filter} for a constant or its name, and {names} for all classes, descs and enums.
+"""
 import pathlib
 import re
 import sys
@@ -10,46 +14,30 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent))
 import generated
 
-OUTPUT = HERE / "shd/__init__.pyi"
-HEAD = '''# SPDX-License-Identifier: MIT
-# Types of the module's descs and enums. Written by generate.py; do not edit.
-import enum
-from typing import Any, Callable, Mapping, Sequence, Union
-
-import numpy as np
-
-from ._api import Error as Error, InvalidArgument as InvalidArgument, OutOfMemory as OutOfMemory
-from . import color as color, embree as embree, io as io, pyrender as pyrender, renderer as renderer, scene as scene
-from ._bake import (bake as bake, bake_occlusion as bake_occlusion, occlusion as occlusion,
-                    vertex_occlusion as vertex_occlusion)
-from ._desc import Desc as Desc
-from ._environment import Environment as Environment
-from ._frame import Framebuffer as Framebuffer, render as render
-from ._png import save_png as save_png
-from ._objects import (Context as Context, Light as Light, Material as Material, Mesh as Mesh, Object as Object,
-                       Sampler as Sampler, slot as slot)
-from ._projection import convert_projection as convert_projection, project as project, unproject as unproject
-from ._shadow import Shadow as Shadow
-from ._solid import evaluate_solid as evaluate_solid
-from ._texture import Lookup as Lookup, Texture as Texture
-from ._tiles import TileCache as TileCache
-from ._volume import Volume as Volume
-from .color import Color as Color
-from .renderer import Renderer as Renderer
-from .scene import Scene as Scene
-
-_Array = Union[np.ndarray, Sequence[Any]]
-
-__version__: str
-
-def version() -> tuple[int, int, int]: ...
-'''
+TEMPLATES, OUTPUT = HERE / "stubs", HERE / "shd"
+HEAD = "# SPDX-License-Identifier: MIT\n# Written by generate.py from stubs/{}.in; do not edit.\n"
 CLASSES = {"shd_color", "shd_context", "shd_environment", "shd_framebuffer", "shd_light", "shd_material", "shd_mesh",
            "shd_sampler", "shd_shadow", "shd_texture", "shd_tile_cache", "shd_volume"}
+NUMBERS = {"float": "float", "double": "float", "size_t": "int", "int": "int",
+           **{f"{sign}int{bits}_t": "int" for sign in ("", "u") for bits in (8, 16, 32, 64)}}
+
+
+# Structs that calls return as dicts.
+DICTS = ("shd_bake_stats", "shd_bitmap_info", "shd_environment_info", "shd_framebuffer_info", "shd_mesh_info",
+         "shd_render_stats", "shd_scene_info", "shd_texture_info", "shd_tile_cache_stats", "shd_tile_file_info")
+SPECIAL = {"shd_log": "_Log", "shd_progress": "_Report", "shd_image": "_Image"}
 
 
 def camel(name):
     return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
+
+
+def members(entry):
+    """Names and values of the constants of an enum, as the module has them."""
+    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", entry["name"].removeprefix("shd_")).upper() + "_"
+    for constant in entry["constants"]:
+        if not constant["name"].endswith("_MAX_ENUM"):
+            yield constant["name"].removeprefix(prefix).removeprefix("SHD_"), constant["value"]
 
 
 class Stubs:
@@ -57,53 +45,91 @@ class Stubs:
         self.table = table
         self.enums = {e["name"]: e for e in table["enums"]}
         self.bits = {t["name"]: t["bits_of"] for t in table["typedefs"] if "bits_of" in t}
-        self.structs = {s["name"] for s in table["structs"]}
+        self.structs = {s["name"]: s for s in table["structs"]}
         self.callbacks = {c["name"] for c in table["callbacks"]}
+
+    def enum_type(self, name):
+        """A constant, or one of the names of constants; flags may be joined by |."""
+        name = self.bits.get(name, name)
+        return f"Union[{camel(name)}, str, int]" if name in self.bits.values() else f"_{camel(name)}Name"
 
     def type_of(self, field):
         """The Python type that a field takes."""
         text = field["type"]
         base = re.sub(r"const|\*", "", text).split("(")[0].strip()
-        if text == "const char *":
-            return "str"
+        several = text.count("*") > 1 or bool(field.get("length"))
+        if base == "char":
+            return "Sequence[_Path]" if several else "_Path"
         if base in CLASSES:
-            return f"Sequence[Union[{camel(base)}, None]]" if text.count("*") > 1 else camel(base)
-        if "array" in field or ("*" in text and base not in self.structs) or re.match(r"shd_\w+_(in|out)$", base):
-            return "_Array"
-        if base in self.structs:
-            single = f"Union[{camel(base)}, Mapping[str, Any]]"
-            return f"Union[{camel(base)}, Sequence[{single}]]" if field.get("length") else single
-        if base in self.callbacks:
-            return "Callable[..., object]"
+            return f"Sequence[Optional[{camel(base)}]]" if text.count("*") > 1 else f"Optional[{camel(base)}]"
+        if base in self.structs and base not in ("shd_f32_in", "shd_f32_out", "shd_u32_in", "shd_u32_out", "shd_u16_in"):
+            also = [SPECIAL[base]] if base in SPECIAL else []
+            single = f"Union[{', '.join([camel(base), 'Mapping[str, Any]', *also])}]"
+            return f"Union[{camel(base)}, Sequence[{single}]]" if several else single
         if base in self.enums or base in self.bits:
-            return "Union[int, str]"
-        return "float" if base in ("float", "double") else "int"
+            single = self.enum_type(base)
+            return f"Sequence[{single}]" if "array" in field or several else single
+        if "array" in field or "*" in text or base not in NUMBERS:
+            return "Callable[..., object]" if base in self.callbacks else "Optional[_Numbers]"
+        return NUMBERS[base]
 
     def enum_lines(self, entry):
         kind = "IntFlag" if entry["name"] in self.bits.values() else "IntEnum"
-        prefix = "SHD_" + re.sub(r"_(flag|target)$", "", entry["name"].removeprefix("shd_")).upper() + "_"
         yield f"\nclass {camel(entry['name'])}(enum.{kind}):"
-        for constant in entry["constants"]:
-            name = constant["name"].removeprefix(prefix).removeprefix("SHD_")
-            if not constant["name"].endswith("_MAX_ENUM"):
-                yield f"    {name if name[0].isalpha() else f'N{name}'} = {constant['value']}"
+        yield from (f"    {short if short[0].isalpha() else f'N{short}'} = {value}" for short, value in members(entry))
+        if kind == "IntEnum":
+            names = ", ".join(f'"{short.lower()}"' for short, _ in members(entry))
+            yield f"\n{self.enum_type(entry['name'])} = Union[{camel(entry['name'])}, Literal[{names}]]"
+
+    def fields(self, name, without=()):
+        return [f for f in self.structs[name]["fields"] if f["name"] not in ("struct_size", *without)]
+
+    def keywords(self, name, without=()):
+        return ", ".join(f"{f['name']}: {self.type_of(f)} = ..." for f in self.fields(name, without))
 
     def struct_lines(self, entry):
-        fields = [f for f in entry["fields"] if f["name"] != "struct_size"]
         yield f"\nclass {camel(entry['name'])}(Desc):"
-        yield from (f"    {f['name']}: {self.type_of(f)}" for f in fields)
-        yield "    def __init__(self, *,"
-        yield from (f"                 {f['name']}: {self.type_of(f)} = ...," for f in fields)
-        yield "                 ) -> None: ..."
+        yield from (f"    {f['name']}: {self.type_of(f)}" for f in self.fields(entry["name"]))
+        yield f"    def __init__(self, *, {self.keywords(entry['name'])}) -> None: ..."
 
-    def text(self):
-        lines = [HEAD.rstrip()]
+    def read_type(self, field):
+        """The type of a field of a struct that a call returns."""
+        kind = self.bits.get(field["type"], field["type"])
+        kind = camel(kind) if kind in self.enums else NUMBERS.get(kind, "Any")
+        return f"Tuple[{kind}, ...]" if "array" in field else kind
+
+    def dict_lines(self, name):
+        yield f"\nclass _{camel(name)}(TypedDict):"
+        yield from (f"    {f['name']}: {self.read_type(f)}" for f in self.fields(name))
+
+    def expand(self, text):
+        """A template with its words in brackets."""
+        def word(match):
+            if match[1].startswith("enum:"):
+                return self.enum_type("shd_" + match[1].removeprefix("enum:"))
+            name, *without = match[1].split("-")
+            if name == "names":
+                aliases = {self.enum_type(name) for name in self.enums if name not in self.bits.values()}
+                names = {camel(name) for name in (*CLASSES, *self.enums, *self.structs)} - {"Color"}
+                return ", ".join(sorted({"Object", *names, *aliases} - set(without)))
+            return self.keywords(f"shd_{name}", without)
+        return re.sub(r"\{([\w:-]+)\}", word, text)
+
+    def texts(self):
+        made = {}
+        for path in sorted(TEMPLATES.glob("*.pyi.in")):
+            first, *lines = path.read_text(encoding="utf-8").rstrip().split("\n")
+            made[path.stem] = HEAD.format(path.stem) + self.expand("\n".join(lines)) + "\n"
+        lines = []
         for entry in self.table["enums"]:
             lines += self.enum_lines(entry)
         for entry in self.table["structs"]:
             lines += self.struct_lines(entry)
-        return "\n".join([*lines, ""])
+        for name in DICTS:
+            lines += self.dict_lines(name)
+        made["__init__.pyi"] += "\n".join([*lines, ""])
+        return made
 
 
 if __name__ == "__main__":
-    generated.save(OUTPUT, Stubs(generated.description()).text())
+    generated.save_all(OUTPUT, Stubs(generated.description()).texts())

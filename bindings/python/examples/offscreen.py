@@ -7,6 +7,7 @@
 import sys
 
 import numpy as np
+import numpy.typing as npt
 
 import shd.pyrender as pyrender
 from shd import save_png
@@ -15,7 +16,7 @@ PATH = "/usr/share/assimp/models/Collada/duck.dae"  # Debian: assimp-testmodels
 PICTURE = "offscreen.png"
 
 
-def pose_towards(eye, target):
+def pose_towards(eye: npt.NDArray[np.float64], target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Camera to world: z away from the target, y up."""
     z = np.subtract(eye, target) / np.linalg.norm(np.subtract(eye, target))
     x = np.cross([0, 1, 0], z)
@@ -25,7 +26,7 @@ def pose_towards(eye, target):
     return pose
 
 
-def main(path=PATH, picture=PICTURE):
+def main(path: str = PATH, picture: str = PICTURE) -> None:
     model = pyrender.load(path)
     mesh = pyrender.Mesh.from_trimesh(model)
     scene = pyrender.Scene(ambient_light=[0.1, 0.1, 0.1])

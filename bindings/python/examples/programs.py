@@ -9,15 +9,17 @@
 import pathlib
 import sys
 import time
+from typing import Any, Callable, List
 
 import numpy as np
+import numpy.typing as npt
 
 import shd
 
 SIZE, LOOKUPS, WIDTH, HEIGHT, BATCH, CALLS, TRIALS = 64, 16384, 320, 200, 1 << 20, 200000, 7
 
 
-def print_hash(name, array):
+def print_hash(name: str, array: npt.NDArray[Any]) -> None:
     """FNV-1a of 64 bits (Fowler, Noll and Vo, 1991), byte by byte."""
     value = 0xcbf29ce484222325
     for byte in array.tobytes():
@@ -25,24 +27,22 @@ def print_hash(name, array):
     print(f"{name} {value:016x}")
 
 
-def make_texture(context):
+def make_texture(context: shd.Context) -> shd.Texture:
     y, x = np.indices((SIZE, SIZE))
     texels = np.stack([x * 4, y * 4, (x ^ y) * 4, np.full_like(x, 255)], axis=-1).astype(np.uint8)
     return shd.Texture(context, texels, srgb=True, tables="mipmap")
 
 
-def look_up(context):
+def look_up(context: shd.Context) -> None:
     """1. A batch of lookups: footprints of many sizes and directions, filtered with EWA."""
     i = np.arange(LOOKUPS)
-    columns = {"u": i % 128 / 64, "v": i // 128 / 128, "dudx": (1 + i % 7) / 256, "dvdx": i % 5 / 512,
-               "dudy": i % 3 / -512, "dvdy": (1 + i % 11) / 1024}
-    columns = {name: column.astype(np.float32) for name, column in columns.items()}
     sampler = shd.Sampler(context, filter="ewa", max_anisotropy=16)
-    color = make_texture(context).sample(sampler, **columns)
+    color = make_texture(context).sample(sampler, u=i % 128 / 64, v=i // 128 / 128, dudx=(1 + i % 7) / 256,
+                                         dvdx=i % 5 / 512, dudy=i % 3 / -512, dvdy=(1 + i % 11) / 1024)
     print_hash("lookup", color.T)
 
 
-def draw(context, **material):
+def draw(context: shd.Context, **material: Any) -> npt.NDArray[np.uint8]:
     """A torus of one material in the light of the sun, as RGBA8 in sRGB."""
     torus = shd.Mesh.shape(context, kind="torus")
     sun = shd.Light(context, kind="directional", direction=(-0.5, -1, -0.25))
@@ -52,18 +52,18 @@ def draw(context, **material):
     return framebuffer.read_color("rgba8_srgb")
 
 
-def draw_textured(context):
+def draw_textured(context: shd.Context) -> None:
     """2. A frame: the material has a texture."""
     sampler = shd.Sampler(context, filter="trilinear", max_anisotropy=16)
     print_hash("frame", draw(context, model="blinn_phong",
                              slots=[shd.slot("diffuse", make_texture(context), sampler)]))
 
 
-def draw_program(context):
+def draw_program(context: shd.Context) -> npt.NDArray[np.uint8]:
     """3. A fragment program: shows the texture coordinates."""
     blue = 0.25
 
-    def uv_as_color(fragments, out):
+    def uv_as_color(fragments: Any, out: Any) -> None:
         out.r[:] = fragments.u
         out.g[:] = fragments.v
         out.b[:] = blue
@@ -73,7 +73,7 @@ def draw_program(context):
     return pixels
 
 
-def measure(call, count):
+def measure(call: Callable[[], None], count: int) -> float:
     """Seconds of `count` calls, the best of seven."""
     best = float("inf")
     for _ in range(TRIALS):
@@ -84,7 +84,7 @@ def measure(call, count):
     return best
 
 
-def print_speed():
+def print_speed() -> None:
     context = shd.Context(worker_count=1)
     texture = make_texture(context)
     sampler = shd.Sampler(context, filter="trilinear", max_anisotropy=16)
@@ -97,7 +97,7 @@ def print_speed():
     print(f"batch {1e3 * measure(batch, 3) / 3:.4f} ms")
 
 
-def main(arguments):
+def main(arguments: List[str]) -> None:
     if arguments[:1] == ["--speed"]:
         return print_speed()
     context = shd.Context()

@@ -6,8 +6,8 @@
     colours = texture.sample(shd.Sampler(context, filter="trilinear"), u, v, lod=lod)
 
 Descs (SamplerDesc, RenderDesc, Draw, Camera, ...) and enums (Filter, Model, ...) of all headers are attributes of the
-module. Arrays are not copied; calls refuse arrays of another type or layout. Objects may be shared between threads as
-the C headers say; a framebuffer serves one call of render() only.
+module. Arrays of the library's types are not copied; other numbers, lists, images of Pillow and objects with DLPack are
+converted once. Objects may be shared between threads as the C headers say; a framebuffer serves one call of render().
 
 Components have modules of their own: shd.scene, shd.color, shd.io and shd.embree. shd.Renderer draws pictures of
 meshes in few lines, and shd.pyrender has the interface of pyrender.
@@ -20,21 +20,22 @@ except ModuleNotFoundError:
     raise ImportError("shd needs NumPy (Debian: python3-numpy)") from None
 
 from . import _api
-from ._api import Error, InvalidArgument, OutOfMemory
-from ._desc import desc_type
+from ._api import Error, InvalidArgument, MissingFile, OutOfMemory
+from ._desc import Desc, desc_type as _desc_type
 from ._frame import Framebuffer, render
 from ._objects import Context, Light, Material, Mesh, Object, Sampler, slot
 from ._texture import Lookup, Texture
 
-_names = {_api.camel(name): (desc_type, name) for name, e in _api.structs.items()}
+_names = {_api.camel(name): (_desc_type, name) for name, e in _api.structs.items()}
 _names.update({_api.camel(name): (_api.enum_type, name) for name in _api.enums})
 
 # Modules that are imported when a name is first used, so that a small program starts fast.
 _modules = {"Environment": "_environment", "Shadow": "_shadow", "Volume": "_volume", "evaluate_solid": "_solid",
             "bake": "_bake", "bake_occlusion": "_bake", "occlusion": "_bake", "vertex_occlusion": "_bake",
             "project": "_projection", "unproject": "_projection", "convert_projection": "_projection",
-            "save_png": "_png", "TileCache": "_tiles", "Color": "color", "Scene": "scene", "Renderer": "renderer"}
-_submodules = ("color", "embree", "io", "pyrender", "renderer", "scene")
+            "save_png": "_png", "TileCache": "_tiles", "Color": "color", "Scene": "scene",
+            "Renderer": "renderer", "Item": "renderer"}
+_submodules = ("color", "embree", "golden", "io", "pyrender", "renderer", "scene")
 
 __version__ = ".".join(str(_api.constants[f"SHD_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
 
@@ -58,5 +59,10 @@ def __getattr__(name):
     return globals()[name]
 
 
+__all__ = sorted({"Error", "InvalidArgument", "MissingFile", "OutOfMemory", "Desc", "Framebuffer", "render", "Context",
+                  "Light", "Material", "Mesh", "Object", "Sampler", "slot", "Lookup", "Texture", "version", *_names,
+                  *_modules, *_submodules} - {"renderer"})
+
+
 def __dir__():
-    return sorted({*(n for n in globals() if not n.startswith("_")), *_names, *_modules, *_submodules})
+    return [*__all__, "__doc__", "__file__", "__name__", "__path__", "__version__"]

@@ -5,10 +5,13 @@
 """
 import ctypes
 import enum
+import errno
 import json
 import os
 import pathlib
 import re
+
+from ._words import Words
 
 HERE = pathlib.Path(__file__).resolve().parent
 NUMBERS = {"float": ctypes.c_float, "double": ctypes.c_double, "size_t": ctypes.c_size_t, "int": ctypes.c_int,
@@ -36,6 +39,15 @@ constants = {e["name"]: e["value"] for e in _table["constants"]}
 def camel(name):
     """shd_render_desc -> RenderDesc."""
     return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
+
+
+def short_name(enum_name, constant_name):
+    """SHD_FILTER_EWA of shd_filter -> EWA."""
+    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", enum_name.removeprefix("shd_")).upper() + "_"
+    return constant_name.removeprefix(prefix).removeprefix("SHD_")
+
+
+words = Words(enums, {name: camel(name) for name in (*structs, *enums, *handles)}, short_name)
 
 
 def value_type(text):
@@ -82,6 +94,29 @@ def new(name):
     return kind.from_buffer_copy(_defaults[name])
 
 
+NUMBER_CODES = ("b", "c", "d", "e", "E", "f", "F", "g", "G", "n", "o", "x", "X", "%")  # last characters of formats
+
+
+class Constant(enum.IntEnum):
+    """Base of the enums. Texts of constants are names: str(Filter.EWA) is "Filter.EWA"."""
+
+    def __str__(self):
+        return f"{type(self).__name__}.{self.name}"
+
+    def __format__(self, spec):
+        return int.__format__(self, spec) if spec[-1:] in NUMBER_CODES else format(str(self), spec)
+
+
+class Flags(enum.IntFlag):
+    """Base of the enums of flags: str(Aov.UV | Aov.NORMAL) is "Aov.UV|NORMAL"."""
+
+    def __str__(self):
+        names = [m.name for m in type(self).__members__.values() if m.value and m.value & self.value == m.value]
+        return f"{type(self).__name__}.{'|'.join(names) or self.value}"
+
+    __format__ = Constant.__format__
+
+
 _enum_types = {}
 
 
@@ -90,14 +125,15 @@ def enum_type(name):
     if name not in _enum_types:
         entry = enums[name]
         is_flags = any(t.get("bits_of") == name for t in typedefs.values())
-        prefix = "SHD_" + re.sub(r"_(flag|target)$", "", name.removeprefix("shd_")).upper() + "_"
         members = []
         for member in entry["constants"]:
-            short = member["name"].removeprefix(prefix).removeprefix("SHD_")
+            short = short_name(name, member["name"])
             if not member["name"].endswith("_MAX_ENUM"):
                 members.append((short if short[0].isalpha() else f"N{short}", member["value"]))
-        made = (enum.IntFlag if is_flags else enum.IntEnum)(camel(name), members, module=__package__)
-        made.__doc__ = entry.get("doc", "")
+        made = (Flags if is_flags else Constant)(camel(name), members, module=__package__)
+        made.__doc__ = "\n".join([words.python(entry.get("doc", "")), "\nNames:", *(
+            f"    {short_name(name, m['name']).lower()}: {words.python(' '.join(m.get('doc', '').split()))}".rstrip(": ")
+            for m in entry["constants"] if not m["name"].endswith("_MAX_ENUM"))])
         _enum_types[name] = made
     return _enum_types[name]
 
@@ -187,11 +223,30 @@ class OutOfMemory(Error, MemoryError):
     """An allocation failed."""
 
 
-def check(result):
-    """Raises unless the result is SHD_OK."""
+class MissingFile(Error, FileNotFoundError):
+    """A file does not exist; `filename` is the path of the call."""
+
+    def __init__(self, result, message, path):
+        super().__init__(result, message)
+        self.errno, self.strerror, self.filename = errno.ENOENT, message, path
+
+    def __str__(self):
+        return self.strerror
+
+    def __reduce__(self):
+        return type(self), (int(self.result), str(self), self.filename)
+
+
+NOT_FOUND = 4  # SHD_ERROR_NOT_FOUND
+
+
+def check(result, path=None):
+    """Raises unless the result is SHD_OK. `path` is that of the file which the call reads."""
     if result:
-        kind = {1: InvalidArgument, 2: OutOfMemory}.get(result, Error)
-        raise kind(result, lib.shd_last_error().decode("utf-8", "replace"))
+        text = lib.shd_last_error().decode("utf-8", "replace")
+        if result == NOT_FOUND and path is not None:
+            raise MissingFile(result, text, os.fspath(path))
+        raise {1: InvalidArgument, 2: OutOfMemory}.get(result, Error)(result, text)
 
 
 def _check_version():

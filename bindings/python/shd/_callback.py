@@ -14,6 +14,7 @@ import threading
 import numpy as np
 
 from . import _api
+from ._report import Bar, log_writer, reporter
 
 local = threading.local()
 VIEWS = {"float": (ctypes.c_float, np.float32), "uint32_t": (ctypes.c_uint32, np.uint32)}
@@ -134,6 +135,14 @@ class Callback:
         keep.append(made)
         return made
 
+    def end(self, failures):
+        """Moves the failure of a call to a list, and ends the line of a bar."""
+        if isinstance(self._function, Bar):
+            self._function.close()
+        if self.failure is not None:
+            failures.append(self.failure)
+            self.failure = None
+
     def _run(self, *arguments):
         result = self._entry["result"]
         failed = None if result == "void" else ERROR_CALLBACK
@@ -161,14 +170,25 @@ class Callback:
                     value.close()
 
 
+# Structs with one function, which a value may be itself: (name of the field, its function from a value).
+HOOKS = {"shd_log": ("write", log_writer), "shd_progress": ("report", reporter)}
+
+
+def hook(struct, value, name):
+    """The fields of a struct with one function, from a logger, a function or True."""
+    if struct not in HOOKS or isinstance(value, dict):
+        return value
+    field, make = HOOKS[struct]
+    return {field: make(value, name)}
+
+
 def raise_failures(keep):
-    """Raises the first exception of a callback among what a call kept, and clears all of them."""
+    """Raises the first exception of a callback among what a call kept, and clears all of them. Ends bars."""
     failures, seen, open_items = [], set(), list(keep)
     while open_items:
         item = open_items.pop()
-        if isinstance(item, Callback) and item.failure is not None:
-            failures.append(item.failure)
-            item.failure = None
+        if isinstance(item, Callback):
+            item.end(failures)
         elif hasattr(item, "keep") and id(item) not in seen:
             seen.add(id(item))
             open_items += item.keep

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from ._array import array_of
+
 NEAR = 0.05     # near plane without a model to fit it to
 NEAREST = 1e-4  # least near plane, as a part of the farthest distance
 
@@ -21,9 +23,17 @@ def matrix(value, name="pose"):
     return array
 
 
+def point(value, name):
+    """Three numbers."""
+    array = array_of(value, name)
+    if array.dtype.kind not in "fiu" or array.size != 3:
+        raise ValueError(f"{name}: three numbers, not {array.dtype} of shape {array.shape}")
+    return array.astype(np.float64).reshape(3)
+
+
 def look_at(eye, target=(0, 0, 0), up=(0, 1, 0)):
     """The pose of a camera, from its place and the place that it looks at."""
-    eye, target, up = (np.asarray(v, np.float64).reshape(3) for v in (eye, target, up))
+    eye, target, up = (point(v, f"camera.{name}") for v, name in ((eye, "eye"), (target, "target"), (up, "up")))
     back = eye - target
     right = np.cross(up, back)
     if not (np.isfinite(right).all() and np.linalg.norm(back) > 0 and np.linalg.norm(right) > 0):

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _api
+from ._array import batch
 from ._convert import COLUMNS, column, columns
 
 _layouts = {}
@@ -18,18 +19,19 @@ def layout(struct):
 
 def shape_of(value, name):
     """The shape of a batch of points with several components, such as positions: the axes before the last one."""
-    if isinstance(value, np.ndarray) and value.ndim > 1:
-        return value.shape[:-1]
-    if not isinstance(value, (np.ndarray, list, tuple)) or not len(value):
+    made = batch(value, name)
+    if isinstance(made, np.ndarray) and made.ndim > 1:
+        return made.shape[:-1]
+    if (isinstance(made, np.ndarray) and not made.ndim) or not len(made):
         raise TypeError(f"{name}: an array [count][components] or a list of columns, not {type(value).__name__}")
-    return np.shape(value[0]) or (1,)
+    return np.shape(made[0]) or (1,)
 
 
-def _parts(value, width, name):
+def _parts(value, width, name, writable=False):
     """The columns of a value with their names."""
     if not width:
         return [(name, value)]
-    parts = columns(value, width, name)
+    parts = columns(value, width, name, writable)
     if len(parts) != width:
         raise ValueError(f"{name}: {len(parts)} columns, not {width}")
     return [(f"{name}[{i}]", part) for i, part in enumerate(parts)]
@@ -86,7 +88,7 @@ def outputs(struct, names, shape, keep, out=None):
         if array is None:
             array, parts = _allocate(COLUMNS[kind][0], width, shape)
         else:
-            parts = [part for _, part in _parts(array, width, "out")]
+            parts = [part for _, part in _parts(array, width, "out", True)]
         for target, part in zip(_targets(made, name, width), parts):
             if part is not None:
                 target.data, target.stride, size = column(part, *COLUMNS[kind], f"out ({name})", keep)

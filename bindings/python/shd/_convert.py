@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Python values to fields of structs. Arrays are not copied; an array that does not fit is refused, with its name."""
+"""Python values to fields of structs. Arrays that fit are not copied; other arrays of numbers are converted once."""
 import ctypes
 import os
 import re
@@ -7,7 +7,8 @@ import re
 import numpy as np
 
 from . import _api
-from ._callback import Callback
+from ._array import array_of, batch, converted
+from ._callback import Callback, hook
 
 COLUMNS = {f"shd_{kind}_{way}": (np.dtype(dtype), way == "out") for kind, dtype in
            (("f32", "f4"), ("u32", "u4"), ("u16", "u2")) for way in ("in", "out")}
@@ -35,44 +36,56 @@ def address(array):
     return array.__array_interface__["data"][0]
 
 
-def converting(dtype):
-    return f".astype(numpy.{dtype}) converts it"
+def column(array, dtype, writable, name, keep, in_place=False):
+    """Address, stride and length of a column, as an array has them. Columns that the library only reads are converted,
+    unless they must be read in place."""
+    if not isinstance(array, np.ndarray) or array.dtype != dtype or array.ndim != 1 or writable:
+        array = flat(array, dtype, writable, name, in_place)
+    stride, where, size = array.strides[0], address(array), array.size
+    if (size > 1 and (stride <= 0 or stride % dtype.itemsize)) or where % dtype.itemsize:
+        if writable or in_place:
+            check_place(stride, where, dtype, name)
+        array = array.copy()
+        stride, where = array.strides[0], address(array)
+    keep.append(array)
+    return where, stride if size > 1 else 0, size
 
 
-def column(array, dtype, writable, name, keep):
-    """Address and stride of a column, as an array has them."""
-    if not isinstance(array, np.ndarray):
-        if writable:
-            raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
-        array = np.array(array, dtype)
+def flat(array, dtype, writable, name, in_place):
+    """An array of one axis with numbers of a type. It has the memory of the given one if it must be used in place."""
+    if writable and not isinstance(array, np.ndarray):
+        raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
+    if not (writable or in_place) or not isinstance(array, np.ndarray):
+        return np.ascontiguousarray(converted(array, dtype, name)).reshape(-1)
     if array.dtype != dtype:
-        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; {converting(dtype)}")
+        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; .astype(numpy.{dtype}) converts it")
     if writable and not array.flags.writeable:
         raise ValueError(f"{name}: the array is read-only")
-    if array.ndim != 1:
-        if not array.flags.c_contiguous:
-            raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
-        array = array.reshape(-1)
-    keep.append(array)
-    stride = array.strides[0]
-    if array.size > 1 and (stride <= 0 or stride % dtype.itemsize):
-        raise ValueError(f"{name}: its stride is {stride} bytes, not a positive multiple of {dtype.itemsize}")
-    where = address(array)
+    if array.ndim != 1 and not array.flags.c_contiguous:
+        raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
+    return array if array.ndim == 1 else array.reshape(-1)
+
+
+def check_place(stride, where, dtype, name):
+    """Refuses an array whose memory the library cannot use as it is."""
     if where % dtype.itemsize:
         raise ValueError(f"{name}: the array is not aligned to {dtype.itemsize} bytes")
-    return where, stride if array.size > 1 else 0, array.size
+    raise ValueError(f"{name}: its stride is {stride} bytes, not a positive multiple of {dtype.itemsize}")
 
 
-def columns(value, count, name):
+def columns(value, count, name, writable=False):
     """Arrays of several columns: a sequence of them, or an array whose last axis has them."""
+    value = batch(value, name)
     if isinstance(value, np.ndarray) and value.ndim > 1:
         if value.shape[-1] != count:
             raise ValueError(f"{name}: the last axis has {value.shape[-1]} elements, not {count}")
         if value.ndim > 2:
-            if not value.flags.c_contiguous:
+            if writable and not value.flags.c_contiguous:
                 raise ValueError(f"{name}: an array of {value.ndim} axes must be contiguous")
             value = value.reshape(-1, count)
         return [value[:, i] for i in range(count)]
+    if isinstance(value, np.ndarray) and not value.ndim:
+        raise TypeError(f"{name}: an array [count][{count}] or a list of columns, not a number")
     value = list(value)
     if value and np.ndim(value[0]) == 0 and value[0] is not None:  # a single row
         if len(value) != count:
@@ -127,18 +140,21 @@ def set_rows(struct, field, value, name, given):
         target[i][:] = row
 
 
-def data(value, base, name, keep):
-    """Address of the data of an array or of bytes."""
+def data(value, kind, name, keep):
+    """Address of the data of an array or of bytes, for a pointer of a type."""
+    base = kind.replace("const", "").replace("*", "").strip()
     if isinstance(value, (bytes, bytearray)):
         value = np.frombuffer(value, np.uint8)
-    if base in ELEMENTS and not isinstance(value, np.ndarray):
-        value = np.array(value, ELEMENTS[base])
-    if not isinstance(value, np.ndarray):
-        raise TypeError(f"{name}: a NumPy array or bytes, not {type(value).__name__}")
-    if base in ELEMENTS and value.dtype != ELEMENTS[base]:
-        dtype = np.dtype(ELEMENTS[base])
-        raise TypeError(f"{name}: the array is of {value.dtype}, not {dtype}; {converting(dtype)}")
-    if not value.flags.c_contiguous:
+    if kind.startswith("const"):
+        array = array_of(value, name) if base == "void" else converted(value, np.dtype(ELEMENTS[base]), name)
+        if not array.ndim:
+            raise TypeError(f"{name}: an array of numbers or bytes, not {type(value).__name__}")
+        value = np.ascontiguousarray(array)
+    elif not isinstance(value, np.ndarray):
+        raise TypeError(f"{name}: a NumPy array, not {type(value).__name__}")
+    elif base in ELEMENTS and value.dtype != ELEMENTS[base]:
+        raise TypeError(f"{name}: the array is of {value.dtype}, not {np.dtype(ELEMENTS[base])}")
+    elif not value.flags.c_contiguous:
         raise ValueError(f"{name}: the array must be contiguous")
     keep.append(value)
     return address(value)
@@ -198,8 +214,7 @@ def numbers_address(struct, field, value, keep, name, given):
         set_length(struct, field, len(value), name, given)
     elif lengths and hasattr(struct, lengths[0]) and len(lengths) == 1:
         set_length(struct, field, len(value), name, given)
-    base = field["type"].replace("const", "").replace("*", "").strip()
-    return data(value, base, name, keep)
+    return data(value, field["type"], name, keep)
 
 
 def elements(base, value, keep, name):
@@ -228,9 +243,10 @@ def build(base, value, keep, name):
             raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)}")
         return value.build(keep)
     from ._desc import desc_type
-    if isinstance(value, np.ndarray) and base == "shd_image":
+    if base == "shd_image" and not isinstance(value, dict):
         from ._image import image
         return image(value, keep, name)
+    value = hook(base, value, name)
     if not isinstance(value, dict):
         raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)} or a dict of its fields")
     return desc_type(base)(**value).build(keep)
@@ -243,7 +259,8 @@ def convert(struct, field, value, keep, name, given):
         return
     bits = _api.typedefs.get(kind, {}).get("bits_of")
     if kind in COLUMNS and "array" in field:
-        for target, item in zip(getattr(struct, field["name"]), columns(value, field["array"][0], name)):
+        parts = columns(value, field["array"][0], name, COLUMNS[kind][1])
+        for target, item in zip(getattr(struct, field["name"]), parts):
             set_column(target, kind, item, keep, name)
     elif kind in COLUMNS:
         set_column(getattr(struct, field["name"]), kind, value, keep, name)

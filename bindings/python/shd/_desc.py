@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Descs: options of a call as keyword arguments. A desc holds Python values and becomes a struct of C at the call."""
 import ctypes
+import enum
 
 import numpy as np
 
@@ -38,7 +39,13 @@ class Desc:
         return [*super().__dir__(), *self._fields]
 
     def __repr__(self):
-        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self._values.items())})"
+        return f"{type(self).__name__}({', '.join(f'{k}={value_text(v)}' for k, v in self._values.items())})"
+
+    def __str__(self):
+        """All fields, one a line, with the library's defaults."""
+        rows = [(n, getattr(self, n)) for n, f in self._fields.items() if n != "struct_size"
+                and (n in self._values or not ("*" in f["type"] or f["type"] in _api.callbacks))]
+        return "\n".join([type(self).__name__, *(f"    {name} = {value_text(value)}" for name, value in rows)])
 
     def __eq__(self, other):
         if type(self) is not type(other) or self._values.keys() != other._values.keys():
@@ -63,6 +70,21 @@ class Desc:
                     f"{self._struct.removeprefix('shd_')}.{name}", given)
         keep.append(made)
         return made
+
+
+def value_text(value):
+    """A value in one line: constants by name, arrays by type and shape."""
+    if isinstance(value, np.ndarray) and value.size > 16:
+        return f"<{value.dtype} {'x'.join(map(str, value.shape))}>"
+    if isinstance(value, enum.Enum):
+        return str(value)
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(map(value_text, value))}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{k}: {value_text(v)}' for k, v in value.items())}}}"
+    if isinstance(value, float):
+        return f"{value:.9g}"
+    return " ".join(repr(value).split())
 
 
 def _make(struct, values):
@@ -95,9 +117,9 @@ def desc_type(struct):
     if struct not in _types:
         entry = _api.structs[struct]
         fields = {f["name"]: f for f in entry["fields"]}
-        text = "\n".join(f"    {f['name']}: {' '.join(f.get('doc', '').split())}" for f in entry["fields"]
-                         if f["name"] != "struct_size")
+        text = _api.words.python("\n".join(f"    {f['name']}: {' '.join(f.get('doc', '').split())}"
+                                           for f in entry["fields"] if f["name"] != "struct_size"))
         _types[struct] = type(_api.camel(struct), (Desc,), {
-            "__doc__": f"{entry['doc']}\n\nFields:\n{text}", "__module__": __package__, "_struct": struct,
+            "__doc__": f"{_api.words.python(entry['doc'])}\n\nFields:\n{text}", "__module__": __package__, "_struct": struct,
             "_fields": fields})
     return _types[struct]

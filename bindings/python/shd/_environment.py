@@ -5,8 +5,9 @@ import ctypes
 import numpy as np
 
 from . import _api
+from ._array import pixels_of
 from ._columns import inputs, outputs, shape_of
-from ._objects import Object, document, make_desc
+from ._objects import Object, document, make_desc, option_texts
 
 
 @document
@@ -22,10 +23,12 @@ class Environment(Object):
     def __init__(self, context, image=None, desc=None, **values):
         keep = []
         if image is not None:
-            values["image"] = image
-        built = make_desc("shd_environment_desc", desc, values).build(keep)
+            values["image"] = pixels_of(image, "environment.image")
+        made = make_desc("shd_environment_desc", desc, values)
+        built = made.build(keep)
         self._adopt(keep, _api.lib.shd_environment_create, context.handle("shd_context", keep),
                     ctypes.addressof(built))
+        self._options = option_texts(made)
 
     @property
     def info(self):

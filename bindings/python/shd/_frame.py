@@ -10,7 +10,8 @@ from ._callback import raise_failures
 from ._convert import enum_value
 from ._desc import read_struct
 from ._image import array_type, image
-from ._objects import Object, document, make_desc
+from ._objects import Object, counted, document, make_desc, size_text
+from ._png import encode, straight
 
 
 @document
@@ -25,6 +26,30 @@ class Framebuffer(Object):
         built = make_desc("shd_framebuffer_desc", desc, values).build(keep)
         self._adopt(keep, _api.lib.shd_framebuffer_create, context.handle("shd_context", keep), ctypes.addressof(built))
         self.lock = threading.Lock()
+
+    def _parts(self):
+        info = self.info
+        return [*size_text(info, info["color_format"]), counted(info["sample_count"], "sample")]
+
+    def __array__(self, dtype=None, copy=None):
+        """The colours in the format of the framebuffer, as a new array [height][width][4]."""
+        if copy is False:
+            raise ValueError("framebuffer: its array is a copy; plane() and view_color() are views")
+        made = self.read_color(self.info["color_format"])
+        return made if dtype is None else made.astype(dtype, copy=False)
+
+    def __dlpack__(self, *, stream=None, **_):
+        """The colours as a capsule of DLPack in the memory of the CPU, like __array__()."""
+        if stream is not None:
+            raise ValueError(f"framebuffer: stream {stream}, but its colours are in the memory of the CPU")
+        return self.__array__().__dlpack__()
+
+    def __dlpack_device__(self):
+        return 1, 0  # kDLCPU
+
+    def _repr_png_(self):
+        """The picture in a notebook."""
+        return None if self._reference is None else encode(straight(self.read_color("rgba8_srgb")))
 
     @property
     def info(self):
@@ -75,14 +100,15 @@ class Framebuffer(Object):
             raise TypeError(f"out: an array [height][width][{channels}] of {dtype}")
         if not out.flags.writeable:
             raise ValueError("out: the array is read-only")
-        made = image(out, keep, "out", texel_format=texel_format)
+        made = image(out, keep, "out", texel_format=texel_format, in_place=True)
         _api.check(_api.lib.shd_framebuffer_read_color(self.handle("shd_framebuffer", keep), ctypes.addressof(made)))
         return out
 
 
 def render(context, framebuffer, draws=(), desc=None, **values):
     """Renders a frame and returns its statistics as a dict: render(context, framebuffer, [Draw(mesh=mesh, ...)],
-    camera=Camera(...), lights=[light]). Raises what a program raised."""
+    camera=Camera(...), lights=[light]). Raises what a program raised. `progress` is a function of the finished
+    fraction, or True for a bar."""
     keep = []
     made = make_desc("shd_render_desc", desc, {**values, "draws": list(draws)}).replace(framebuffer=framebuffer)
     built, stats = made.build(keep), _api.new("shd_render_stats")

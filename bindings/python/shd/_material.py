@@ -3,19 +3,17 @@
 import numpy as np
 
 from . import _api
+from ._array import pixels_of
 from ._convert import enum_value
 from ._desc import desc_type
 from ._objects import Material, Sampler, slot
+from ._png import decode
 from ._texture import Texture
 
+ANISOTROPIC = {"filter": "anisotropic", "max_anisotropy": 8, "wrap_u": "repeat", "wrap_v": "repeat"}
+CODED = 4           # first column of colours of vertices as linear light of codes
 SHOWN = (0, 4, 16)  # slots of unlit colours: diffuse, opacity and tint
 PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
-
-
-def decode(codes):
-    """sRGB codes 0..1 to linear light (IEC 61966-2-1)."""
-    codes = np.asarray(codes, np.float64)
-    return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
 
 
 def linear_color(color, name="color"):
@@ -33,18 +31,6 @@ def linear_color(color, name="color"):
     return made
 
 
-def pixels_of(image, name="texture"):
-    """An array of an image: a NumPy array, or an image of Pillow."""
-    if hasattr(image, "convert"):
-        if image.mode.startswith("I"):  # 16 bits a pixel, which convert() would clamp to 8
-            image = np.asarray(image).astype(np.int64).clip(0, 65535).astype(np.uint16)
-        else:
-            image = np.asarray(image if image.mode in ("L", "RGB", "RGBA") else image.convert("RGBA"))
-    if not isinstance(image, np.ndarray):
-        raise TypeError(f"{name}: a NumPy array, an image of Pillow or a Texture, not {type(image).__name__}")
-    return np.ascontiguousarray(image)
-
-
 def colored(pixels):
     """Pixels with r, g and b: grey ones have equal channels."""
     if pixels.ndim == 2:
@@ -58,6 +44,7 @@ def make_texture(context, image, srgb, name="texture"):
     """A texture with mip levels, and whether a part of it is translucent."""
     if isinstance(image, Texture):
         return image, False
+    image = getattr(image, "source", image) if hasattr(image, "source_channels") else image
     pixels = colored(pixels_of(image, name)) if srgb else pixels_of(image, name)
     integer = pixels.ndim == 3 and pixels.dtype in (np.uint8, np.uint16)
     translucent = integer and pixels.shape[2] == 4 and pixels[..., 3].min() < np.iinfo(pixels.dtype).max
@@ -68,11 +55,22 @@ def make_texture(context, image, srgb, name="texture"):
     return Texture(context, pixels, srgb=srgb and pixels.dtype == np.uint8, tables="mipmap"), translucent
 
 
+def make_sampler(context, image):
+    """The sampler of a texture of shd.pyrender, or the one of all other images."""
+    own = image.sampler.options() if hasattr(image, "source_channels") else ANISOTROPIC
+    return Sampler(context, **own)
+
+
 class Look:
-    """A material, and a variant of it that shows its colours without light."""
+    """A material, and a variant of it that shows its colours without light.
+
+    With `shows_codes` the variant shows linear numbers as if they were sRGB codes, as pyrender does: 0.5 is 128. For
+    colours of vertices, the columns CODED of the mesh have the linear light of these codes if `has_codes` is true.
+    """
 
     def __init__(self, context, desc):
         self.lit, self._context, self._desc, self._flat = Material(context, desc), context, desc, None
+        self.shows_codes = self.has_codes = False
 
     @property
     def flat(self):
@@ -80,6 +78,10 @@ class Look:
             kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
             slots = [s for s in self._desc._values.get("slots", ())
                      if int(enum_value("shd_slot_target", s.target, "target")) in SHOWN]
+            if self.shows_codes:
+                kept["diffuse"] = decode(kept["diffuse"])
+            if self.has_codes:
+                slots = [s.replace(attribute=CODED) for s in slots]
             self._flat = Material(self._context, model="unlit", slots=slots, **kept)
         return self._flat
 
@@ -97,16 +99,14 @@ def make_look(context, color=None, texture=None, vertex_colors=False, blend=None
     `maps` has tuples of the target of a slot, an image, whether its codes are those of sRGB, and a channel.
     """
     rgba = np.ones(4) if color is None else linear_color(color)
-    slots, is_translucent, sampler = [], rgba[3] < 1, None
-    if texture is not None or maps:
-        sampler = Sampler(context, filter="anisotropic", max_anisotropy=8, wrap_u="repeat", wrap_v="repeat")
+    slots, is_translucent = [], rgba[3] < 1
     if vertex_colors:
         slots.append(slot("diffuse", attribute=0))
     elif texture is not None:
         made, has_alpha = make_texture(context, texture, True)
-        slots.append(slot("diffuse", made, sampler))
+        slots.append(slot("diffuse", made, make_sampler(context, texture)))
         is_translucent |= has_alpha
-    slots += [slot(target, make_texture(context, image, srgb, target)[0], sampler, channel=channel)
+    slots += [slot(target, make_texture(context, image, srgb, target)[0], make_sampler(context, image), channel=channel)
               for target, image, srgb, channel in maps]
     return Look(context, desc_type("shd_material_desc")(**{
         "model": "metallic_roughness", "flags": "double_sided", "ambient_share": 1.0, "roughness": 0.8,

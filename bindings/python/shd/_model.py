@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: MIT
 """Models of the renderer: parts with a mesh and a material, from arrays, from meshes of trimesh, and from files."""
+import copy
 import itertools
 
 import numpy as np
 
+from ._array import array_of, check_range
 from ._camera import matrix
 from ._convert import enum_value
 from ._desc import desc_type
 from ._material import Fixed, file_look, linear_color, make_look, options_of
 from ._objects import Mesh
+from ._png import decode
 
 
 def floats(value, width, name):
     """Numbers [count][width] as float32."""
-    array = np.asarray(value)
+    array = array_of(value, name)
     if array.dtype.kind not in "fiu" or array.ndim != 2 or array.shape[1] != width:
         raise ValueError(f"{name}: numbers of shape [count][{width}], not {array.dtype} of shape {array.shape}")
     return np.ascontiguousarray(array, np.float32)
@@ -21,12 +24,10 @@ def floats(value, width, name):
 
 def triangles(value, count, name):
     """Numbers of vertices as uint32, [triangles][3]."""
-    array = np.asarray(value)
+    array = array_of(value, name)
     if array.dtype.kind not in "iu" or (array.ndim == 2 and array.shape[1] != 3) or array.size % 3:
         raise ValueError(f"{name}: integers of shape [triangles][3], not {array.dtype} of shape {array.shape}")
-    if array.size and not 0 <= array.min() <= array.max() < count:
-        wrong = array.min() if array.min() < 0 else array.max()
-        raise ValueError(f"{name}: {wrong} is not in 0..{count - 1}")
+    check_range(array, count - 1, name)
     return np.ascontiguousarray(array.reshape(-1, 3), np.uint32)
 
 
@@ -40,13 +41,29 @@ class Part:
         bounds = np.array([info["bounds_min"], info["bounds_max"]], np.float64)
         picks = np.array(list(itertools.product((0, 1), repeat=3)))
         self.corners = np.concatenate([bounds[picks, np.arange(3)], np.ones((8, 1))], axis=1).T
+        self.instances = None
         self.is_empty = not info["triangle_count"]
+
+    def at(self, matrices):
+        """This part at several places, [n][4][4]: one part, or two if some of the places are mirrored."""
+        placed = matrices @ self.local
+        mirrored = np.linalg.det(placed[:, :3, :3]) < 0
+        made = []
+        for group in (placed[~mirrored], placed[mirrored]):
+            if len(group):
+                made.append(copy.copy(self))
+                made[-1].local, made[-1].instances = np.eye(4), group
+                made[-1].corners = np.moveaxis(group @ self.corners, 1, 0).reshape(4, -1)
+        return made
 
     def draw(self, pose, **values):
         """A draw at a pose. Culling is that of the surface: mirrors turn the winding of its triangles."""
         placed = pose @ self.local
         made = {"mesh": self.mesh, "object_to_world": placed.astype(np.float32), "compare": "greater", **self.values,
                 **values}
+        if self.instances is not None:
+            made["instances"] = (placed @ self.instances).astype(np.float32)
+            placed = placed @ self.instances[0]
         if np.linalg.det(placed[:3, :3]) < 0:
             cull = enum_value("shd_cull", made.get("cull", "none"), "cull")
             made["cull"] = {1: "front", 2: "back"}.get(int(cull), cull)
@@ -54,8 +71,9 @@ class Part:
 
 
 def from_arrays(context, position, indices=None, normal=None, uv=None, color=None, texture=None, material=None,
-                cull="none", local=None, **values):
-    """A part from arrays. `color` is one colour, or one for each vertex: integers are sRGB codes, floats are linear."""
+                cull="none", local=None, shows_codes=False, **values):
+    """A part from arrays. `color` is one colour, or one for each vertex: integers are sRGB codes, floats are linear.
+    `shows_codes` is that of its Look."""
     position = floats(position, 3, "position")
     columns = {name: floats(value, width, name) for name, value, width in (("normal", normal, 3), ("uv", uv, 2))
                if value is not None}
@@ -70,11 +88,13 @@ def from_arrays(context, position, indices=None, normal=None, uv=None, color=Non
             raise ValueError(f"color: {len(rgba)} rows, not {len(position)}")
         if texture is not None:
             raise ValueError("color: one colour if there is a texture, not one for each vertex")
-        columns["attributes"] = list(np.ascontiguousarray(rgba.T, np.float32))
+        coded = [np.append(decode(rgba[:, :3]), rgba[:, 3:], axis=1)] if shows_codes else []
+        columns["attributes"] = list(np.ascontiguousarray(np.concatenate([rgba, *coded], axis=1).T, np.float32))
     if any(target == "normal" for target, *_ in values.get("maps", ())):
         columns["flags"] = "tangents"
     if material is None:
         material = _look(context, rgba, texture, values)
+        material.shows_codes, material.has_codes = shows_codes, shows_codes and "attributes" in columns
     elif values:
         raise TypeError(f"add: {', '.join(values)} cannot change a material")
     else:
@@ -89,7 +109,7 @@ def _look(context, rgba, texture, values):
     return make_look(context, None if per_vertex else rgba, texture, per_vertex, **values)
 
 
-def _surface(item, linear_codes=False):
+def _surface(item):
     """Colours or texture of a mesh of trimesh, by the names of the attributes of its `visual`."""
     visual = getattr(item, "visual", None)
     if visual is None or getattr(visual, "defined", True) is False:
@@ -108,8 +128,7 @@ def _surface(item, linear_codes=False):
     colors = getattr(visual, f"{kind}_colors", None)
     if colors is None:
         return None, {}
-    colors = np.asarray(colors)
-    return kind, {"color": colors / 255 if linear_codes and colors.dtype.kind in "iu" else colors}
+    return kind, {"color": np.asarray(colors)}
 
 
 def _unshared(columns, surface, kind):
@@ -124,16 +143,11 @@ def _unshared(columns, surface, kind):
     return made, surface
 
 
-def from_trimesh(context, item, smooth=True, material=None, local=None, linear_codes=False, replace=None, **values):
-    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual.
-
-    `linear_codes` means that integers of colours are linear. `replace` has options that replace those of its material.
-    """
+def from_trimesh(context, item, smooth=True, material=None, local=None, **values):
+    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual."""
     position = floats(item.vertices, 3, "vertices")
     faces = triangles(item.faces, len(position), "faces")
-    kind, surface = _surface(item, linear_codes)
-    if replace is not None:
-        surface = {**{k: v for k, v in surface.items() if k == "uv"}, **replace}
+    kind, surface = _surface(item)
     normals = getattr(item, "vertex_normals", None) if smooth else None
     columns = {"position": position, "indices": faces, "normal": normals}
     if not smooth or kind == "face":

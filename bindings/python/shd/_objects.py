@@ -2,10 +2,12 @@
 """Objects of the library and their references: contexts, samplers, materials, lights and meshes."""
 import collections
 import ctypes
+import enum
 
 import numpy as np
 
 from . import _api
+from ._array import array_of, batch, converted
 from ._callback import Callback, local, raise_failures
 from ._convert import address, columns, enum_value
 from ._desc import desc_type, read_struct
@@ -38,13 +40,14 @@ class Object:
 
     _kind = ""
     _reference = None
+    _options = ()  # texts of the options of an object that is made from a desc
 
-    def _adopt(self, keep, create, *arguments):
+    def _adopt(self, keep, create, *arguments, path=None):
         out = ctypes.c_void_p()
         result = create(*arguments, ctypes.addressof(out))
         if result:
             raise_failures(keep)
-            _api.check(result)
+            _api.check(result, path)
         self._reference = Reference(self._kind, out.value, [k for k in keep if isinstance(k, (Callback, Reference))])
 
     @classmethod
@@ -70,13 +73,13 @@ class Object:
         """Drops the reference. Later uses raise ValueError; closing again has no effect."""
         self._reference = None
 
+    def _parts(self):
+        """What repr() says of the object."""
+        return self._options
+
     def __repr__(self):
-        if self._reference is None:
-            return f"<shd.{type(self).__name__}, closed>"
-        info = getattr(self, "info", {})
-        texel_format = info.get("format", info.get("color_format"))
-        size = f" {info['width']} x {info['height']} {texel_format.name.lower()}" if "width" in info else ""
-        return f"<shd.{type(self).__name__}{size}>"
+        parts = ["closed"] if self._reference is None else self._parts()
+        return f"<{' '.join([f'shd.{type(self).__name__}', *parts])}>"
 
     def __enter__(self):
         return self
@@ -94,6 +97,21 @@ class Object:
         return read_struct(name, out)
 
 
+def size_text(info, texel_format):
+    """512x512 RGBA8_SRGB."""
+    return [f"{info['width']}x{info['height']}", texel_format.name]
+
+
+def counted(number, noun):
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def option_texts(desc):
+    """The options of a desc that are numbers and names: filter=ewa."""
+    return [f"{k}={v.name.lower() if isinstance(v, enum.Enum) else v}" for k, v in desc._values.items()
+            if isinstance(v, (str, int, float))]
+
+
 def make_desc(struct, desc, values):
     if desc is not None and values:
         return desc.replace(**values)
@@ -102,7 +120,7 @@ def make_desc(struct, desc, values):
 
 def document(cls):
     """Adds the texts of the headers to a class."""
-    texts = [cls.__doc__ or "", _api.functions[f"{cls._kind}_create"].get("doc", ""),
+    texts = [cls.__doc__ or "", _api.words.python(_api.functions[f"{cls._kind}_create"].get("doc", "")),
              desc_type(f"{cls._kind}_desc").__doc__]
     cls.__doc__ = "\n\n".join(filter(None, texts))
     return cls
@@ -112,15 +130,19 @@ class _Simple(Object):
     """An object that is made from a desc alone."""
 
     def __init__(self, context, desc=None, **values):
-        keep = []
-        built = make_desc(f"{self._kind}_desc", desc, values).build(keep)
+        keep, made = [], make_desc(f"{self._kind}_desc", desc, values)
+        built = made.build(keep)
         self._adopt(keep, getattr(_api.lib, f"{self._kind}_create"), context.handle("shd_context", keep),
-                    ctypes.addressof(built))
+                    ctypes.addressof(built), path=values.get("config_path"))
+        self._options = option_texts(made)
 
 
 @document
 class Context(Object):
-    """Context(worker_count=4, ...): memory, threads and SIMD target of the objects that are made from it."""
+    """Context(worker_count=4, ...): memory, threads and SIMD target of the objects that are made from it.
+
+    `log` is a logging.Logger, or a function log(level, message).
+    """
 
     _kind = "shd_context"
 
@@ -129,12 +151,17 @@ class Context(Object):
         built = make_desc("shd_context_desc", desc, values).build(keep)
         self._adopt(keep, _api.lib.shd_context_create, ctypes.addressof(built))
 
+    def _parts(self):
+        return [counted(self.worker_count, "worker"), self.simd_target]
+
     @property
     def simd_target(self):
+        """Name of the instructions, such as "AVX2"."""
         return _api.lib.shd_context_get_simd_target(self.handle("shd_context", [])).decode()
 
     @property
     def worker_count(self):
+        """Number of threads that work on a frame."""
         return _api.lib.shd_context_get_worker_count(self.handle("shd_context", []))
 
 
@@ -159,12 +186,15 @@ class Light(_Simple):
     _kind = "shd_light"
 
 
+VECTORS = (("position", 3), ("normal", 3), ("tangent", 4), ("uv", 2), ("uv1", 2))  # columns of a mesh, with widths
+
+
 @document
 class Mesh(Object):
     """Mesh(context, position, indices=None, uv=None, normal=None, ...).
 
-    `position` and `normal` are arrays [n][3] of float32 or three columns, `uv` is [n][2]. `indices` is an array of
-    uint32 or uint16.
+    `position` and `normal` are arrays [n][3] or three columns, `uv` is [n][2]. `indices` is an array of integers of any
+    size; numbers of other types than float32, uint32 and uint16 are converted once.
     """
 
     _kind = "shd_mesh"
@@ -174,9 +204,14 @@ class Mesh(Object):
         made = make_desc("shd_mesh_desc", desc, values)
         if position is not None:
             made = made.replace(position=position)
+        made = made.replace(**{name: batch(made._values[name], f"mesh.{name}") for name, _ in VECTORS
+                               if made._values.get(name) is not None})
         if indices is not None:
-            indices = indices if isinstance(indices, np.ndarray) else np.array(indices, np.uint32)
-            made = made.replace(**{"indices16" if indices.dtype == np.uint16 else "indices": indices})
+            indices = array_of(indices, "mesh.indices")
+            if indices.dtype == np.uint16:
+                made = made.replace(indices16=indices)
+            else:
+                made = made.replace(indices=converted(indices, np.dtype("u4"), "mesh.indices"))
         for name in ("indices", "indices16"):
             count = np.size(made._values.get(name, ()))
             if made._values.get("index_count", count) > count > 0:
@@ -191,7 +226,7 @@ class Mesh(Object):
     def _set_count(built, values):
         """The number of vertices, which all columns must have."""
         sizes = {"vertex_count": values["vertex_count"]} if "vertex_count" in values else {}
-        for name, width in (("position", 3), ("normal", 3), ("tangent", 4), ("uv", 2), ("uv1", 2)):
+        for name, width in VECTORS:
             if values.get(name) is not None:
                 sizes.update({f"{name}[{i}]": np.size(c) for i, c in
                               enumerate(columns(values[name], width, f"mesh.{name}"))})
@@ -210,6 +245,11 @@ class Mesh(Object):
         made._adopt(keep, _api.lib.shd_mesh_create_shape, context.handle("shd_context", keep), ctypes.addressof(built),
                     enum_value("shd_mesh_flag", flags, "flags"))
         return made
+
+    def _parts(self):
+        info = self.info
+        return [counted(info["vertex_count"], "vertex").replace("vertexs", "vertices"),
+                counted(info["triangle_count"], "triangle")]
 
     @property
     def info(self):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Writes PNG files, after "PNG (Portable Network Graphics) Specification" (third edition, 2023)."""
+"""Writes PNG files, after "PNG (Portable Network Graphics) Specification" (third edition, 2023), and codes of sRGB."""
 import struct
 import zlib
 
 import numpy as np
+
+from ._array import pixels_of
 
 COLOUR_TYPES = {1: 0, 2: 4, 3: 2, 4: 6}
 
@@ -27,7 +29,29 @@ def encode(pixels):
 
 
 def save_png(path, pixels):
-    """Writes an array [height][width][3 or 4] of uint8 in sRGB as a PNG file. Needs no component."""
-    encoded = encode(pixels)
+    """Writes a framebuffer, or an image [height][width][1..4] of uint8 or uint16 in sRGB, as a PNG file. Needs no
+    component."""
+    if hasattr(pixels, "read_color"):
+        pixels = straight(pixels.read_color("rgba8_srgb"))
+    array = pixels_of(pixels, "pixels")
+    encoded = encode(array[..., np.newaxis] if array.ndim == 2 else array)
     with open(path, "wb") as file:
         file.write(encoded)
+
+
+def decode(codes):
+    """sRGB codes 0..1 to linear light (IEC 61966-2-1)."""
+    codes = np.asarray(codes, np.float64)
+    return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
+
+
+def straight(color):
+    """Premultiplied sRGB codes of RGBA to straight ones, as PNG has them."""
+    made = color.copy()
+    partial = (made[..., 3] > 0) & (made[..., 3] < 255)
+    if partial.any():
+        opacity = made[partial][:, 3:] / 255
+        linear = np.minimum(decode(made[partial][:, :3] / 255) / opacity, 1)
+        codes = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        made[partial, :3] = np.rint(255 * codes)
+    return made

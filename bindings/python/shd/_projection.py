@@ -6,8 +6,8 @@ import numpy as np
 
 from . import _api
 from ._columns import answer, inputs, outputs, shape_of
-from ._convert import elements, enum_value
-from ._image import FACES
+from ._convert import enum_value
+from ._image import FACES, image
 
 
 def project(context, direction, projection="lat_long", want: "str | tuple" = ("u", "v"), out=None, **more):
@@ -36,16 +36,17 @@ def unproject(context, u, v, projection="lat_long", face=None, want: "str | tupl
     return answer(want, arrays)
 
 
-def _images(images, projection, layout, name, keep):
+def _images(images, projection, layout, name, keep, in_place=False):
     made = _api.new("shd_direction_images")
     made.projection = enum_value("shd_projection", projection, f"{name}_projection")
     made.layout = enum_value("shd_cube_layout", layout, f"{name}_layout")
-    several = [images] if isinstance(images, np.ndarray) else list(images)
+    several = list(images) if isinstance(images, (list, tuple)) else [images]
     is_faces = (made.projection == enum_value("shd_projection", "cube", name)
                 and made.layout == enum_value("shd_cube_layout", "faces", name))
     if len(several) != (FACES if is_faces else 1):
         raise ValueError(f"{name}: {len(several)} images, not {FACES if is_faces else 1}")
-    array = elements("shd_image", several, keep, name)
+    rows = [image(each, keep, f"{name}[{i}]", in_place=in_place) for i, each in enumerate(several)]
+    array = (_api.struct_type("shd_image") * len(rows))(*rows)
     keep.append(array)
     made.images = ctypes.addressof(array)
     return made
@@ -55,11 +56,11 @@ def convert_projection(context, source, target, source_projection="lat_long", ta
                        source_layout="faces", target_layout="faces"):
     """Writes the directions of an image, or of six faces, to the images of another projection, layout or size."""
     keep = []
-    for i, image in enumerate([target] if isinstance(target, np.ndarray) else target):
-        if not isinstance(image, np.ndarray) or not image.flags.writeable:
+    for i, each in enumerate([target] if isinstance(target, np.ndarray) else target):
+        if not isinstance(each, np.ndarray) or not each.flags.writeable:
             raise ValueError(f"target[{i}]: a writable NumPy array")
-    made = [_images(*arguments, keep) for arguments in (
-        (source, source_projection, source_layout, "source"), (target, target_projection, target_layout, "target"))]
+    made = [_images(source, source_projection, source_layout, "source", keep),
+            _images(target, target_projection, target_layout, "target", keep, in_place=True)]
     _api.check(_api.lib.shd_projection_convert(context.handle("shd_context", keep),
                                                *(ctypes.addressof(m) for m in made)))
     return target

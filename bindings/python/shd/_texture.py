@@ -5,11 +5,12 @@ import ctypes
 import numpy as np
 
 from . import _api
+from ._array import array_of
 from ._callback import Callback, raise_failures
 from ._convert import COLUMNS, address, column, columns, enum_value
 from ._desc import desc_type
 from ._image import FACES, array_type, format_of, image, split
-from ._objects import Object, document, make_desc
+from ._objects import Object, counted, document, make_desc, size_text
 
 FLOAT = np.dtype("f4")
 
@@ -64,9 +65,10 @@ def is_stack(made):
 class Texture(Object):
     """Texture(context, texels, srgb=False, tables="mipmap", ...).
 
-    `texels` is an array [height][width] or [height][width][channels] of uint8, uint16, float16 or float32. With
-    `layer_count`, `depth` or projection="cube" it has one more axis in front, for layers, slices or faces. `depth`
-    alone makes a texture of the kind "3d", and `projection` alone one of the kind "directions".
+    `texels` is an array [height][width] or [height][width][channels] of uint8, uint16, float16 or float32; float64
+    becomes float32. It may be an image of Pillow or any object that NumPy reads. With `layer_count`, `depth` or
+    projection="cube" it has one more axis in front, for layers, slices or faces. `depth` alone makes a texture of the
+    kind "3d", and `projection` alone one of the kind "directions".
     """
 
     _kind = "shd_texture"
@@ -75,10 +77,10 @@ class Texture(Object):
         keep = []
         made = texture_desc(desc, values)
         stacked = is_stack(made)
-        texels = split(texels, 3 if stacked else 2, "texture.texels")
         built = made.build(keep)
+        texels = split(texels, 3 if stacked else 2, "texture.texels", in_place=bool(built.flags))
         if "format" not in made._values:
-            built.format = format_of(texels, texels.shape[-1], srgb, "texture.texels")
+            built.format = format_of(texels, srgb, "texture.texels")
         if stacked and image_count(built) != texels.shape[0]:
             raise ValueError(f"texture.texels: {texels.shape[0]} images, not {image_count(built)}")
         built.height, built.width = texels.shape[-3:-1]
@@ -174,6 +176,21 @@ class Texture(Object):
         """Drops the tiles of a region and the coarser tiles above it, because their source has changed."""
         self._region(_api.lib.shd_texture_drop_tiles, region)
 
+    def _parts(self):
+        info = self.info
+        stack = [f"{info[name]} {noun}" for name, noun in (("depth", "slices"), ("layer_count", "layers"))
+                 if info[name] > 1]
+        return [*size_text(info, info["format"]), *stack, counted(info["level_count"], "level")]
+
+    def __array__(self, dtype=None, copy=None):
+        """The texels of the base level as a new array, with an axis for layers or slices if there are several."""
+        if copy is False:
+            raise ValueError("texture: its array is a copy")
+        info = self.info
+        count = max(info["depth"], info["layer_count"])
+        made = self.read_level() if count == 1 else np.stack([self.read_level(0, i) for i in range(count)])
+        return made if dtype is None else made.astype(dtype, copy=False)
+
     @property
     def info(self):
         """Size, format and memory, as a dict."""
@@ -189,12 +206,15 @@ class Texture(Object):
         Other columns are those of shd_lookups: dudx, dvdx, dudy, dvdy, lod, layer, random, w, dwdx, dwdy, reference.
         `out` is an array of that shape to write to, or a list of columns with None for unwanted ones.
         """
+        made = Lookup.__new__(Lookup)
         if out is not None:
-            Lookup(self, sampler, u, v, out, **more)()
+            made._prepare(self, sampler, u, v, out, more)
+            made()
             return out
-        u = u if isinstance(u, np.ndarray) else np.array(u, np.float32)
+        u = array_of(u, "u")
         planes = np.empty((channels, *u.shape), np.float32)  # packed columns are the fastest
-        Lookup(self, sampler, u, v, planes.reshape(channels, -1).T, **more)()
+        made._prepare(self, sampler, u, v, planes.reshape(channels, -1).T, more)
+        made()
         return np.moveaxis(planes, 0, -1)
 
     def levels(self, sampler, u, v, **more):
@@ -230,7 +250,7 @@ class Texture(Object):
 _LOOKUP_COLUMNS = {f["name"]: f["type"] for f in _api.structs["shd_lookups"]["fields"] if f["type"] in COLUMNS}
 
 
-def _lookups(u, v, more, keep):
+def _lookups(u, v, more, keep, in_place=False):
     """A shd_lookups over columns of one length."""
     lookups, sizes = _api.new("shd_lookups"), {}
     for name, value in (("u", u), ("v", v), *more.items()):
@@ -238,7 +258,8 @@ def _lookups(u, v, more, keep):
             raise TypeError(f"lookups have no column {name}; there are {', '.join(_LOOKUP_COLUMNS)}")
         if value is not None:
             target = getattr(lookups, name)
-            target.data, target.stride, sizes[name] = column(value, *COLUMNS[_LOOKUP_COLUMNS[name]], name, keep)
+            target.data, target.stride, sizes[name] = column(value, *COLUMNS[_LOOKUP_COLUMNS[name]], name, keep,
+                                                               in_place)
     lookups.count = sizes["u"]
     if any(size != lookups.count for size in sizes.values()):
         raise ValueError("lookups: the columns have different lengths: " +
@@ -247,18 +268,22 @@ def _lookups(u, v, more, keep):
 
 
 class Lookup:
-    """A batch of lookups, prepared once. Calling it reads the arrays and writes `out` anew.
+    """A batch of lookups, prepared once. Calling it reads the arrays in place and writes `out` anew, so arrays of other
+    types are refused.
 
     `out` is an array [count][channels] of float32, or a list of columns for r, g, b, a. The arrays, texture and sampler
     stay in use as long as the Lookup lives. `nonfinite_count` belongs to the latest call.
     """
 
     def __init__(self, texture, sampler, u, v, out, **more):
+        self._prepare(texture, sampler, u, v, out, more, in_place=True)
+
+    def _prepare(self, texture, sampler, u, v, out, more, in_place=False):
         keep = self._keep = []
-        self._lookups = _lookups(u, v, more, keep)
+        self._lookups = _lookups(u, v, more, keep, in_place)
         self._texels = _api.new("shd_texels")
         if isinstance(out, np.ndarray):
-            out = [out] if out.ndim == 1 else columns(out, out.shape[-1], "out")
+            out = [out] if out.ndim == 1 else columns(out, out.shape[-1], "out", True)
         if len(out) > len(self._texels.channel):
             raise ValueError(f"out: {len(out)} columns, not 1 to 4")
         for target, item in zip(self._texels.channel, out):

@@ -95,7 +95,7 @@ class Color(_Simple):
             raise TypeError(f"out: an array [{shape[0]}][{shape[1]}][{channels}] of {dtype}")
         if not out.flags.writeable:
             raise ValueError("out: the array is read-only")
-        return image(out, keep, "out", texel_format=texel_format), out
+        return image(out, keep, "out", texel_format=texel_format, in_place=True), out
 
     @staticmethod
     def _shape(framebuffer):
@@ -135,7 +135,7 @@ class Color(_Simple):
         """An image [height][width][4] of float16 or float32 for a display, from a colour space."""
         keep = []
         source = image(pixels, keep, "pixels")
-        made, out = self._out(out, pixels.shape[:2], format, keep)
+        made, out = self._out(out, (source.height, source.width), format, keep)
         _api.check(_api.lib.shd_color_apply_display_image(
             self.handle(self._kind, keep), ctypes.addressof(source), text_bytes(from_space, "from_space"),
             text_bytes(display, "display"), text_bytes(view, "view"), ctypes.addressof(made)))
@@ -144,7 +144,7 @@ class Color(_Simple):
     def convert(self, pixels, from_space, to_space=None) -> np.ndarray:
         """Converts an image [height][width][4] of float16 or float32 to another colour space, in place."""
         keep = []
-        made = image(pixels, keep, "pixels")
+        made = image(pixels, keep, "pixels", in_place=True)
         if not pixels.flags.writeable:
             raise ValueError("pixels: the array is read-only")
         _api.check(_api.lib.shd_color_convert(self.handle(self._kind, keep), ctypes.addressof(made),

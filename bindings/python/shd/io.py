@@ -8,7 +8,7 @@ from . import _api
 from ._convert import is_bytes, text_bytes
 from ._desc import read_struct
 from ._frame import Framebuffer
-from ._image import array_type, image
+from ._image import array_type, image, split
 from ._objects import Object, make_desc
 from ._texture import Texture
 
@@ -17,6 +17,16 @@ class Bitmap(Object):
     """The pixels of an image file, without conversion: load(context, "picture.png")."""
 
     _kind = "shd_bitmap"
+
+    def _parts(self):
+        height, width, channels = self.pixels.shape
+        return [f"{width}x{height}", f"{channels} channels of {self.pixels.dtype}", self.color_space]
+
+    def __array__(self, dtype=None, copy=None):
+        """The pixels, which are read-only unless they are converted."""
+        made = self.pixels
+        made = made if dtype is None else made.astype(dtype, copy=False)
+        return made.copy() if copy else made
 
     @property
     def info(self):
@@ -55,7 +65,7 @@ def load(context, source, desc=None, **values) -> Bitmap:
         raw = np.frombuffer(source, np.uint8)
         made._adopt(keep, _api.lib.shd_bitmap_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
-        made._adopt(keep, _api.lib.shd_bitmap_load, handle, text_bytes(source, "path"), address)
+        made._adopt(keep, _api.lib.shd_bitmap_load, handle, text_bytes(source, "path"), address, path=source)
     return made
 
 
@@ -79,7 +89,7 @@ def load_texture(context, source=None, desc=None, **values) -> Texture:
         made._adopt(keep, _api.lib.shd_texture_load_memory, handle, raw.ctypes.data, raw.size, address)
     else:
         path = None if source is None else text_bytes(source, "path")
-        made._adopt(keep, _api.lib.shd_texture_load, handle, path, address)
+        made._adopt(keep, _api.lib.shd_texture_load, handle, path, address, path="" if source is None else source)
     made.file = None
     if infos["info"].kind:
         made.file = read_struct("shd_texture_file_info", infos["info"])
@@ -107,8 +117,19 @@ def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, d
     built = _built("shd_tile_file_desc", desc, {**values, "cache": cache}, keep)
     texture._adopt(keep, lambda out: _api.lib.shd_texture_open(context.handle("shd_context", keep),
                                                                text_bytes(path, "path"), built, out,
-                                                               ctypes.addressof(info)))
+                                                               ctypes.addressof(info)), path=path)
     return texture, read_struct("shd_tile_file_info", info)
+
+
+def _with_opacity(picture):
+    """An image as files have it: grey with opacity and r, g, b become r, g, b, a."""
+    array = split(picture, 2, "picture")
+    if array.shape[2] == 2:
+        return array[..., (0, 0, 0, 1)]
+    if array.shape[2] == 3:
+        full = np.iinfo(array.dtype).max if array.dtype.kind in "iu" else 1
+        return np.append(array, np.full_like(array[..., :1], full), axis=2)
+    return array
 
 
 def save(picture, path, desc=None, srgb=False, **values) -> None:
@@ -126,5 +147,5 @@ def save(picture, path, desc=None, srgb=False, **values) -> None:
     if isinstance(picture, Framebuffer):
         call = _api.lib.shd_framebuffer_save, picture.handle("shd_framebuffer", keep, "picture")
     else:
-        call = _api.lib.shd_image_save, ctypes.addressof(image(picture, keep, "picture", srgb=srgb))
+        call = _api.lib.shd_image_save, ctypes.addressof(image(_with_opacity(picture), keep, "picture", srgb=srgb))
     _api.check(call[0](call[1], text_bytes(path, "path"), built))

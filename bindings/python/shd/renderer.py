@@ -15,9 +15,9 @@ import numpy as np
 from . import _camera
 from ._camera import matrix
 from ._frame import Framebuffer, render
-from ._material import decode
+from ._png import decode, encode, straight
 from ._model import from_arrays, from_scene, parts_of
-from ._objects import Context, Light, Material
+from ._objects import Context, Light, Material, counted
 
 FORWARD = np.array([0.0, 0.0, -1.0])
 SHADOWED = ("directional", "spot", "point")
@@ -38,6 +38,9 @@ class Item:
     @pose.setter
     def pose(self, value):
         self._pose = matrix(value)
+
+    def __repr__(self):
+        return f"<shd.Item {counted(len(self.parts), 'part')}{'' if self.visible else ' invisible'}>"
 
 
 def exclusive(method):
@@ -163,7 +166,8 @@ class Renderer:
         to_view = np.linalg.inv(self._pose)
         found = [-(to_view @ item.pose @ part.local @ part.corners)[2] for item in self._visible()
                  for part in item.parts if not part.is_empty]
-        planes = self._lens.fit((np.min(found), np.max(found)) if found else (0, 0))
+        distances = np.concatenate(found) if found else np.zeros(1)
+        planes = self._lens.fit((distances.min(), distances.max()))
         view = {"world_to_view": to_view, "eye": self._pose[:3, 3],
                 "view_to_clip": self._lens.matrix(width, height, *planes)}
         return view, planes
@@ -204,20 +208,20 @@ class Renderer:
                 for part in item.parts]
 
     @exclusive
-    def render(self, alpha=False, flat=False, shadows: "bool | list | tuple" = False,
-               **values) -> "tuple[np.ndarray, np.ndarray]":
+    def render(self, alpha=False, flat=False, shadows=False, progress=None, **values):
         """Draws a frame: color [height][width][3] of uint8 in sRGB, and depth [height][width] of float32.
 
         Depth is the distance along the view [world units], 0 in the background. `alpha` adds a channel of opacity, with
         straight colours. `flat` shows colours without light. `shadows` is True, or the kinds of lights with shadows.
-        Other options are fields of all draws, such as cull="back" or fill="wireframe".
+        `progress` is a function of the finished fraction, which may return False to end the frame; True is a bar for
+        frames of more than half a second. Other options are fields of all draws, such as cull="back".
         """
         draws = self._draws((lambda part: part.look.flat) if flat else (lambda part: part.look.lit), **values)
         view, planes = self._view()
         background = self._background
         clear = np.append(decode(background[:3]) * background[3], background[3])
         render(self._context, self._framebuffer, draws, view=view, clear_color=clear, clear_depth=0,
-               **self._lights(draws, shadows))
+               progress=progress, **self._lights(draws, shadows))
         depth = self._lens.distances(self._framebuffer.plane("depth"), *planes)
         color = self._framebuffer.view_color()
         return (straight(color) if alpha else color[..., :3].copy()), depth
@@ -239,6 +243,17 @@ class Renderer:
         render(self._context, self._ids, self._draws(self._plain, **values), view=self._view()[0], clear_depth=0)
         return np.append(numbers, -1).astype(np.int32)[np.minimum(self._ids.plane("draw"), len(numbers))]
 
+    def __repr__(self):
+        if self._framebuffer is None:
+            return "<shd.Renderer closed>"
+        width, height = self._size
+        return (f"<shd.Renderer {width}x{height} {counted(len(self.items), 'model')} "
+                f"{counted(len(self.lights), 'light')}>")
+
+    def _repr_png_(self):
+        """The picture in a notebook: a frame with the present models, lights and camera."""
+        return None if self._framebuffer is None else encode(self.render(alpha=True)[0])
+
     def close(self):
         """Drops models, lights and the framebuffer. Closing again has no effect."""
         self._framebuffer = self._ids = self._plain = None
@@ -249,15 +264,3 @@ class Renderer:
 
     def __exit__(self, *_):
         self.close()
-
-
-def straight(color):
-    """Premultiplied sRGB codes of RGBA to straight ones, as PNG has them."""
-    made = color.copy()
-    partial = (made[..., 3] > 0) & (made[..., 3] < 255)
-    if partial.any():
-        opacity = made[partial][:, 3:] / 255
-        linear = np.minimum(decode(made[partial][:, :3] / 255) / opacity, 1)
-        codes = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-        made[partial, :3] = np.rint(255 * codes)
-    return made

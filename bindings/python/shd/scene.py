@@ -9,7 +9,7 @@ from . import _api
 from ._callback import Callback
 from ._convert import address, enum_value, is_bytes, text_bytes
 from ._desc import desc_type, read_struct
-from ._objects import Light, Material, Mesh, Object, Sampler, make_desc
+from ._objects import Light, Material, Mesh, Object, Sampler, counted, make_desc
 from ._texture import Texture
 
 _HANDLES = {"shd_texture": Texture, "shd_sampler": Sampler, "shd_mesh": Mesh, "shd_material": Material}
@@ -69,9 +69,13 @@ class Scene(Object):
         elif name is not None:
             raise TypeError("name: only models in memory have one")
         else:
-            self._adopt(keep, _api.lib.shd_scene_load, handle, text_bytes(source, "path"), built)
+            self._adopt(keep, _api.lib.shd_scene_load, handle, text_bytes(source, "path"), built, path=source)
         self._reference.keep = [k for k in self._reference.keep if not isinstance(k, Callback)]  # find was for the load
         self._info_values = self._info("shd_scene_info")
+
+    def _parts(self):
+        return [counted(self.info[f"{part}_count"], part) for part in ("instance", "material", "light", "animation")
+                if self.info[f"{part}_count"] or part == "instance"]
 
     @property
     def info(self) -> dict:

@@ -187,6 +187,17 @@ class Files(Case):
         self.assertEqual((texture.file["kind"], texture.file["level_count"]), (shd.TextureFileKind.DDS, 1))
         np.testing.assert_array_equal(io.load(self.context, path.read_bytes()).pixels, self.pixels[:4, :4])
 
+    def test_channels(self):
+        """Images of one to four channels, with full opacity where they have none."""
+        rgb = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+        for pixels, srgb, want in ((rgb, True, np.dstack([rgb, np.full((2, 4), 255)])),
+                                   (rgb[..., :2], True, rgb[..., (0, 0, 0, 1)]),
+                                   (rgb[..., ::-1], True, np.dstack([rgb[..., ::-1], np.full((2, 4), 255)])),
+                                   (rgb[..., 0], False, np.dstack([rgb[..., (0, 0, 0)], np.full((2, 4), 255)]))):
+            path = self.folder / "image.png"
+            io.save(pixels, path, srgb=srgb)
+            np.testing.assert_array_equal(np.asarray(io.load(self.context, path)), want)
+
     def test_refused(self):
         path = self.folder / "image.bmp"
         for kind, message, call, arguments, values in (
@@ -195,8 +206,7 @@ class Files(Case):
                 (shd.Error, "the file is empty", io.load, (self.context, b""), {}),
                 (TypeError, "path: a text, not float", io.load_texture, (self.context, 1.5), {}),
                 (ValueError, "has a null character", io.save, (self.pixels, "a\0.png"), {}),
-                (TypeError, "picture: a NumPy array, not list", io.save, ([[0]], path), {}),
-                (TypeError, "picture: the array is of float64", io.save, (np.zeros((2, 2)), path), {}),
+                (TypeError, "picture: the array is of int64, not uint8", io.save, ([[0]], path), {}),
                 (shd.Error, "jpeg|jpg|extension|format", io.save, (self.pixels, self.folder / "image.jpg"), {}),
                 (shd.Error, "bytes", io.load_texture, (self.context, __file__),
                  {"raw": {"width": 2, "height": 2, "depth": 2}}),

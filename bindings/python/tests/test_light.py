@@ -42,7 +42,6 @@ class Environments(Case):
         environment = shd.Environment(self.context, np.ones((4, 8), np.float32), tables="radiance")
         for kind, message, call, values in (
                 (ValueError, "direction: the last axis has 2", environment.sample_radiance, {"direction": AXES[:, :2]}),
-                (TypeError, "direction.* of float64", environment.sample_radiance, {"direction": AXES.astype(float)}),
                 (ValueError, "different lengths: direction.0. 3", environment.sample_radiance,
                  {"direction": AXES, "roughness": np.zeros(2, np.float32)}),
                 (ValueError, "direction: 2 columns, not 3", environment.sample_radiance, {"direction": list(AXES[:2])}),
@@ -53,7 +52,7 @@ class Environments(Case):
                  {"direction": AXES, "roughness": np.zeros(3, np.float32)})):
             with self.subTest(message):
                 self.check_refused(kind, message, call, **values)
-        self.check_refused(TypeError, "of float64", shd.Environment, self.context, np.ones((4, 8)))
+        self.check_refused(TypeError, "of int64", shd.Environment, self.context, np.ones((4, 8), int))
         self.check_refused(shd.InvalidArgument, "image", shd.Environment, self.context)
         self.check_refused(ValueError, "'sphere' is none of", shd.Environment, self.context,
                            np.ones((4, 8), np.float32), projection="sphere")
@@ -166,7 +165,6 @@ class Solids(Case):
                 (TypeError, "no field octave; did you mean octaves", {"octave": 2})):
             with self.subTest(message):
                 self.check_refused(kind, message, shd.evaluate_solid, self.context, place, **values)
-        self.check_refused(TypeError, "position.* of float64", shd.evaluate_solid, self.context, np.zeros((2, 3)))
 
 
 class Memory(Case):

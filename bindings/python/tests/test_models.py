@@ -189,7 +189,7 @@ class Shown(Case):
 
     @staticmethod
     def pyrendered(source, **values):
-        scene = pyrender.Scene(ambient_light=[1, 1, 1], bg_color=(0, 0, 1, 1))
+        scene = pyrender.Scene(ambient_light=[1.0, 1.0, 1.0], bg_color=(0.0, 0.0, 1.0, 1.0))
         scene.add(pyrender.Mesh.from_trimesh(pyrender.load(source, **values)))
         pose = np.eye(4)
         pose[2, 3] = 3

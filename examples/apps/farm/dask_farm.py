@@ -15,16 +15,20 @@ import os
 import signal
 import sys
 import time
+from typing import Any, Tuple
 
 import numpy as np
+import numpy.typing as npt
 
 import shd
+
+Array = npt.NDArray[Any]
 
 WINDOW, LOOKUPS, CHUNK = 128, 1 << 20, 1 << 17
 
 
 @functools.lru_cache(maxsize=1)
-def stage():
+def stage() -> Tuple[shd.Context, shd.Texture, shd.Sampler, shd.Draw, shd.Light]:
     """The objects of a process: made by its first task, then kept. Handles do not travel between processes."""
     context = shd.Context(worker_count=1)
     y, x = np.indices((256, 256))
@@ -37,7 +41,7 @@ def stage():
     return context, texture, sampler, draw, sun
 
 
-def look_up(first, count):
+def look_up(first: int, count: int) -> Array:
     """Colours of lookups [first, first + count) of a batch."""
     _, texture, sampler, _, _ = stage()
     i = np.arange(first, first + count)
@@ -46,7 +50,7 @@ def look_up(first, count):
     return texture.sample(sampler, u=u, v=v, dudx=step, dvdx=step / 3, dudy=step / -5, dvdy=step * 2)
 
 
-def window(size, x, y):
+def window(size: int, x: int, y: int) -> Array:
     """The window of the picture that begins at (x, y): the bits of the whole picture."""
     context, _, _, draw, sun = stage()
     edge_x, edge_y = min(WINDOW, size - x), min(WINDOW, size - y)
@@ -56,23 +60,23 @@ def window(size, x, y):
     return framebuffer.read_color("rgba16f")
 
 
-def whole(size):
+def whole(size: int) -> Array:
     context, _, _, draw, sun = stage()
     framebuffer = shd.Framebuffer(context, size, size, sample_count=8)
     shd.render(context, framebuffer, [draw], camera=shd.Camera(eye=(0.5, 1.5, 2)), lights=[sun], supersampling=4)
     return framebuffer.read_color("rgba16f")
 
 
-def digest(array):
-    return hashlib.sha256(np.ascontiguousarray(array)).hexdigest()[:16]
+def digest(array: Array) -> str:
+    return hashlib.sha256(array.tobytes()).hexdigest()[:16]
 
 
-def lookups_on(client):
+def lookups_on(client: Any) -> Array:
     starts = range(0, LOOKUPS, CHUNK)
     return np.concatenate(client.gather(client.map(look_up, starts, [CHUNK] * len(starts))))
 
 
-def picture_on(client, size, kill):
+def picture_on(client: Any, size: int, kill: bool) -> Array:
     """Places windows as they come; a worker that dies loses only its own windows, which Dask computes again."""
     from distributed import as_completed
     starts = [(x, y) for y in range(0, size, WINDOW) for x in range(0, size, WINDOW)]
@@ -89,14 +93,14 @@ def picture_on(client, size, kill):
     return picture
 
 
-def compare(name, alone, farmed):
+def compare(name: str, alone: Array, farmed: Array) -> bool:
     equal = digest(alone) == digest(farmed)
     print(f"{name}: one process {digest(alone)}, workers {digest(farmed)}: {'equal' if equal else 'NOT equal'}")
     return equal
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--scheduler", help="address of a running cluster; default two local processes")
     parser.add_argument("--size", type=int, default=1024, help="pixels of a side of the picture, 128..16384")
     parser.add_argument("--kill", action="store_true", help="end a local worker half-way")
