@@ -40,24 +40,38 @@ void read(const Option& option, const std::string& value) {
 
 /// An option whose values are read in the order of the command line. The last one of several counts.
 void add(CLI::App& app, const Option& option) {
-  const auto callback = [&option](const CLI::results_t& results) { return read(option, results.front()), true; };
+  const auto callback = [&option](const CLI::results_t& results) {
+    return read(option, option.words > 1 ? CLI::detail::join(results, "\n") : results.front()), true;
+  };
   CLI::Option* const added = app.add_option(option.names, callback);
   added->trigger_on_parse();
   if (option.value.empty()) added->expected(0);
+  if (option.words > 1) added->expected(option.words);
 }
 
-/// CLI11 takes what follows an option for its value, so that a value is missing only at the end of the line.
-[[noreturn]] void refuse_missing(const Program& program, const std::string& last) {
+/// The option of a word such as --size or --size=, or null.
+const Option* find_option(const Program& program, const std::string& word) {
   for (const Group& group : program.groups) {
     for (const Option& option : group.options) {
       for (const std::string& name : split(option.names, ',')) {
-        if (name != last.substr(0, last.find('='))) continue;
-        const std::string& wanted = option.values.wanted;
-        throw Failure(kExitUsage, name + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
+        if (name == word.substr(0, word.find('='))) return &option;
       }
     }
   }
-  throw Failure(kExitUsage, last + " needs a value");
+  return nullptr;
+}
+
+/// CLI11 takes what follows an option for its value, so that a value is missing only at the end of the line.
+[[noreturn]] void refuse_missing(const Program& program, int argc, const char* const* argv) {
+  for (int i = argc - 1; i > 0; --i) {
+    const std::string word = argv[i];
+    const Option* const option = find_option(program, word);
+    if (!option) continue;
+    const std::string& wanted = option->values.wanted;
+    throw Failure(kExitUsage,
+                  word.substr(0, word.find('=')) + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
+  }
+  throw Failure(kExitUsage, std::string(argv[argc - 1]) + " needs a value");
 }
 
 /// Takes what is no option and no value. "--" ends the options.
@@ -105,7 +119,7 @@ bool parse(const Program& declared, int argc, const char* const* argv, std::vect
     if (!is_written) throw Failure(kExitFailed, "standard output cannot be written");
     return false;
   } catch (const CLI::ArgumentMismatch&) {
-    refuse_missing(program, argv[argc - 1]);
+    refuse_missing(program, argc, argv);
   } catch (const CLI::ParseError& error) {
     throw Failure(kExitUsage, error.what());
   }
