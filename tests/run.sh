@@ -24,7 +24,8 @@ cd "$(dirname "$0")/.." || exit 1
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
           libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
           libembree-dev libhwy-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev
-          ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
+          ninja-build nlohmann-json3-dev openimageio-tools openmpi-bin pkg-config procps python3 python3-numpy python3-pil
+          zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
 jobs=$(nproc)

@@ -16,6 +16,6 @@ struct Samples {
   std::vector<Other> others;    // by pixel, then by draw
 };
 
-/// Draws the scene without light, once for each sample of a pixel: each of the n x n parts of a pixel has the samples of
-/// shd_sample_position().
+/// Draws the scene without light, once for each sample of a pixel: each of the n x n parts of a pixel has the samples
+/// of shd_sample_position().
 Samples draw_samples(shd_context* context, const Options& options, const shd_view& view, const Draws& draws);

@@ -184,12 +184,7 @@ int raw(const char* path, const char* out) {
 int info(const char* path) {
   OIIO::TextureSystem* const system = OIIO::TextureSystem::create(true);
   const OIIO::ustring name(path);
-  for (const char* const what : {"textureformat", "wrapmodes", "datetime", "fingerprint"}) {
-    OIIO::ustring text;
-    if (system->get_texture_info(name, 0, OIIO::ustring(what), OIIO::TypeString, &text)) {
-      std::printf("%s=%s\n", what, text.c_str());
-    }
-  }
+  std::printf("file=%s\n", path);
   for (const char* const what : {"averagecolor", "constantcolor"}) {
     float color[4];
     const OIIO::TypeDesc floats(OIIO::TypeDesc::FLOAT, 4);
