@@ -49,29 +49,18 @@ void add(CLI::App& app, const Option& option) {
   if (option.words > 1) added->expected(option.words);
 }
 
-/// The option of a word such as --size or --size=, or null.
-const Option* find_option(const Program& program, const std::string& word) {
+/// The name at the front of an error of CLI11 is that of the option.
+[[noreturn]] void refuse_missing(const Program& program, const std::string& error) {
+  const std::string given = error.substr(0, error.find(':'));
   for (const Group& group : program.groups) {
     for (const Option& option : group.options) {
-      for (const std::string& name : split(option.names, ',')) {
-        if (name == word.substr(0, word.find('='))) return &option;
-      }
+      const std::string name = split(option.names, ',').back();
+      if (name != given) continue;
+      const std::string& wanted = option.values.wanted;
+      throw Failure(kExitUsage, name + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
     }
   }
-  return nullptr;
-}
-
-/// CLI11 takes what follows an option for its value, so that a value is missing only at the end of the line.
-[[noreturn]] void refuse_missing(const Program& program, int argc, const char* const* argv) {
-  for (int i = argc - 1; i > 0; --i) {
-    const std::string word = argv[i];
-    const Option* const option = find_option(program, word);
-    if (!option) continue;
-    const std::string& wanted = option->values.wanted;
-    throw Failure(kExitUsage,
-                  word.substr(0, word.find('=')) + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
-  }
-  throw Failure(kExitUsage, std::string(argv[argc - 1]) + " needs a value");
+  throw Failure(kExitUsage, error);
 }
 
 /// Takes what is no option and no value. "--" ends the options.
@@ -118,8 +107,8 @@ bool parse(const Program& declared, int argc, const char* const* argv, std::vect
     const bool is_written = std::fputs(page.text(program).c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
     if (!is_written) throw Failure(kExitFailed, "standard output cannot be written");
     return false;
-  } catch (const CLI::ArgumentMismatch&) {
-    refuse_missing(program, argc, argv);
+  } catch (const CLI::ArgumentMismatch& error) {
+    refuse_missing(program, error.what());
   } catch (const CLI::ParseError& error) {
     throw Failure(kExitUsage, error.what());
   }
