@@ -24,8 +24,7 @@ cd "$(dirname "$0")/.." || exit 1
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
           libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
           libembree-dev libhwy-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev
-          ninja-build nlohmann-json3-dev openimageio-tools openmpi-bin pkg-config procps python3 python3-numpy python3-pil
-          zlib1g-dev)
+          ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
 jobs=$(nproc)
@@ -33,6 +32,7 @@ jobs=$(nproc)
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
 # Dependencies come from the compiler itself: a cold cache costs no second preprocessing.
 export CCACHE_DEPEND=${CCACHE_DEPEND:-1}
+packages+=(openimageio-tools python3-pil)  # maketx, beside which files are compared, and JPEG
 summary=()
 failed=0
 
