@@ -35,6 +35,7 @@ jobs=$(nproc)
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
 # Dependencies come from the compiler itself: a cold cache costs no second preprocessing.
 export CCACHE_DEPEND=${CCACHE_DEPEND:-1}
+packages+=(openimageio-tools python3-pil)  # maketx, beside which files are compared, and JPEG
 summary=()
 failed=0
 

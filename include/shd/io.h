@@ -58,6 +58,7 @@
 #include <shd/image.h>
 #include <shd/texture.h>
 #include <shd/texture_file.h>
+#include <shd/view.h>
 #include <shd/volume_file.h>
 
 SHD_BEGIN_DECLS
@@ -344,12 +345,24 @@ typedef enum shd_dither {
     SHD_DITHER_MAX_ENUM = 0x7fffffff
 } shd_dither;
 
+/** A text in the header of an OpenEXR file. Frozen. */
+typedef struct shd_file_attribute {
+    const char *name; /**< 1..255 printable bytes; no attribute that every OpenEXR file has, such as "channels" */
+    const char *text; /**< UTF-8 */
+} shd_file_attribute;
+
+/** A channel of floats of an OpenEXR file, besides the planes of a framebuffer. Frozen. */
+typedef struct shd_file_channel {
+    const char *name;  /**< 1..255 printable bytes, such as "matte.R"; no name of another channel or plane */
+    shd_f32_in column; /**< width * height elements, row by row from the top */
+} shd_file_channel;
+
 /** Options of a save. */
 typedef struct shd_save_desc {
     uint32_t struct_size; /**< set by shd_save_desc_default() */
     /**
-     * A framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32; default 0 = 8 for PNG, 16 for EXR, 32 for
-     * TIFF. For images always 0.
+     * A framebuffer's colour: PNG 8 or 16, JPEG 8, EXR 16 or 32, TIFF 8, 16 or 32; default 0 = 8 for PNG and JPEG, 16
+     * for EXR, 32 for TIFF. For images always 0.
      */
     uint32_t bit_depth;
     /**
@@ -363,6 +376,26 @@ typedef struct shd_save_desc {
      * none.
      */
     shd_display display;
+    /**
+     * Framebuffers in OpenEXR: the view of the frame. The header gets worldToCamera and worldToNDC, as
+     * ImfStandardAttributes.h of OpenEXR 3.1 defines them and RenderMan has them: camera space is left-handed, +Z in
+     * front; (0, 0) of NDC is the upper left corner of the picture and (1, 1) the lower right one; a matrix acts on row
+     * vectors. Z becomes the distance from the eye along the viewing direction [world units], also for orthographic
+     * views; where nothing was drawn, the distance of the far plane. Borrowed for the call; default NULL.
+     */
+    const shd_view *view;
+    /** Framebuffers in OpenEXR: [channel_count] further channels; borrowed for the call; default NULL. */
+    const shd_file_channel *channels;
+    size_t channel_count; /**< 0..1024 */
+    /** OpenEXR: [attribute_count] texts of the header; other formats have none; borrowed for the call; default NULL. */
+    const shd_file_attribute *attributes;
+    size_t attribute_count; /**< 0..1024 */
+    /**
+     * OpenEXR: "none", "rle", "zips", "zip" (the default), "piz", "b44", "b44a", "dwaa" or "dwab". TIFF: "none", "lzw",
+     * "zip" or "packbits". JPEG: a quality from "1" to "100"; the default is "95". Other formats: NULL. Borrowed for
+     * the call; default NULL.
+     */
+    const char *compression;
     /* ---- end of 0.1; append below ---- */
 } shd_save_desc;
 
@@ -378,11 +411,13 @@ static inline shd_save_desc shd_save_desc_default(void)
  * Write a framebuffer. The extension of `path` decides the format:
  *
  * `.exr`          R, G, B, A as half or float, linear, premultiplied, and every other plane under its usual
- *                 name: Z (0 near .. 1 far), uv.u, uv.v, uv.dudx, uv.dvdx, uv.dudy, uv.dvdy, N.x, N.y, N.z, P.x, P.y,
+ *                 name: Z (0 near .. 1 far, or a distance with `view`), uv.u, uv.v, uv.dudx, uv.dvdx, uv.dudy, uv.dvdy,
+ *                 N.x, N.y, N.z, P.x, P.y,
  *                 P.z, bary.0, bary.1, bary.2, lod (float), triangle, level, draw, overdraw (uint);
  * `.hdr`          r, g, b, linear, premultiplied (negative numbers become 0);
  * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest;
  *                 `display` and `dither` replace the last two steps;
+ * `.jpg` `.jpeg`  as PNG, over black, because JPEG has no alpha: the codes of PNG, times alpha;
  * `.tif` `.tiff`  8 and 16 bits as PNG, 32 bits float as EXR.
  *
  * The file appears whole or not at all: it is written to a temporary file beside it, flushed to the disk and renamed. A

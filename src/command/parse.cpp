@@ -40,24 +40,27 @@ void read(const Option& option, const std::string& value) {
 
 /// An option whose values are read in the order of the command line. The last one of several counts.
 void add(CLI::App& app, const Option& option) {
-  const auto callback = [&option](const CLI::results_t& results) { return read(option, results.front()), true; };
+  const auto callback = [&option](const CLI::results_t& results) {
+    return read(option, option.words > 1 ? CLI::detail::join(results, "\n") : results.front()), true;
+  };
   CLI::Option* const added = app.add_option(option.names, callback);
   added->trigger_on_parse();
   if (option.value.empty()) added->expected(0);
+  if (option.words > 1) added->expected(option.words);
 }
 
-/// CLI11 takes what follows an option for its value, so that a value is missing only at the end of the line.
-[[noreturn]] void refuse_missing(const Program& program, const std::string& last) {
+/// The name at the front of an error of CLI11 is that of the option.
+[[noreturn]] void refuse_missing(const Program& program, const std::string& error) {
+  const std::string given = error.substr(0, error.find(':'));
   for (const Group& group : program.groups) {
     for (const Option& option : group.options) {
-      for (const std::string& name : split(option.names, ',')) {
-        if (name != last.substr(0, last.find('='))) continue;
-        const std::string& wanted = option.values.wanted;
-        throw Failure(kExitUsage, name + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
-      }
+      const std::string name = split(option.names, ',').back();
+      if (name != given) continue;
+      const std::string& wanted = option.values.wanted;
+      throw Failure(kExitUsage, name + " needs a value" + (wanted.empty() ? "" : ": " + wanted));
     }
   }
-  throw Failure(kExitUsage, last + " needs a value");
+  throw Failure(kExitUsage, error);
 }
 
 /// Takes what is no option and no value. "--" ends the options.
@@ -104,8 +107,8 @@ bool parse(const Program& declared, int argc, const char* const* argv, std::vect
     const bool is_written = std::fputs(page.text(program).c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
     if (!is_written) throw Failure(kExitFailed, "standard output cannot be written");
     return false;
-  } catch (const CLI::ArgumentMismatch&) {
-    refuse_missing(program, argv[argc - 1]);
+  } catch (const CLI::ArgumentMismatch& error) {
+    refuse_missing(program, error.what());
   } catch (const CLI::ParseError& error) {
     throw Failure(kExitUsage, error.what());
   }

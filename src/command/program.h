@@ -22,6 +22,7 @@ struct Option {
   std::string value;  // name of its value, "FILE"; empty = a switch, for which `read` gets "true"
   Values values;
   std::string text;  // whole sentences. The pages add `wanted` and `initial`.
+  int words = 1;     // words of its value: "FROM TO" has two, which `read` gets with a line end between them
 };
 
 struct Group {

@@ -42,7 +42,7 @@
   ROW(RENDER_STATS, shd_render_stats, rasterized_triangle_count, tile_seconds, 152) \
   ROW(COLOR_DESC, shd_color_desc, config_path, working_space, 32)                   \
   ROW(LOAD_DESC, shd_load_desc, formats, vdb_info, 112)                             \
-  ROW(SAVE_DESC, shd_save_desc, bit_depth, display, 32)                             \
+  ROW(SAVE_DESC, shd_save_desc, bit_depth, compression, 80)                         \
   ROW(BITMAP_INFO, shd_bitmap_info, file_format, channel_count, 24)                 \
   ROW(SHAPE_DESC, shd_shape_desc, kind, segments, 40)                               \
   ROW(SHAPE_COLUMNS, shd_shape_columns, position, indices, 168)                     \

@@ -54,10 +54,10 @@ Fit fit_view(const Camera& camera, const Model& model, const Bounds& bounds, flo
 }
 
 /// A camera of the file, with the axes of its view.
-Camera file_camera(const Options& options, const Model& model) {
+Camera file_camera(const Options& options, uint32_t number, const Model& model) {
   shd_camera desc = shd_camera_default();
-  if (!model.scene.get() || shd_scene_get_camera(model.scene.get(), *options.camera, &desc) != SHD_OK) {
-    throw Failure(kExitInput, "--camera " + std::to_string(*options.camera) + ": the model has no such camera");
+  if (!model.scene.get() || shd_scene_get_camera(model.scene.get(), number, &desc) != SHD_OK) {
+    throw Failure(kExitInput, "--camera " + std::to_string(number) + ": the model has no such camera");
   }
   desc.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   Camera camera{};
@@ -73,9 +73,10 @@ Camera file_camera(const Options& options, const Model& model) {
 
 }  // namespace
 
-Camera make_camera(const Options& options, const Model& model, const Model& shown, const Bounds& bounds, float turn) {
-  if (options.camera) return file_camera(options, model);
-  const float az = (options.azimuth + turn) * kDegree, el = options.elevation * kDegree;
+Camera make_camera(const Options& options, const Shot& shot, float turn, const Model& model, const Model& shown,
+                   const Bounds& bounds) {
+  if (shot.camera) return file_camera(options, *shot.camera, model);
+  const float az = (shot.azimuth + turn) * kDegree, el = shot.elevation * kDegree;
   Camera camera{};
   camera.right = {std::cos(az), 0.0f, -std::sin(az)};
   camera.up = {-std::sin(el) * std::sin(az), std::cos(el), -std::sin(el) * std::cos(az)};
@@ -86,8 +87,8 @@ Camera make_camera(const Options& options, const Model& model, const Model& show
   desc.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const float tan_y = std::tan(0.5f * desc.fov_y);
   Fit fit;
-  if (options.distance > 0.0f) {
-    fit.distance = options.distance * bounds.radius;
+  if (shot.distance > 0.0f) {
+    fit.distance = shot.distance * bounds.radius;
   } else {
     fit = fit_view(camera, shown, bounds, tan_y * desc.aspect, tan_y);
     fit.distance = std::max(fit.distance, 1.05f * bounds.radius);

@@ -14,7 +14,8 @@ struct Camera {
   std::array<float, 3> right, up, back;  // axes of the view, world space, unit
 };
 
-/// Makes the camera of `--camera`, or of `--orbit`, rotated by `turn` degrees, and `--fov`. Without a given distance,
+/// Makes the camera of a shot, an orbit rotated by `turn` degrees, and `--fov`. Without a given distance,
 /// the position and direction of the eye are chosen so that every vertex of `shown` is just inside the picture. `model`
 /// has the cameras of the file.
-Camera make_camera(const Options& options, const Model& model, const Model& shown, const Bounds& bounds, float turn);
+Camera make_camera(const Options& options, const Shot& shot, float turn, const Model& model, const Model& shown,
+                   const Bounds& bounds);

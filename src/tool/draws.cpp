@@ -40,6 +40,7 @@ void add_lines(const Options& options, const Material& ink, Draws& out) {
     line.crease_cosine = std::cos(options.crease * 3.14159265f / 180.0f);
     line.compare = SHD_COMPARE_LESS_EQUAL;
     out.draws.push_back(line);
+    out.instance.push_back(out.instance[i]);
   }
 }
 
@@ -80,6 +81,7 @@ Draws make_draws(shd_context* context, const Options& options, const Model& mode
     }
     std::copy(instance.object_to_world.begin(), instance.object_to_world.end(), draw.object_to_world);
     out.draws.push_back(draw);
+    out.instance.push_back(static_cast<size_t>(&instance - model.instances.data()));
   }
   out.solid_count = out.draws.size();
   if (options.line_width > 0.0f) add_lines(options, paint.ink, out);

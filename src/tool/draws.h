@@ -17,9 +17,10 @@ Paint make_paint(shd_context* context, const Options& options, const Model& mode
 
 /// The draws of a frame.
 struct Draws {
-  std::vector<Mesh> displaced;  // displaced meshes of instances
-  std::vector<shd_draw> draws;  // surfaces, then lines
-  size_t solid_count = 0;       // number of draws that are surfaces
+  std::vector<Mesh> displaced;   // displaced meshes of instances
+  std::vector<shd_draw> draws;   // surfaces, then lines
+  std::vector<size_t> instance;  // instance of the model of each draw
+  size_t solid_count = 0;        // number of draws that are surfaces
 };
 
 /// Makes the draws of a frame. Displaced meshes are subdivided for the distance of the camera.

@@ -10,6 +10,7 @@
 
 #include "command/program.h"
 #include "tool/camera.h"
+#include "tool/cryptomatte.h"
 #include "tool/draws.h"
 #include "tool/environment.h"
 #include "tool/lights.h"
@@ -73,10 +74,9 @@ struct Stage {
   const StageVolume& volume;
 };
 
-void render(const Stage& stage, float turn, const shd_progress& progress, shd_framebuffer* framebuffer) {
+void render(const Stage& stage, const Camera& camera, const Draws& draws, const shd_progress& progress,
+            shd_framebuffer* framebuffer) {
   const Options& options = stage.options;
-  const Camera camera = make_camera(options, stage.model, stage.shown, stage.bounds, turn);
-  const Draws draws = make_draws(stage.context, options, stage.model, stage.paint, camera);
   const std::vector<StageLight> lights = make_lights(stage.context, options, stage.model, stage.bounds, camera);
   const std::vector<Shadow> shadows = make_shadows(stage.context, options, stage.bounds, draws, lights);
   std::vector<const shd_light*> light_list;
@@ -123,7 +123,7 @@ void report_unused(const Options& options, const Model& model) {
     std::fprintf(stderr, "shd-render: animations of the model that are not used: %zu (--animation 0)\n",
                  info.animation_count);
   }
-  if (info.camera_count > 0 && !options.camera) {
+  if (info.camera_count > 0 && !options.shots[0].camera) {
     std::fprintf(stderr, "shd-render: cameras of the model that are not used: %zu (--camera 0)\n", info.camera_count);
   }
 }
@@ -201,8 +201,8 @@ void add_extras(shd_context* context, const Options& options, const Bounds& boun
 }
 
 void run(const Options& options) {
-  check_output_name(options);
   const Context context = make_context(options);
+  check_output(context.get(), options);
   const Color color = open_color(context.get(), options);
   const StageVolume volume = load_volume(context.get(), options);
   Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
@@ -214,13 +214,15 @@ void run(const Options& options) {
   const Model all = show_all(poses, model);
   const Model& shown = all.geometries.empty() ? model : all;
   const Bounds bounds = bounds_of(shown);
-  make_camera(options, model, shown, bounds, 0.0f);  // throws before textures are read
+  for (const Shot& shot : options.shots) {
+    make_camera(options, shot, 0.0f, model, shown, bounds);  // throws before textures are read
+  }
   add_extras(context.get(), options, bounds, model);
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   const Environment environment = load_environment(context.get(), options);
   const Stage stage = {context.get(), options, model, shown, bounds, paint, environment.get(), volume};
-  const uint32_t pictures = std::max({options.turntable, options.frames, 1u});
+  const uint32_t pictures = std::max({options.turntable, options.frames, static_cast<uint32_t>(options.shots.size())});
   Progress progress(options.progress || isatty(STDERR_FILENO), pictures);
   for (uint32_t i = 0; i < pictures; ++i) {
     if (i > 0 && options.frames > 0) {
@@ -228,12 +230,15 @@ void run(const Options& options) {
       add_extras(context.get(), options, bounds, model);
     }
     const float turn = options.turntable ? 360.0f * static_cast<float>(i) / static_cast<float>(pictures) : 0.0f;
-    render(stage, turn, progress.of_picture(i), framebuffer.get());
-    const std::string name = picture_name(options, i);
+    const Shot& shot = options.shots[options.shots.size() > 1 ? i : 0];
+    const Camera camera = make_camera(options, shot, turn, model, shown, bounds);
+    const Draws draws = make_draws(context.get(), options, model, paint, camera);
+    render(stage, camera, draws, progress.of_picture(i), framebuffer.get());
+    const std::string name = picture_name(options, i, pictures);
     if (options.hash) std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
     if (name.empty()) continue;
-    save_picture(color, framebuffer.get(), options, name);
-    std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
+    const Mattes mattes = make_mattes(context.get(), options, model, camera.view, draws);
+    save_picture(color, framebuffer.get(), options, name, mattes.extras(camera.view));
   }
   progress.finish();
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "command/failure.h"
+#include "tool/output.h"
 #include "tool/shapes.h"
 #include "tool/textures.h"
 
@@ -26,6 +27,22 @@ void grow(Box& box, const float* m, const float* p) {
   }
 }
 
+/// Loads a model whose bytes come from standard input.
+shd_result load_input(shd_context* context, const std::string& name, const shd_scene_desc& desc, shd_scene** out) {
+  constexpr size_t kMost = size_t{1} << 30, kStep = size_t{1} << 20;  // kMost is shd_scene_desc.max_file_bytes
+  std::vector<char> bytes;
+  for (size_t got = 1; got > 0;) {
+    const size_t size = bytes.size();
+    if (size > kMost) throw Failure(kExitInput, "standard input: more than 1 GiB");
+    bytes.resize(size + kStep);
+    got = std::fread(bytes.data() + size, 1, kStep, stdin);
+    bytes.resize(size + got);
+  }
+  if (std::ferror(stdin)) throw Failure(kExitInput, "standard input cannot be read");
+  if (bytes.empty()) throw Failure(kExitInput, "standard input is empty");
+  return shd_scene_load_memory(context, bytes.data(), bytes.size(), name.c_str(), &desc, out);
+}
+
 Scene load_scene(shd_context* context, const Options& options) {
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = options.filter;
@@ -39,9 +56,10 @@ Scene load_scene(shd_context* context, const Options& options) {
   if (options.any_folder) desc.flags |= SHD_SCENE_ANY_FOLDER;
   if (options.line_width > 0.0f) desc.mesh_flags |= SHD_MESH_ADJACENCY;
   Scene scene;
-  if (shd_scene_load(context, options.model.c_str(), &desc, scene.out()) != SHD_OK) {
-    throw Failure(kExitInput, shd_last_error());
-  }
+  const std::optional<std::string> type = stream_type(options.model);
+  const shd_result result = type ? load_input(context, type->empty() ? "" : "standard input" + *type, desc, scene.out())
+                                 : shd_scene_load(context, options.model.c_str(), &desc, scene.out());
+  if (result != SHD_OK) throw Failure(kExitInput, (type ? "standard input: " : "") + std::string(shd_last_error()));
   return scene;
 }
 
@@ -60,6 +78,7 @@ void read_geometry(Geometry& geometry) {
 void add_scene_parts(Model& model, const shd_scene_info& info) {
   for (uint32_t i = 0; i < info.mesh_count; ++i) {
     model.geometries.emplace_back();
+    model.geometries.back().name = shd_scene_get_name(model.scene.get(), SHD_SCENE_PART_MESH, i);
     model.geometries.back().mesh = shd_scene_get_mesh(model.scene.get(), i);
     read_geometry(model.geometries.back());
   }
@@ -117,6 +136,7 @@ void add_shape(shd_context* context, const Options& options, shd_shape shape, ui
   instance.surface = model.surfaces.size();
   model.geometries.emplace_back();
   Geometry& geometry = model.geometries.back();
+  geometry.name = surface.is_floor ? surface.name : shd_shape_name(shape);
   geometry.own = make_shape(context, shape, steps, options.line_width > 0.0f ? SHD_MESH_ADJACENCY : SHD_MESH_NONE);
   geometry.mesh = geometry.own.get();
   read_geometry(geometry);

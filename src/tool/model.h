@@ -12,6 +12,7 @@
 
 /// A mesh, with the vertices and triangles that are needed to place a camera.
 struct Geometry {
+  std::string name;               // as in the file; may be empty
   Mesh own;                       // owner of a shape's mesh; empty for meshes of the scene
   shd_mesh* mesh = nullptr;       // null = drawn by others
   std::vector<float> position;    // [vertex][3]

@@ -11,15 +11,27 @@ using namespace command;
 namespace {
 
 constexpr const char* kDescription =
-    R"(Draws a 3D model, or the Utah teapot without one, on the CPU, and writes PNG, TIFF or EXR. MODEL is any file
-that assimp reads: glTF, OBJ, Collada, FBX, PLY, STL, 3DS and more. The picture has the same bits for any
-number of threads and any instruction set.
+    R"(Draws a 3D model, or the Utah teapot without one, on the CPU, and writes PNG, JPEG, TIFF, EXR or Radiance HDR.
+MODEL is glTF, OBJ, PLY, or any other file that assimp reads: Collada, FBX, STL, 3DS and more. The picture has
+the same bits for any number of threads and any instruction set.
 
 Metallic-roughness materials are taken whole: base colour, metallic-roughness, normal, occlusion and emissive
 textures. Textures are looked for as the model names them, then beside it, whatever the case of their letters.
 A texture that cannot be read is reported, and its colour is used instead.)";
 
 const std::vector<Section> kSections = {
+    {"Files",
+     "MODEL may be -, standard input, without the files that it names, such as textures; formats without a mark of "
+     "their own need their name in front, as obj:-. FILE of -o may be -, standard output, as PNG, or exr:-, jpg:- and "
+     "so on; several pictures follow each other. In a name such as view.%04d.exr the number of the picture, from 1, "
+     "replaces %04d. Without that, several pictures are view-0001.exr and on.\n\n"
+     "An .exr has the header attributes worldToCamera and worldToNDC of OpenEXR and RenderMan, and Software. Z is the "
+     "distance from the eye along the viewing direction in world units, which ZDefocus of Nuke reads with math depth; "
+     "where nothing was drawn, it is that of the far plane. With several samples, it is that of the first one.\n\n"
+     "Cryptomatte ids are those of specification 1.2, six ranks. Coverage counts the samples of the picture: "
+     "--samples times the square of --supersampling. The scene is drawn once for each of them, without light. Blended "
+     "surfaces and volumes have no ids. Parts of the file with one name and one place are one object; others with that "
+     "name get _2, _3 and on. The material of --lines is named lines."},
     {"Output",
      "The name and size of every picture that is written, on standard output. Lights, cameras and animations of "
      "the model that the options do not use are reported on standard error."},
@@ -37,7 +49,9 @@ const std::vector<Section> kSections = {
 void check_together(const Options& options) {
   refuse_if(!options.model.empty() && options.has_shape, "--shape is drawn instead of a model");
   refuse_if(!options.model.empty() && !options.volume.file.empty(), "--volume is drawn instead of a model");
-  refuse_if(options.camera && options.turntable, "--turntable turns no --camera of the file");
+  refuse_if(options.turntable && options.shots[0].camera, "--turntable turns no --camera of the file");
+  refuse_if(options.shots.size() > 1 && (options.turntable || options.frames),
+            "--turntable and --frames take one view: one --orbit or --camera");
   refuse_if(options.animation.empty() && options.time, "--time needs an --animation");
   refuse_if(options.animation.empty() && options.frames, "--frames needs an --animation");
   refuse_if(options.time && options.frames, "--frames has all times: --time is one");
@@ -84,6 +98,7 @@ bool read_options(int argc, const char* const* argv, Options& out) {
   files.resize(std::max(files.size(), size_t{1}));
   refuse_if(files.size() > 1, "one model at a time: \"" + files.front() + "\" and \"" + files.back() + "\"");
   out.model = files[0];
+  if (out.shots.empty()) out.shots.emplace_back();
   check_together(out);
   const bool lit = !out.lights.empty() || out.lamps > 0 || !out.environment.empty();
   if (!out.preset) out.preset = lit ? LightPreset::kNone : LightPreset::kStudio;

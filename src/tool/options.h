@@ -37,24 +37,33 @@ enum class LightPreset { kStudio, kHeadlight, kCourse, kFile, kNone };
 /// Method by which mip levels of normal maps keep the roughness of bumps that they no longer resolve.
 enum class KeepRoughness { kNone, kToksvig, kLean };
 
+/// Where the eye of a picture is: around the model, or at a camera of the file.
+struct Shot {
+  float azimuth = 30.0f, elevation = 20.0f;  // [deg]
+  float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
+  std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
+};
+
+/// Layers of a Cryptomatte; combine with |.
+enum MatteLayer : uint32_t { kMatteNone = 0, kMatteObject = 1, kMatteMaterial = 2 };
+
 /// The command line, checked.
 struct Options {
-  std::string model;  // empty = `shape`
+  std::string model;  // empty = `shape`; "-" and "EXT:-" = standard input
   shd_shape shape = SHD_SHAPE_TEAPOT;
-  bool has_shape = false;  // `shape` was given
-  VolumeOptions volume;    // instead of a model
-  std::string output;      // empty = out.png, or with `hash` no file
+  bool has_shape = false;   // `shape` was given
+  VolumeOptions volume;     // instead of a model
+  std::string output;       // empty = out.png, or with `hash` no file; "-" and "EXT:-" = standard output
+  std::string compression;  // compression of the file; empty = that of the format
   uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
   bool sample_shading = false;  // every sample at its own position
   shd_visibility visibility = SHD_VISIBILITY_DEPTH;
-  float azimuth = 30.0f, elevation = 20.0f;  // [deg]
-  float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
-  float fov = 35.0f;                         // vertical [deg]
-  std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
-  uint32_t turntable = 0;                    // pictures once around; 0 = one picture
-  std::string animation;                     // number or name of one of the file; empty = the pose of the file
-  std::optional<double> time;                // place in the animation [s]; absent = its first key
-  uint32_t frames = 0;                       // pictures from the first to the last key; 0 = one picture
+  std::vector<Shot> shots;     // a picture each; one after the command line is read
+  float fov = 35.0f;           // vertical [deg]
+  uint32_t turntable = 0;      // pictures once around; 0 = one picture
+  std::string animation;       // number or name of one of the file; empty = the pose of the file
+  std::optional<double> time;  // place in the animation [s]; absent = its first key
+  uint32_t frames = 0;         // pictures from the first to the last key; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
   bool any_folder = false;  // names of the model may leave its folder
   bool has_filter = false;  // `filter` was given, and replaces those of the file
@@ -98,6 +107,7 @@ struct Options {
   std::array<float, 4> background = {0, 0, 0, 0};  // linear, straight alpha
   bool has_background = false;                     // `background` was given
   uint32_t aovs = SHD_AOV_NONE;
+  uint32_t mattes = kMatteNone;
   bool dither = false;
   uint32_t threads = 0;
   shd_simd simd = SHD_SIMD_BEST;

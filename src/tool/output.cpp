@@ -2,14 +2,19 @@
 #include "tool/output.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "command/suggest.h"
 #include "command/values.h"
+#include "core/regular_file.h"
 
 namespace {
 
@@ -17,8 +22,81 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+constexpr const char* kExtensions[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
+
+/// The name of the output, with its extension also if it is standard output.
 std::string output_of(const Options& options) {
-  return options.output.empty() && !options.hash ? "out.png" : options.output;
+  const std::string name = options.output.empty() && !options.hash ? "out.png" : options.output;
+  const std::optional<std::string> type = stream_type(name);
+  return type ? "-" + (type->empty() ? ".png" : *type) : name;
+}
+
+bool is_stream(const Options& options) {
+  return stream_type(options.output).has_value();
+}
+
+/// Where %d or %04d is in a name.
+struct Place {
+  size_t at, size;
+  int width;
+};
+
+std::vector<Place> find_numbers(const std::string& name) {
+  std::vector<Place> places;
+  for (size_t at = name.find('%'); at != std::string::npos; at = name.find('%', at + 1)) {
+    const size_t end = name.find_first_not_of("0123456789", at + 1);
+    if (end == std::string::npos || name[end] != 'd' || end - at > 3) continue;
+    const int width = end == at + 1 ? 0 : std::stoi(name.substr(at + 1, end - at - 1));
+    if (width <= 9) places.push_back({at, end + 1 - at, width});
+  }
+  return places;
+}
+
+/// A folder for one file, which it removes together with the file.
+struct ScratchFile {
+  explicit ScratchFile(const std::string& extension) {
+    const char* const place = std::getenv("TMPDIR");
+    folder = std::string(place && *place ? place : "/tmp") + "/shd-render-XXXXXX";
+    if (!::mkdtemp(folder.data())) throw Failure(kExitOutput, "\"" + folder + "\": " + std::strerror(errno));
+    path = folder + "/picture" + extension;
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  ~ScratchFile() {
+    std::remove(path.c_str());
+    ::rmdir(folder.c_str());
+  }
+  std::string folder, path;
+};
+
+std::string extension_of(const std::string& name) {
+  return name.substr(name.rfind('.'));
+}
+
+/// Refuses a compression that the library does not write, by a picture of one pixel.
+void check_compression(shd_context* context, const std::string& name, const std::string& compression) {
+  shd_framebuffer_desc pixel = shd_framebuffer_desc_default();
+  pixel.width = pixel.height = 1;
+  Framebuffer framebuffer;
+  check(shd_framebuffer_create(context, &pixel, framebuffer.out()), "framebuffer");
+  shd_save_desc desc = shd_save_desc_default();
+  desc.compression = compression.c_str();
+  const ScratchFile scratch(extension_of(name));
+  check(shd_framebuffer_save(framebuffer.get(), scratch.path.c_str(), &desc), "--compression", kExitUsage);
+}
+
+/// Copies a file to standard output.
+void print_file(const std::string& path) {
+  const shd::core::RegularFile from = shd::core::open_regular(path.c_str());
+  std::vector<char> bytes(size_t{1} << 16);
+  bool is_good = from.file.fd >= 0;
+  for (ssize_t size = 1; is_good && size > 0;) {
+    size = ::read(from.file.fd, bytes.data(), bytes.size());
+    is_good = size >= 0 && std::fwrite(bytes.data(), 1, static_cast<size_t>(size), stdout) == static_cast<size_t>(size);
+  }
+  if (!is_good || std::fflush(stdout) != 0) {
+    throw Failure(kExitOutput, std::string("standard output: ") + std::strerror(errno));
+  }
 }
 
 #ifdef SHD_RENDER_WITH_COLOR
@@ -30,26 +108,53 @@ void check_name(const char* option, const std::string& value, const std::vector<
 
 }  // namespace
 
-void check_output_name(const Options& options) {
+std::optional<std::string> stream_type(const std::string& name) {
+  if (name == "-") return "";
+  const size_t size = name.size() < 3 ? 0 : name.size() - 2;
+  const bool is_type = size > 0 && size <= 8 && name.compare(size, 2, ":-") == 0 &&
+                       std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(size),
+                                   [](unsigned char c) { return std::isalnum(c) != 0; });
+  if (!is_type) return std::nullopt;
+  return "." + name.substr(0, size);
+}
+
+void check_output(shd_context* context, const Options& options) {
   const std::string name = output_of(options);
-  if (name.empty() && options.aovs) throw Failure(kExitUsage, "--hash: --aov and --aovs need -o FILE.exr");
+  const bool has_planes = options.aovs || options.mattes;
+  if (name.empty() && has_planes) {
+    throw Failure(kExitUsage, "--hash: --aov, --aovs and --cryptomatte need -o FILE.exr");
+  }
   if (name.empty()) return;
+  refuse_if(is_stream(options) && options.hash, "--hash prints to standard output, which gets the picture of -o");
+  refuse_if(is_stream(options) && ::isatty(STDOUT_FILENO), "-o: standard output is a terminal");
+  refuse_if(find_numbers(name).size() > 1, "-o: \"" + name + "\" has several places for a number");
   const size_t folder = name.rfind('/') + 1;
   struct stat status;
   if (folder > 0 && ::stat(name.substr(0, folder).c_str(), &status) != 0) {
     throw Failure(kExitOutput, "-o: there is no folder \"" + name.substr(0, folder) + "\"");
   }
-  for (const char* end : {".png", ".tif", ".tiff", ".exr"}) {
-    if (ends_with(name, end) && !(options.aovs && !ends_with(name, ".exr"))) return;
+  const bool exr = ends_with(name, ".exr");
+  const std::string shown = "\"" + (options.output.empty() ? name : options.output) + "\"";
+  refuse_if(options.aovs && !exr, "--aov: " + shown + " does not end in .exr");
+  refuse_if(options.mattes && !exr, "--cryptomatte: " + shown + " does not end in .exr");
+  refuse_if(options.mattes && options.compression.rfind("dwa", 0) == 0,
+            "--compression: dwaa and dwab change the ids of --cryptomatte");
+  if (std::none_of(std::begin(kExtensions), std::end(kExtensions),
+                   [&](const char* end) { return ends_with(name, end); })) {
+    throw Failure(kExitUsage, "-o: " + shown + " does not end in .png, .jpg, .tif, .exr or .hdr");
   }
-  throw Failure(kExitUsage, options.aovs ? "--aov: \"" + name + "\" does not end in .exr"
-                                         : "-o: \"" + name + "\" does not end in .png, .tif or .exr");
+  if (!options.compression.empty()) check_compression(context, name, options.compression);
 }
 
-std::string picture_name(const Options& options, uint32_t picture) {
+std::string picture_name(const Options& options, uint32_t picture, uint32_t pictures) {
   const std::string name = output_of(options);
-  if ((options.turntable == 0 && options.frames == 0) || name.empty()) return name;
+  const std::vector<Place> places = find_numbers(name);
   char number[16];
+  if (!places.empty()) {
+    std::snprintf(number, sizeof number, "%0*u", places[0].width, picture + 1);
+    return name.substr(0, places[0].at) + number + name.substr(places[0].at + places[0].size);
+  }
+  if (pictures == 1 || name.empty() || is_stream(options)) return name;
   std::snprintf(number, sizeof number, "-%04u", picture + 1);
   const size_t dot = name.rfind('.');
   return name.substr(0, dot) + number + name.substr(dot);
@@ -79,7 +184,7 @@ Color open_color([[maybe_unused]] shd_context* context, [[maybe_unused]] const O
   Color color;
 #ifdef SHD_RENDER_WITH_COLOR
   const std::string name = output_of(options);
-  if (!options.color || name.empty() || ends_with(name, ".exr")) return color;
+  if (!options.color || name.empty() || ends_with(name, ".exr") || ends_with(name, ".hdr")) return color;
   check(shd_color_create(context, nullptr, color.out()), "colour config");
   std::vector<std::string> displays, views;
   for (uint32_t i = 0; i < shd_color_get_display_count(color.get()); ++i) {
@@ -96,13 +201,30 @@ Color open_color([[maybe_unused]] shd_context* context, [[maybe_unused]] const O
 }
 
 void save_picture([[maybe_unused]] const Color& color, const shd_framebuffer* framebuffer, const Options& options,
-                  const std::string& name) {
+                  const std::string& name, const FileExtras& extras) {
   shd_save_desc desc = shd_save_desc_default();
-  if (!ends_with(name, ".exr")) desc.bit_depth = 8;
+  if (!ends_with(name, ".exr") && !ends_with(name, ".hdr")) desc.bit_depth = 8;
   if (options.dither) desc.dither = SHD_DITHER_ORDERED;
 #ifdef SHD_RENDER_WITH_COLOR
   shd_color_view view = {color.get(), options.display.c_str(), options.view.c_str()};
   if (color.get()) desc.display = {shd_color_apply_view, &view};
 #endif
+  const std::string software = "shd-render " + std::to_string(SHD_VERSION_MAJOR) + "." +
+                               std::to_string(SHD_VERSION_MINOR) + "." + std::to_string(SHD_VERSION_PATCH);
+  std::vector<shd_file_attribute> attributes = extras.attributes;
+  attributes.push_back({"Software", software.c_str()});
+  desc.view = extras.view;
+  desc.channels = extras.channels.data();
+  desc.channel_count = extras.channels.size();
+  desc.attributes = attributes.data();
+  desc.attribute_count = attributes.size();
+  if (!options.compression.empty()) desc.compression = options.compression.c_str();
+  if (is_stream(options)) {
+    const ScratchFile scratch(extension_of(name));
+    check(shd_framebuffer_save(framebuffer, scratch.path.c_str(), &desc), "-o", kExitOutput);
+    print_file(scratch.path);
+    return;
+  }
   check(shd_framebuffer_save(framebuffer, name.c_str(), &desc), name, kExitOutput);
+  std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "tool/handles.h"
 #include "tool/options.h"
@@ -12,13 +15,17 @@ using Color = Owned<shd_color, shd_color_release>;
 struct Color {};
 #endif
 
-/// Throws Failure (kExitUsage) for planes without a file and for a name whose extension cannot be written, and Failure
-/// (kExitOutput) for a missing folder, before any time is spent on the picture.
-void check_output_name(const Options& options);
+/// The type of a name that means standard input or output: "" of "-", ".obj" of "obj:-". None for names of files.
+std::optional<std::string> stream_type(const std::string& name);
 
-/// The name of a picture, counted from 0: the name of the options; for a turntable or frames with -0001 and following
-/// before its extension. Empty if it is not saved.
-std::string picture_name(const Options& options, uint32_t picture);
+/// Throws Failure (kExitUsage) for planes without a file and for a name or a compression that cannot be written, and
+/// Failure (kExitOutput) for a missing folder, before any time is spent on the picture.
+void check_output(shd_context* context, const Options& options);
+
+/// The name of one of several pictures, counted from 0: the name of the options with the number from 1 in place of %04d
+/// or of another width; without %04d, and if there are several, with -0001 and following before its extension. Empty if
+/// it is not saved.
+std::string picture_name(const Options& options, uint32_t picture, uint32_t pictures);
 
 /// FNV-1a of the bits of the linear colours.
 uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options);
@@ -26,6 +33,13 @@ uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options
 /// Opens the colour config if the picture needs it. Throws Failure (kExitUsage) for an unknown display or view.
 Color open_color(shd_context* context, const Options& options);
 
-/// Writes the picture: scene-linear to .exr, through the display transform to all other formats.
+/// Parts of an .exr besides the planes of its framebuffer.
+struct FileExtras {
+  const shd_view* view = nullptr;
+  std::vector<shd_file_channel> channels;
+  std::vector<shd_file_attribute> attributes;
+};
+
+/// Writes the picture: scene-linear to .exr and .hdr, through the display transform to all other formats.
 void save_picture(const Color& color, const shd_framebuffer* framebuffer, const Options& options,
-                  const std::string& name);
+                  const std::string& name, const FileExtras& extras);

@@ -21,18 +21,29 @@ Values background_values(Options& out) {
   return {"R,G,B, one number for grey, or none = transparent", {}, "none, or the environment", read};
 }
 
-/// Names between commas.
-Values plane_values(uint32_t& out) {
-  Values values = named(out, kAovs);
+/// Names of flags between commas.
+Values list_values(uint32_t& out, const std::vector<Name<uint32_t>>& table) {
+  Values values = named(out, table);
   values.wanted = "a list of " + join(values.names, " and ");
-  values.read = [&out](const std::string& text) {
+  values.read = [&out, table](const std::string& text) {
     for (const std::string& name : split(text, ',')) {
-      uint32_t plane = 0;
-      if (!named(plane, kAovs).read(name)) return false;
-      out |= plane;
+      uint32_t flags = 0;
+      if (!named(flags, table).read(name)) return false;
+      out |= flags;
     }
     return true;
   };
+  return values;
+}
+
+Values plane_values(uint32_t& out) {
+  return list_values(out, std::vector<Name<uint32_t>>(std::begin(kAovs), std::end(kAovs)));
+}
+
+Values matte_values(uint32_t& out) {
+  const std::vector<Name<uint32_t>> layers = {{"object", kMatteObject}, {"material", kMatteMaterial}};
+  Values values = list_values(out, layers);
+  values.wanted = "object, material or object,material";
   return values;
 }
 
@@ -44,38 +55,49 @@ Values triangle_planes(uint32_t& out) {
 }  // namespace
 
 Group picture_options(Options& out) {
-  return {"Picture",
-          {{"-o,--output", "FILE", initially(file(out.output), "out.png"),
-            ".png and .tif are written through the display transform, .exr is scene-linear."},
-           {"--size", "WxH", size({out.width, out.height}, 16384), "Pixels."},
-           {"--samples", "N", named(out.samples, kSampleCounts), "Samples of a pixel."},
-           {"--sample-shading", "", flag(out.sample_shading),
-            "Shade every sample at its own position, instead of every pixel once."},
-           {"--supersampling", "N", number(out.supersampling, 1, 16), "Each pixel is the average of N x N."},
-           {"--visibility", "V", named(out.visibility, names_of(shd_visibility_name)),
-            "What decides which triangle shows."},
-           {"--background", "R,G,B", background_values(out), "Scene-linear colour."},
-           {"--display", "NAME", text(out.display), "Display of the colour config."},
-           {"--view", "NAME", text(out.view), "View of that display. Plain is the encoding alone."},
-           {"--no-color", "", flag(out.color, false), "No display transform: the sRGB curve alone, clamped."},
-           {"--dither", "", flag(out.dither), "Ordered dither of 8-bit colours."},
-           {"--hash", "", flag(out.hash),
-            "Print a hash of the picture, the same on every machine: FNV-1a of 64 bits over the linear floats r, g, b "
-            "and a of each pixel. The picture is saved only if -o is given."},
-           {"--aov", "", triangle_planes(out.aovs),
-            "Also save texture coordinates, normals and triangle numbers (.exr only)."},
-           {"--aovs", "A,B,...", plane_values(out.aovs), "Also save these planes (.exr only)."}}};
+  return {
+      "Picture",
+      {{"-o,--output", "FILE", initially(file(out.output), "out.png"),
+        ".png, .jpg and .tif are written through the display transform, .exr and .hdr are scene-linear. JPEG is over "
+        "black where nothing is drawn. See Files."},
+       {"--compression", "C", initially(text(out.compression), "zip, and 95 for JPEG"),
+        "Of .exr: none, rle, zips, zip, piz, b44, b44a, dwaa or dwab; of .tif: none, lzw, zip or packbits; of .jpg: a "
+        "quality from 1 to 100."},
+       {"--size", "WxH", size({out.width, out.height}, 16384), "Pixels."},
+       {"--samples", "N", named(out.samples, kSampleCounts), "Samples of a pixel."},
+       {"--sample-shading", "", flag(out.sample_shading),
+        "Shade every sample at its own position, instead of every pixel once."},
+       {"--supersampling", "N", number(out.supersampling, 1, 16), "Each pixel is the average of N x N."},
+       {"--visibility", "V", named(out.visibility, names_of(shd_visibility_name)),
+        "What decides which triangle shows."},
+       {"--background", "R,G,B", background_values(out), "Scene-linear colour."},
+       {"--display", "NAME", text(out.display), "Display of the colour config."},
+       {"--view", "NAME", text(out.view), "View of that display. Plain is the encoding alone."},
+       {"--no-color", "", flag(out.color, false), "No display transform: the sRGB curve alone, clamped."},
+       {"--dither", "", flag(out.dither), "Ordered dither of 8-bit colours."},
+       {"--hash", "", flag(out.hash),
+        "Print a hash of the picture, the same on every machine: FNV-1a of 64 bits over the linear floats r, g, b "
+        "and a of each pixel. The picture is saved only if -o is given."},
+       {"--aov", "", triangle_planes(out.aovs),
+        "Also save texture coordinates, normals and triangle numbers (.exr only)."},
+       {"--aovs", "A,B,...", plane_values(out.aovs), "Also save these planes (.exr only)."},
+       {"--cryptomatte", "A,B", matte_values(out.mattes),
+        "Also save mattes of objects, of materials, or of both, for compositing (.exr only). See Files."}}};
 }
 
 Group camera_options(Options& out) {
   const auto orbit = [&out](const std::string& text) {
     const auto numbers = read_numbers(text);
     if (!numbers || numbers->size() < 2 || numbers->size() > 3) return false;
-    out.azimuth = (*numbers)[0];
-    out.elevation = (*numbers)[1];
-    out.distance = numbers->size() > 2 ? (*numbers)[2] : 0.0f;
-    const bool is_far = numbers->size() == 2 || (out.distance > 1.0f && out.distance <= 1e4f);
-    return is_far && std::fabs(out.elevation) <= 90.0f;
+    Shot& shot = out.shots.emplace_back();
+    shot.azimuth = (*numbers)[0];
+    shot.elevation = (*numbers)[1];
+    shot.distance = numbers->size() > 2 ? (*numbers)[2] : 0.0f;
+    const bool is_far = numbers->size() == 2 || (shot.distance > 1.0f && shot.distance <= 1e4f);
+    return is_far && std::fabs(shot.elevation) <= 90.0f;
+  };
+  const auto camera = [&out](const std::string& text) {
+    return number(out.shots.emplace_back().camera, 0, 65535).read(text);
   };
   const auto animation = [&out](const std::string& text) { return out.animation = text, !text.empty(); };
   return {"Camera",
@@ -86,9 +108,12 @@ Group camera_options(Options& out) {
              "30,20 and far enough to show all",
              orbit},
             "Where the eye is, seen from the centre of the model: degrees to the right of the front, degrees up, radii "
-            "away."},
+            "away. Each --orbit and --camera is a picture."},
            {"--fov", "DEGREES", number(out.fov, 1, 170, " degrees"), "Vertical field of view."},
-           {"--camera", "N", number(out.camera, 0, 65535), "Camera of this number of the file, instead of these."},
+           {"--camera",
+            "N",
+            {"a whole number 0..65535", {}, "", camera},
+            "Camera of this number of the file, instead of an orbit."},
            {"--turntable", "N", initially(number(out.turntable, 1, 9999), ""),
             "N pictures once around the model, OUT-0001.png and on."},
            {"--animation",

@@ -4,7 +4,7 @@
 ///
 /// Input:      the command line; a model file or the name of a shape.
 /// Output:     pictures.
-/// Invariants: uses shd only through its public headers, as any program would. An error is a Failure with a sentence
+/// Invariants: uses shd only through its public headers and core/regular_file.h. An error is a Failure with a sentence
 ///             for the user and an exit code.
 ///
 /// | file        | contents                                                |
@@ -24,6 +24,8 @@
 /// | environment.h | light and background from an image                    |
 /// | shadows.h   | shadow maps                                             |
 /// | occlusion.h | ambient occlusion at vertices                           |
+/// | samples.h   | the draws that the samples of pixels show               |
+/// | cryptomatte.h | mattes of objects and materials                       |
 /// | output.h    | file names and saving                                   |
 /// | progress.h  | progress and the time left                              |
 /// | handles.h   | handles that release themselves                         |

@@ -23,7 +23,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio/oiio.cpp", "src/io/oiio/encode.cpp", "src/io/oiio/handle.h", "src/io/oiio/tiles.cpp",
-                     "src/io/maketx/decoder.cpp", "src/io/maketx/main.cpp", "src/io/maketx/pyramid.cpp", "src/io/maketx/source.h",
+                     "src/io/maketx/decoder.cpp", "src/io/maketx/main.cpp", "src/io/maketx/pyramid.cpp", "src/io/maketx/source.h", "src/io/maketx/stats.cpp",
+                     "src/io/maketx/stats.h", "src/io/maketx/target.cpp",
                      "src/io/maketx/target.h"},
     "openvdb/": {"src/io/vdb/vdb.cpp"},
     "zstd": {"src/io/container/inflate.cpp"},

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Images for shd-maketx, and what is in the files that it makes.
-//   pyramid make FILE WIDTH HEIGHT CHANNELS TYPE   noise; TYPE is uint8, uint16, half or float; "+tiles": 32 x 48 tiles
+//   pyramid make FILE WIDTH HEIGHT CHANNELS TYPE   noise; TYPE is uint8, uint16, half or float; "+tiles": 32 x 48
+//                                                  tiles; "+grey": all pixels are 0.25; "+nan": one is NaN
 //   pyramid check INPUT FILE [srgb|linear|normal]  base = INPUT, levels = those of libshd, bit for bit
+//   pyramid filter FILE KERNEL WRAP_U WRAP_V [normal]  levels = those of shd_mip_build(), from numbers of the enums
+//   pyramid raw FILE OUT                           the bytes of level 0
+//   pyramid info FILE                              what OpenImageIO's TextureSystem and reader say of it, as lines
 //   pyramid lookup FILE                            OpenImageIO's TextureSystem reads the base, and the last level
 //   pyramid COMMAND -- COMMAND ...                 several of these
 #include <OpenImageIO/imageio.h>
@@ -25,7 +29,8 @@ namespace {
 }
 
 int make(const char* path, int width, int height, int channels, std::string type) {
-  const bool tiles = type.find("+tiles") != std::string::npos;
+  const bool tiles = type.find("+tiles") != std::string::npos, grey = type.find("+grey") != std::string::npos;
+  const bool nan = type.find("+nan") != std::string::npos;
   type = type.substr(0, type.find('+'));
   OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc(type));
   if (tiles) spec.tile_width = 32, spec.tile_height = 48;
@@ -35,7 +40,8 @@ int make(const char* path, int width, int height, int channels, std::string type
   std::vector<float> row(static_cast<size_t>(width) * static_cast<size_t>(channels));
   std::vector<float> all;
   for (int y = 0; y < height; ++y) {
-    for (float& value : row) value = static_cast<float>(random() % 4096) / 4095.0f;
+    for (float& value : row) value = grey ? 0.25f : static_cast<float>(random() % 4096) / 4095.0f;
+    if (nan && y == height / 2) row[static_cast<size_t>(channels) * 3 + 1] = NAN;
     all.insert(all.end(), row.begin(), row.end());
   }
   const auto out = OIIO::ImageOutput::create(path);
@@ -117,16 +123,22 @@ std::vector<std::vector<uint8_t>> texture_levels(shd_context* context, shd_forma
   return levels;
 }
 
-std::vector<std::vector<uint8_t>> normal_levels(shd_context* context, shd_format format, std::vector<Level>& file) {
+std::vector<std::vector<uint8_t>> built_levels(shd_context* context, shd_format format, std::vector<Level>& file,
+                                               const shd_mip_desc& desc) {
   std::vector<std::vector<uint8_t>> levels;
   std::vector<shd_image> images;
   for (size_t l = 1; l < file.size(); ++l) levels.emplace_back(file[l].texels.size());
   for (size_t l = 1; l < file.size(); ++l) images.push_back(image_of(format, file[l].spec, levels[l - 1].data()));
   const shd_image base = image_of(format, file[0].spec, file[0].texels.data());
-  shd_mip_desc desc = shd_mip_desc_default();
-  desc.content = SHD_TEXEL_CONTENT_NORMAL;
   check_ok(shd_mip_build(context, &base, &desc, static_cast<uint32_t>(images.size()), images.data()));
   return levels;
+}
+
+void compare_levels(const std::vector<Level>& file, const std::vector<std::vector<uint8_t>>& wanted) {
+  for (size_t l = 1; l < file.size(); ++l) {
+    if (file[l].texels != wanted[l - 1]) fail("level " + std::to_string(l) + " differs");
+  }
+  if (file.back().spec.width != 1 || file.back().spec.height != 1) fail("the last level is not 1 x 1");
 }
 
 int check(const char* input, const char* path, const std::string& content) {
@@ -137,14 +149,54 @@ int check(const char* input, const char* path, const std::string& content) {
   shd_context* context = nullptr;
   check_ok(shd_context_create(nullptr, &context));
   const shd_format format = format_of(file[0], content == "srgb");
-  const auto wanted =
-      content == "normal" ? normal_levels(context, format, file) : texture_levels(context, format, file);
-  for (size_t l = 1; l < file.size(); ++l) {
-    if (file[l].texels != wanted[l - 1]) fail("level " + std::to_string(l) + " differs");
-  }
+  shd_mip_desc normals = shd_mip_desc_default();
+  normals.content = SHD_TEXEL_CONTENT_NORMAL;
+  compare_levels(
+      file, content == "normal" ? built_levels(context, format, file, normals) : texture_levels(context, format, file));
   shd_context_release(context);
-  if (file.back().spec.width != 1 || file.back().spec.height != 1) fail("the last level is not 1 x 1");
-  std::printf("%zu levels\n", file.size());
+  return 0;
+}
+
+int filter(const std::vector<std::string>& words) {
+  std::vector<Level> file = read_levels(words[1].c_str());
+  const auto number = [&](size_t i) { return std::atoi(words[i].c_str()); };
+  shd_context* context = nullptr;
+  check_ok(shd_context_create(nullptr, &context));
+  shd_mip_desc desc = shd_mip_desc_default();
+  desc.kernel = static_cast<shd_mip_kernel>(number(2));
+  desc.wrap_u = static_cast<shd_wrap>(number(3));
+  desc.wrap_v = static_cast<shd_wrap>(number(4));
+  if (words.size() > 5) desc.content = SHD_TEXEL_CONTENT_NORMAL;
+  const bool srgb = file[0].spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
+  compare_levels(file, built_levels(context, format_of(file[0], srgb), file, desc));
+  shd_context_release(context);
+  return 0;
+}
+
+int raw(const char* path, const char* out) {
+  const Level base = read_levels(path)[0];
+  std::FILE* const file = std::fopen(out, "wb");
+  if (!file || std::fwrite(base.texels.data(), 1, base.texels.size(), file) != base.texels.size()) fail("raw");
+  std::fclose(file);
+  return 0;
+}
+
+int info(const char* path) {
+  OIIO::TextureSystem* const system = OIIO::TextureSystem::create(true);
+  const OIIO::ustring name(path);
+  std::printf("file=%s\n", path);
+  for (const char* const what : {"averagecolor", "constantcolor"}) {
+    float color[4];
+    const OIIO::TypeDesc floats(OIIO::TypeDesc::FLOAT, 4);
+    if (!system->get_texture_info(name, 0, OIIO::ustring(what), floats, color)) continue;
+    std::printf("%s=%.9g,%.9g,%.9g\n", what, static_cast<double>(color[0]), static_cast<double>(color[1]),
+                static_cast<double>(color[2]));
+  }
+  const OIIO::ImageSpec spec = read_levels(path)[0].spec;
+  std::printf("size=%d,%d,%d\ntype=%s\n", spec.width, spec.height, spec.nchannels, spec.format.c_str());
+  for (const OIIO::ParamValue& value : spec.extra_attribs) {
+    std::printf("%s=%s\n", value.name().c_str(), value.get_string().c_str());
+  }
   return 0;
 }
 
@@ -197,6 +249,9 @@ int run(const std::vector<std::string>& words) {
   if (verb == "check" && (count == 3 || count == 4)) {
     return check(words[1].c_str(), words[2].c_str(), count > 3 ? words[3].c_str() : "linear");
   }
+  if (verb == "filter" && (count == 5 || count == 6)) return filter(words);
+  if (verb == "raw" && count == 3) return raw(words[1].c_str(), words[2].c_str());
+  if (verb == "info" && count == 2) return info(words[1].c_str());
   if (verb == "lookup" && count == 2) return lookup(words[1].c_str());
   fail("usage: see the head of the source");
 }

@@ -10,9 +10,10 @@ namespace farm {
 void show_progress(const Queue& queue, Progress* progress) {
   const bool terminal = isatty(STDERR_FILENO);
   if (seconds_since(progress->last) < (terminal ? 1.0 : 10.0)) return;
-  progress->last = Clock::now();
   const double rendered = static_cast<double>(queue.done - progress->done_before);
   const double seconds = seconds_since(progress->begin);
+  if (rendered == 0 && seconds < 10.0) return;  // the time left is not known yet
+  progress->last = Clock::now();
   char left[32] = "unknown";
   if (rendered > 0) {
     const auto rest = static_cast<unsigned>(seconds / rendered * static_cast<double>(queue.total - queue.done));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/abi/plane_rows.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "image/channel.h"
@@ -32,14 +33,18 @@ void encode_pixel(const CodeRows& rows, uint32_t x, uint32_t y, unsigned char* o
   const double threshold = rows.dither ? image::dither_threshold(x, y) : 0.5;
   double color[4];
   straight_color(rows, x, y, color);
+  if (rows.over_black) {
+    const double alpha = color[3] > 0 ? std::min(color[3], 1.0) : 0;
+    for (int c = 0; c < 3; ++c) color[c] = color[c] > 0 ? std::min(color[c], 1.0) * alpha : 0;
+  }
   Code code[4];
   for (int c = 0; c < 4; ++c) code[c] = image::unorm_code<Code>(color[c], c < 3 ? threshold : 0.5);
-  std::memcpy(out, code, sizeof code);
+  std::memcpy(out, code, (rows.over_black ? 3 : 4) * sizeof(Code));
 }
 
 /// Encodes a row by vectors, if no pixel needs doubles for more than a division by alpha. Returns whether it did.
 bool encode_row(const CodeRows& rows, uint32_t y, unsigned char* out) {
-  if (rows.display || rows.dither || (rows.curve && rows.bits == 16)) return false;
+  if (rows.display || rows.dither || rows.over_black || (rows.curve && rows.bits == 16)) return false;
   const float* plane[4];
   for (int c = 0; c < 4; ++c) plane[c] = row_of(rows.plane[c], y);
   const shd_format format = rows.bits == 16 ? SHD_FORMAT_RGBA16 : rows.curve ? SHD_FORMAT_RGBA8_SRGB : SHD_FORMAT_RGBA8;
@@ -59,10 +64,10 @@ void plane_row(const void* plane_rows, uint32_t y, unsigned char* out) {
     const char* const row = static_cast<const char*>(first) + y * channel.view.row_stride;
     for (size_t x = 0; x < rows.width; ++x) {
       if (channel.sample == Sample::kHalf) {
-        const uint16_t half = image::float_to_half(image::load_as<float>(row + 4 * x));
+        const uint16_t half = image::float_to_half(image::load_as<float>(row + channel.step * x));
         std::memcpy(out + x * pixel, &half, sizeof half);
       } else {
-        std::memcpy(out + x * pixel, row + 4 * x, 4);
+        std::memcpy(out + x * pixel, row + channel.step * x, 4);
       }
     }
     out += size_of(channel);
@@ -72,7 +77,8 @@ void plane_row(const void* plane_rows, uint32_t y, unsigned char* out) {
 void code_row(const void* code_rows, uint32_t y, unsigned char* out) {
   const auto& rows = *static_cast<const CodeRows*>(code_rows);
   const bool done = encode_row(rows, y, out);
-  for (uint32_t x = 0; x < rows.width; ++x, out += 4 * rows.bits / 8) {
+  const uint32_t pixel = (rows.over_black ? 3 : 4) * rows.bits / 8;
+  for (uint32_t x = 0; x < rows.width; ++x, out += pixel) {
     const float alpha = done ? row_of(rows.plane[3], y)[x] : 0.0f;
     if (done && !(alpha > 0.0f && alpha != 1.0f)) continue;
     rows.bits == 8 ? encode_pixel<uint8_t>(rows, x, y, out) : encode_pixel<uint16_t>(rows, x, y, out);

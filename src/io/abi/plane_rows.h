@@ -15,6 +15,7 @@ namespace shd::io {
 struct PlaneChannel {
   shd_plane_view view;
   Sample sample;
+  size_t step = 4;  // bytes between elements of a row
 };
 
 /// Planes as they are: user_data of a job whose `row` is plane_row().
@@ -24,7 +25,8 @@ struct PlaneRows {
 };
 void plane_row(const void* plane_rows, uint32_t y, unsigned char* out);
 
-/// Colour as straight RGBA in codes of 8 or 16 bits, clamped to 0..1 with NaN as 0, and rounded to nearest or dithered:
+/// Colour as straight RGBA, or as RGB over black, in codes of 8 or 16 bits, clamped to 0..1 with NaN as 0, and rounded
+/// to nearest or dithered:
 /// user_data of a job whose `row` is code_row().
 struct CodeRows {
   uint32_t width = 0;
@@ -34,6 +36,7 @@ struct CodeRows {
   const float* display = nullptr;  // [height][width][4], replaces the planes: straight, encoded. null = none
   bool curve = true;               // encodes r, g and b of the planes as sRGB
   bool dither = false;             // ordered dither of r, g and b
+  bool over_black = false;         // codes times alpha, without alpha
 };
 void code_row(const void* code_rows, uint32_t y, unsigned char* out);
 

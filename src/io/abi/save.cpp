@@ -2,6 +2,7 @@
 #include <shd/io.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "extension/color_planes.h"
 #include "io/abi/common.h"
 #include "io/abi/plane_rows.h"
+#include "io/abi/save_extras.h"
 #include "io/file/printable.h"
 #include "io/file/write_file.h"
 #include "io/oiio/oiio.h"
@@ -22,16 +24,16 @@ using io::EncodeJob;
 using io::Sample;
 
 /// The kind of file that an extension names.
-enum class Kind { kPng, kExr, kHdr, kTiff, kTga, kBmp };
+enum class Kind { kPng, kJpeg, kExr, kHdr, kTiff, kTga, kBmp };
 struct Extension {
   const char* text;
   Kind kind;
   const char* writer;
 };
 constexpr Extension kExtensions[] = {
-    {".png", Kind::kPng, "png"},   {".exr", Kind::kExr, "openexr"}, {".hdr", Kind::kHdr, "hdr"},
-    {".tif", Kind::kTiff, "tiff"}, {".tiff", Kind::kTiff, "tiff"},  {".tga", Kind::kTga, "targa"},
-    {".bmp", Kind::kBmp, "bmp"},
+    {".png", Kind::kPng, "png"},     {".jpg", Kind::kJpeg, "jpeg"}, {".jpeg", Kind::kJpeg, "jpeg"},
+    {".exr", Kind::kExr, "openexr"}, {".hdr", Kind::kHdr, "hdr"},   {".tif", Kind::kTiff, "tiff"},
+    {".tiff", Kind::kTiff, "tiff"},  {".tga", Kind::kTga, "targa"}, {".bmp", Kind::kBmp, "bmp"},
 };
 
 const Extension& extension_of(const char* path) {
@@ -44,7 +46,8 @@ const Extension& extension_of(const char* path) {
   for (const Extension& extension : kExtensions) {
     if (text == extension.text) return extension;
   }
-  refuse(SHD_ERROR_UNSUPPORTED, "path: extension \"%s\" is not .png, .exr, .hdr, .tif, .tiff, .tga or .bmp",
+  refuse(SHD_ERROR_UNSUPPORTED,
+         "path: extension \"%s\" is not .png, .jpg, .jpeg, .exr, .hdr, .tif, .tiff, .tga or .bmp",
          io::printable(text).c_str());
 }
 
@@ -59,6 +62,35 @@ shd_save_desc read_save_desc(const shd_save_desc* in) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.dither: %u is not a shd_dither", core::enum_bits(desc.dither));
   }
   return desc;
+}
+
+/// Compressions of a kind of files, between spaces; null = none to choose.
+const char* compressions_of(Kind kind) {
+  switch (kind) {
+    case Kind::kExr: return " none rle zips zip piz b44 b44a dwaa dwab ";
+    case Kind::kTiff: return " none lzw zip packbits ";
+    default: return nullptr;
+  }
+}
+
+std::string compression_of(const Extension& extension, const char* wanted) {
+  if (extension.kind == Kind::kJpeg) {
+    const std::string quality = wanted ? wanted : "95";
+    const bool digits = quality.find_first_not_of("0123456789") == std::string::npos;
+    const int number = digits && quality.size() < 4 ? std::atoi(quality.c_str()) : 0;
+    if (number >= 1 && number <= 100) return "jpeg:" + std::to_string(number);
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.compression: \"%s\" is not a quality of 1..100, for JPEG",
+           io::printable(quality).c_str());
+  }
+  if (!wanted) return "";
+  const char* const known = compressions_of(extension.kind);
+  if (!known) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.compression: %s has none to choose", extension.text);
+  const std::string text(wanted);
+  if (text.empty() || text.find(' ') != std::string::npos || !std::strstr(known, (" " + text + " ").c_str())) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.compression: \"%s\" is not one of%sof %s", io::printable(text).c_str(),
+           known, extension.text);
+  }
+  return text;
 }
 
 void save(const EncodeJob& job, const char* path) {
@@ -161,7 +193,8 @@ void describe_codes(const Planes& planes, uint32_t depth, const shd_save_desc& d
   std::copy(planes.view, planes.view + 4, rows->plane);
   rows->curve = desc.encoding == SHD_COLOR_ENCODING_AUTO || desc.encoding == SHD_COLOR_ENCODING_SRGB;
   rows->dither = desc.dither == SHD_DITHER_ORDERED;
-  describe_color(job, depth == 8 ? Sample::kU8 : Sample::kU16, 4);
+  rows->over_black = std::strcmp(job->writer, "jpeg") == 0;
+  describe_color(job, depth == 8 ? Sample::kU8 : Sample::kU16, rows->over_black ? 3 : 4);
   job->straight = true;
   job->color_space = rows->curve ? "sRGB" : "Linear";
   job->row = io::code_row;
@@ -169,14 +202,15 @@ void describe_codes(const Planes& planes, uint32_t depth, const shd_save_desc& d
 }
 
 uint32_t depth_for(const Extension& extension, uint32_t wanted) {
-  const bool png = extension.kind == Kind::kPng;
+  const bool png = extension.kind == Kind::kPng, jpeg = extension.kind == Kind::kJpeg;
   const bool exr = extension.kind == Kind::kExr;
   const bool tiff = extension.kind == Kind::kTiff;
-  if (!png && !exr && !tiff && extension.kind != Kind::kHdr) {
+  if (!png && !jpeg && !exr && !tiff && extension.kind != Kind::kHdr) {
     refuse(SHD_ERROR_UNSUPPORTED, "path: a framebuffer cannot be saved as %s", extension.text);
   }
-  if (wanted == 0) return png ? 8 : exr ? 16 : 32;
-  const bool known = (wanted == 8 && (png || tiff)) || (wanted == 16 && (png || exr || tiff)) || (wanted == 32 && !png);
+  if (wanted == 0) return png || jpeg ? 8 : exr ? 16 : 32;
+  const bool known = (wanted == 8 && (png || jpeg || tiff)) || (wanted == 16 && (png || exr || tiff)) ||
+                     (wanted == 32 && !png && !jpeg);
   if (!known) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: %u is not one that %s has", wanted, extension.text);
   return wanted;
 }
@@ -195,6 +229,16 @@ io::Buffer show(const shd_framebuffer* framebuffer, const shd_display& display, 
   return pixels;
 }
 
+/// Adds the matrices of a view, and replaces the plane of depth by one of distances, whose memory it returns.
+io::Buffer add_view(const shd_framebuffer* framebuffer, const shd_view& view, shd_plane_view* plane, EncodeJob* job) {
+  io::add_matrices(view, job);
+  const io::Memory memory = memory_of(shd_framebuffer_get_context(framebuffer));
+  io::Buffer distances = io::make_distances(view, *plane, job->width, job->height, memory);
+  plane->f32 = reinterpret_cast<const float*>(distances.data());
+  plane->row_stride = sizeof(float) * job->width;
+  return distances;
+}
+
 void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, const shd_save_desc& desc) {
   const Extension& extension = extension_of(path);
   const uint32_t depth = depth_for(extension, desc.bit_depth);
@@ -205,21 +249,26 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
   job.width = info.width;
   job.height = info.height;
   const extension::ColorPlanes color(framebuffer, info);
-  const Planes planes = view_planes(framebuffer, info, color);
+  Planes planes = view_planes(framebuffer, info, color);
+  job.compression = compression_of(extension, desc.compression);
   io::PlaneRows plane_rows;
   io::CodeRows code_rows;
-  io::Buffer shown;
+  io::Buffer further;
+  const bool is_exr = extension.kind == Kind::kExr;
   if (extension.kind == Kind::kHdr) {
     describe_planes(planes, 3, depth, &plane_rows, &job);
-  } else if (extension.kind == Kind::kExr || depth == 32) {
-    describe_planes(planes, extension.kind == Kind::kExr ? kPlaneCount : 4, depth, &plane_rows, &job);
+  } else if (is_exr || depth == 32) {
+    if (is_exr && desc.view) further = add_view(framebuffer, *desc.view, &planes.view[SHD_PLANE_DEPTH], &job);
+    describe_planes(planes, is_exr ? kPlaneCount : 4, depth, &plane_rows, &job);
     job.color_space = "Linear";
   } else {
     code_rows.simd = core::find_simd_target(shd_context_get_simd_target(shd_framebuffer_get_context(framebuffer)));
     describe_codes(planes, depth, desc, &code_rows, &job);
-    if (desc.display.apply) shown = show(framebuffer, desc.display, job);
-    if (shown.size()) code_rows.display = reinterpret_cast<const float*>(shown.data());
+    if (desc.display.apply) further = show(framebuffer, desc.display, job);
+    if (further.size()) code_rows.display = reinterpret_cast<const float*>(further.data());
   }
+  io::add_channels(desc, is_exr, &plane_rows, &job);
+  io::add_attributes(desc, is_exr, &job);
   save(job, path);
 }
 
@@ -232,6 +281,7 @@ bool takes(Kind kind, shd_format format) {
     case Kind::kExr: return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F;
     case Kind::kHdr: return format == SHD_FORMAT_RGBA32F;
     case Kind::kTiff: return format != SHD_FORMAT_RGBA16F;  // OpenImageIO stores float instead
+    case Kind::kJpeg: return false;                         // without alpha
     default: return bytes;
   }
 }
@@ -274,6 +324,8 @@ void save_image(const shd_image& image, const char* path, const shd_save_desc& d
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: %u is not 0, for an image", desc.bit_depth);
   if (desc.dither != SHD_DITHER_NONE) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.dither: an image keeps its pixels");
   if (desc.display.apply) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.display: an image keeps its pixels");
+  if (desc.view) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.view: an image has none");
+  if (desc.channels) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.channels: an image has its own alone");
   const Extension& extension = extension_of(path);
   if (!takes(extension.kind, image.format)) {
     refuse(SHD_ERROR_UNSUPPORTED, "image.format: pixels of format %d cannot be stored in %s as they are",
@@ -292,6 +344,8 @@ void save_image(const shd_image& image, const char* path, const shd_save_desc& d
   } else {
     describe_color(&job, sample_of(image.format), extension.kind == Kind::kHdr ? 3 : 4);
   }
+  job.compression = compression_of(extension, desc.compression);
+  io::add_attributes(desc, extension.kind == Kind::kExr, &job);
   save(job, path);
 }
 

@@ -59,6 +59,14 @@ void copy_text(const std::string& text, char (&out)[kSize]) {
   text.copy(out, kSize - 1);
 }
 
+/// The key that a Target has stored: an attribute of OpenEXR, a word of the description of TIFF.
+std::string key_in(const OIIO::ImageSpec& spec) {
+  const std::string text = spec.get_string_attribute("ImageDescription"), mark = std::string(kKeyAttribute) + "=";
+  const size_t at = text.find(mark);
+  if (at == std::string::npos) return spec.get_string_attribute(kKeyAttribute);
+  return text.substr(at + mark.size(), text.find(' ', at) - at - mark.size());
+}
+
 Description describe(const OIIO::ImageSpec& spec) {
   Description d = {};
   d.width = spec.width, d.height = spec.height, d.depth = spec.depth;
@@ -69,6 +77,7 @@ Description describe(const OIIO::ImageSpec& spec) {
   d.deep = spec.deep;
   d.straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   copy_text(spec.get_string_attribute("oiio:ColorSpace"), d.color_space);
+  copy_text(key_in(spec), d.key);
   for (int c = 0; c < 4; ++c) copy_text(spec.channel_name(c), d.names[c]);
   return d;
 }

@@ -13,6 +13,9 @@
 /// The only argument of the decoder.
 constexpr const char* kDecoderArgument = "--decoder";
 
+/// The attribute of an output that has the checksum of its input and options, for -u.
+constexpr const char* kKeyAttribute = "shd:key";
+
 struct DecodeFile {
   uint64_t memory;  // limit of the decoder, in addition to its libraries [bytes]
   int32_t threads;  // 0 = one per core
@@ -25,6 +28,7 @@ struct Description {
   int32_t tile_width, tile_height, channels, alpha, base_type;
   uint32_t deep, straight;
   char color_space[64];
+  char key[32];        // kKeyAttribute of a file of shd-maketx
   char names[4][256];  // names of the first channels
 };
 

@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], kDecoderArgument) == 0) return run_decoder();
-  return command::run("shd-maketx", [&] {
+  return command::run("shd-maketx", [&]() -> int {
     Options options;
     if (!read_options(argc, argv, options)) return kExitOk;
     std::signal(SIGXFSZ, SIG_IGN);  // a file that is too large is an error of write()
@@ -20,7 +20,6 @@ int main(int argc, char** argv) {
     OIIO::attribute("threads", options.threads);
     OIIO::attribute("exr_threads", options.threads);
     OIIO::attribute("limits:imagesize_MB", 0);
-    convert(options);
-    return kExitOk;
+    return convert_all(options);
   });
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "command/values.h"
+#include "io/maketx/jobs.h"
 
 using namespace command;
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr const char* kDescription =
     R"(Converts an image of any size to a tiled file with all mip levels, for lookups that load tiles. Reads INPUT,
-any image that OpenImageIO reads, in bands of rows, and writes a tiled TIFF (.tx, .tif, .tiff) or OpenEXR file
+any image that OpenImageIO reads, twice, in bands of rows, and writes a tiled TIFF (.tx, .tif, .tiff) or OpenEXR file
 (.exr, half and float) with all mip levels down to 1 x 1. The levels are exact averages of the input in linear
 light, for any size. They have the bits of the mip levels that libshd builds in memory. The image may be
 larger than memory, up to 1048576 pixels a side.
@@ -24,7 +25,11 @@ Three channels stay three; shd_texture_open(3) reads them as four. Numbers of le
 alpha is neither multiplied into the colour nor divided out of it, and a tag of the output says what it is.
 OpenEXR stores half and float only, and only colour that is multiplied by alpha.
 
-The output works in OpenImageIO's TextureSystem, too. It appears under its name when it is complete.)";
+Several INPUTs, and a name with <UDIM> in place of the numbers of a set, give a file each. Then OUTPUT is a
+folder, which ends in / or exists, or has <UDIM>, too.
+
+The output works in OpenImageIO's TextureSystem, too, and has the properties that maketx gives its files: format
+and wrap modes, oiio:AverageColor and oiio:SHA-1. It appears under its name when it is complete.)";
 
 const std::vector<Section> kSections = {
     {"Files",
@@ -34,9 +39,18 @@ const std::vector<Section> kSections = {
      "must belong to the user and be writable for no other."},
     {"Exit status",
      "0 done, 1 failed, 2 wrong options, 3 the input cannot be read or converted, 4 the output cannot be "
-     "written."},
-    {"Examples", "  shd-maketx --memory 256M earth.tif -o earth.tx"},
+     "written. Several files are all tried; the status is that of the first failure."},
+    {"Environment", "OCIO names the colour config of --colorconvert, instead of the one that libshd_color has."},
+    {"Examples",
+     "  shd-maketx --memory 256M earth.tif -o earth.tx\n"
+     "  shd-maketx -u 'skin.<UDIM>.exr' -o textures/\n"
+     "  shd-maketx --envlatl --filter lanczos sky.hdr -o sky.tx"},
     {"See also", "shd-render(1), shd-check(1), maketx(1)"}};
+
+const std::vector<Name<shd_mip_kernel>> kKernels = {{"box", SHD_MIP_KERNEL_BOX},
+                                                    {"triangle", SHD_MIP_KERNEL_TRIANGLE},
+                                                    {"kaiser", SHD_MIP_KERNEL_KAISER},
+                                                    {"lanczos", SHD_MIP_KERNEL_LANCZOS}};
 
 const std::vector<std::string> kOfTiff = {"zip", "none", "lzw", "packbits"},
                                kOfExr = {"zip", "none", "rle", "zips", "piz"};
@@ -59,6 +73,55 @@ Values tile_values(int& out) {
   return {"a multiple of 16 from 16 to 4096", {}, "64", read};
 }
 
+Values wrap_values(std::string& s, std::string& t) {
+  Values values = one_of(s, {"black", "clamp", "periodic", "mirror"});
+  values.read = [read = values.read, &s, &t](const std::string& text) {
+    if (!read(text)) return false;
+    return t = s, true;
+  };
+  return values;
+}
+
+Values content_values(Content& out, Content wanted) {
+  const auto read = [&out, wanted](const std::string&) {
+    refuse_if(out != Content::kPlain && out != wanted, "--envlatl and --lightprobe exclude each other");
+    return out = wanted, true;
+  };
+  return {"", {}, "", read};
+}
+
+/// Two names, with a line end between them.
+Values color_values(Options& out) {
+  const auto read = [&out](const std::string& text) {
+    const size_t end = text.find('\n');
+    if (end == std::string::npos) return false;
+    out.color_from = text.substr(0, end);
+    out.color_to = text.substr(end + 1);
+    return !out.color_from.empty() && !out.color_to.empty();
+  };
+  return {"two colour spaces", {}, "", read, true};
+}
+
+/// Properties that other options set, or that depend on the pixels.
+bool is_own(const std::string& name) {
+  static const char* const kOwn[] = {"compression", "wrapmodes", "textureformat", "planarconfig", "fovcot"};
+  for (const char* const prefix : {"oiio:", "tiff:", "openexr:", "shd:"}) {
+    if (name.rfind(prefix, 0) == 0) return true;
+  }
+  return std::find(std::begin(kOwn), std::end(kOwn), name) != std::end(kOwn);
+}
+
+Values attribute_values(std::vector<Attribute>& out) {
+  const auto read = [&out](const std::string& text) {
+    const size_t end = text.find('=');
+    if (end == std::string::npos || end == 0) return false;
+    out.push_back({text.substr(0, end), text.substr(end + 1)});
+    refuse_if(is_own(out.back().name), "--attrib: \"" + out.back().name + "\" is set by shd-maketx");
+    return true;
+  };
+  return {"NAME=VALUE", {}, "", read, true};
+}
+
 Values encoding_values(Encoding& out, Encoding wanted) {
   const auto read = [&out, wanted](const std::string&) {
     refuse_if(out != Encoding::kFile && out != wanted, "--srgb and --linear exclude each other");
@@ -72,7 +135,7 @@ Group image_options(Options& out) {
   compressions.insert(compressions.end(), kOfExr.begin() + 2, kOfExr.end());
   return {
       "Image",
-      {{"-o,--output", "FILE", file(out.output), "Where the file appears, whole or not at all."},
+      {{"-o,--output", "FILE", file(out.output), "Where the file appears, whole or not at all; or a folder."},
        {"--tile", "N", tile_values(out.tile), "Width and height of tiles."},
        {"--format", "F", initially(one_of(out.format, {"uint8", "uint16", "half", "float"}), "that of the input"),
         "Format of the numbers."},
@@ -84,7 +147,25 @@ Group image_options(Options& out) {
         "The image has unit vectors in three or four channels. Levels are renormalised, and a fourth channel gets the "
         "length of the mean."},
        {"--channels", "N", initially(number(out.channels, 1, 4), "all"), "Take the first N channels."},
-       {"--wrap", "W", one_of(out.wrap, {"black", "clamp", "periodic", "mirror"}), "Tag for other programs."},
+       {"--wrap", "W", wrap_values(out.wrap_s, out.wrap_t),
+        "What is beyond the edges, for other programs and for filters that are wider than the box."},
+       {"--swrap", "W", wrap_values(out.wrap_s, out.wrap_s), "The same across."},
+       {"--twrap", "W", wrap_values(out.wrap_t, out.wrap_t), "The same down."},
+       {"--filter", "F", named(out.kernel, kKernels),
+        "Filter of the levels. All but the box hold the image in memory."},
+       {"--envlatl", "", content_values(out.content, Content::kLatLong),
+        "The image has all directions, in latitude and longitude: periodic across, clamped down. TIFF only, because "
+        "texels of environments in OpenEXR lie on the borders."},
+       {"--lightprobe", "", content_values(out.content, Content::kProbe),
+        "The image is an angular probe, which becomes one for --envlatl, in memory: as wide, and half as high."},
+       {"--colorconvert", "FROM TO", color_values(out),
+        "Convert colours, by the config of OCIO or the built-in one, whose sRGB images are \"sRGB - Texture\" and "
+        "whose "
+        "linear spaces are \"Linear Rec.709\", ACEScg and ACES2065-1. Without --format, integers become half.",
+        2},
+       {"--checknan", "", flag(out.check_nan), "Refuse an image with a number that is NaN or infinite."},
+       {"--attrib", "NAME=VALUE", attribute_values(out.attributes),
+        "Property of the output: a whole number, a number, or else a text. May be given several times."},
        {"--compression", "C", one_of(out.compression, compressions),
         "TIFF has " + join(kOfTiff, " and ") + ", OpenEXR " + join(kOfExr, " and ") + "."}}};
 }
@@ -103,6 +184,8 @@ Group run_options(Options& out) {
        {"--stall-limit", "S", number(out.stall_limit, 0.1, 1e6, seconds), "Most time without a row from the decoder."},
        {"--time-limit", "S", initially(number(out.time_limit, 0.1, 1e6, seconds), "none"),
         "Most time of the run, which ends with status 1 and can be continued."},
+       {"-u,--update", "", flag(out.update),
+        "Make OUTPUT only if it is absent, or the input or the options have changed since it was made."},
        {"--force", "", flag(out.force),
         "Replace an existing OUTPUT, and begin anew beside an unfinished run of other options."},
        {"--quiet", "", flag(out.quiet), "No progress."}}};
@@ -112,20 +195,30 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-void check_together(const Options& options) {
-  refuse_if(options.input.empty(), "no INPUT");
-  refuse_if(options.output.empty(), "no OUTPUT: give it with -o");
-  const bool exr = ends_with(options.output, ".exr");
-  if (!exr && !ends_with(options.output, ".tx") && !ends_with(options.output, ".tif") &&
-      !ends_with(options.output, ".tiff")) {
-    ::refuse("--output", options.output, "a name that ends in .tx, .tif, .tiff or .exr");
+void check_file(const Options& options, const std::string& output) {
+  const bool exr = ends_with(output, ".exr");
+  if (!exr && !ends_with(output, ".tx") && !ends_with(output, ".tif") && !ends_with(output, ".tiff")) {
+    ::refuse("--output", output, "a name that ends in .tx, .tif, .tiff or .exr");
   }
   const std::vector<std::string>& known = exr ? kOfExr : kOfTiff;
   if (std::find(known.begin(), known.end(), options.compression) == known.end()) {
     ::refuse(exr ? "--compression of .exr" : "--compression of TIFF", options.compression, "one of " + join(known));
   }
   if (exr && options.format.rfind("uint", 0) == 0) ::refuse("--format of .exr", options.format, "half or float");
+  refuse_if(exr && options.content != Content::kPlain,
+            "--envlatl: texels of environments in OpenEXR lie on the borders: write .tx");
+}
+
+void check_together(const Options& options) {
+  refuse_if(options.inputs.empty(), "no INPUT");
+  refuse_if(options.output.empty(), "no OUTPUT: give it with -o");
+  refuse_if(options.normal && options.content != Content::kPlain, "--normal: vectors are no light of an environment");
+  refuse_if(options.normal && !options.color_from.empty(), "--normal: vectors are no colours for --colorconvert");
   refuse_if(options.normal && options.encoding == Encoding::kSrgb, "--normal: vectors are numbers, not --srgb");
+  refuse_if(!options.color_from.empty() && options.encoding != Encoding::kFile,
+            "--colorconvert names the colour space: no --srgb and no --linear");
+  if (is_folder(options.output)) return check_file(options, options.output + "/x.tx");
+  check_file(options, options.output);
 }
 
 }  // namespace
@@ -133,14 +226,12 @@ void check_together(const Options& options) {
 bool read_options(int argc, const char* const* argv, Options& out) {
   const Program program = {"shd-maketx",
                            "convert an image of any size to a tiled file with mip levels",
-                           "[options] INPUT -o OUTPUT",
+                           "[options] INPUT... -o OUTPUT",
                            kDescription,
                            {image_options(out), run_options(out)},
                            kSections};
-  std::vector<std::string> files;
-  if (!parse(program, argc, argv, files)) return false;
-  if (files.size() > 1) throw Failure(kExitUsage, "two inputs: \"" + files[0] + "\" and \"" + files[1] + "\"");
-  if (!files.empty()) out.input = files[0];
+  if (!parse(program, argc, argv, out.inputs)) return false;
+  if (out.content != Content::kPlain) out.wrap_s = "periodic", out.wrap_t = "clamp";
   check_together(out);
   return true;
 }

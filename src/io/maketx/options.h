@@ -2,15 +2,32 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include <shd/mip.h>
 
 enum class Encoding { kFile, kSrgb, kLinear };
 
+/// Meaning of the coordinates of the output.
+enum class Content { kPlain, kLatLong, kProbe };  // kProbe: an angular probe that becomes lat-long
+
+/// A property of the output.
+struct Attribute {
+  std::string name, value;
+};
+
 /// The command line of shd-maketx, checked.
 struct Options {
-  std::string input, output;
-  std::string format;  // "" = of the input, else uint8, uint16, half or float
+  std::vector<std::string> inputs;  // arguments of the command line
+  std::string input, output;        // names of one file and its output
+  std::string format;               // "" = of the input, else uint8, uint16, half or float
   std::string compression = "zip";
-  std::string wrap = "black";
+  std::string wrap_s = "black", wrap_t = "black";
+  Content content = Content::kPlain;
+  shd_mip_kernel kernel = SHD_MIP_KERNEL_BOX;
+  std::vector<Attribute> attributes;
+  std::string color_from, color_to;  // empty = no conversion
+  bool update = false, check_nan = false;
   Encoding encoding = Encoding::kFile;
   bool normal = false;
   int channels = 0;  // 0 = those of the file

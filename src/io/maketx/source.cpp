@@ -17,6 +17,7 @@
 #include "io/bitmap/transfer.h"
 #include "io/file/printable.h"
 #include "io/file/read_file.h"
+#include "texture/format/texel_codec.h"
 
 namespace {
 
@@ -58,25 +59,56 @@ const Storage* find_storage(const std::string& name, OIIO::TypeDesc type) {
 
 }  // namespace
 
-Source::Source(const Options& options) : options_(options), end_(options.time_limit > 0 ? options.time_limit : 1e9) {
+void check_time(const shd::io::Deadline& end) {
+  if (end.seconds_left() > 0) return;
+  throw Failure(kExitFailed, "not done within --time-limit: an unfinished run continues by the same command");
+}
+
+FileState file_state(const std::string& path) {
   struct stat status;
+  FileState state;
   try {
-    const shd::core::RegularFile input = shd::io::open_file(options.input.c_str());
-    if (::fstat(input.file.fd, &status) != 0) refuse(std::strerror(errno));
-    image_.file_bytes = input.size;
+    const shd::core::RegularFile file = shd::io::open_file(path.c_str());
+    if (::fstat(file.file.fd, &status) != 0) throw Failure(kExitInput, std::strerror(errno));
+    state.bytes = file.size;
   } catch (const shd::core::Failure& failure) {
     throw Failure(kExitInput, failure.what());
   }
-  if (image_.file_bytes == 0) refuse("the file is empty");
-  image_.changed = int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec;
+  if (state.bytes == 0) throw Failure(kExitInput, "\"" + shd::io::printable(path) + "\": the file is empty");
+  state.changed = int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec;
+  return state;
+}
+
+Source::Source(const Options& options, const shd::io::Deadline& end, const std::string& path)
+    : options_(options), path_(path), end_(end), state_(file_state(path)) {
   start();
+}
+
+Source::Source(const Options& options, const shd::io::Deadline& end, const Converter* converter)
+    : options_(options), path_(options.input), end_(end), converter_(converter), state_(file_state(path_)) {
+  start();
+  image_.changed = state_.changed;
+  describe(receive_description());
+  const OIIO::TypeDesc wire = converter_ ? OIIO::TypeFloat : image_.type;
+  const DecodeRows rows = {static_cast<int32_t>(image_.channels), wire.basetype, step_};
+  send(&rows, sizeof rows);
+  left_ = image_.height;
+}
+
+std::string Source::stored_key(const Options& options, const std::string& path) {
+  const shd::io::Deadline end(options.stall_limit);
+  try {
+    return text_of(Source(options, end, path).receive_description().key);
+  } catch (const Failure&) {
+    return "";
+  }
+}
+
+Description Source::receive_description() {
   Description file;
   (void)receive_piece(PieceKind::kDescription, 1);
   receive(&file, sizeof file);
-  describe(file);
-  const DecodeRows rows = {static_cast<int32_t>(image_.channels), image_.type.basetype, step_};
-  send(&rows, sizeof rows);
-  left_ = image_.height;
+  return file;
 }
 
 void Source::start() {
@@ -87,24 +119,19 @@ void Source::start() {
   socket_ = shd::io::FileDescriptor(ends[0]);
   const shd::io::FileDescriptor theirs(ends[1]);
   decoder_.pid = shd::io::start_process("/proc/self/exe", theirs.fd, kDecoderArgument);
-  const std::string path = std::filesystem::absolute(options_.input).string();  // the decoder has another folder
+  const std::string path = std::filesystem::absolute(path_).string();  // the decoder has another folder
   DecodeFile file = {};
   if (path.size() >= sizeof file.path) refuse("the path is too long");
   const unsigned threads =
       options_.threads ? static_cast<unsigned>(options_.threads) : std::thread::hardware_concurrency();
-  file.memory = kCodecMemory + threads * kThreadMemory + 8 * options_.memory + 3 * image_.file_bytes;
+  file.memory = kCodecMemory + threads * kThreadMemory + 8 * options_.memory + 3 * state_.bytes;
   file.threads = options_.threads;
   path.copy(file.path, path.size());
   send(&file, sizeof file);
 }
 
 void Source::refuse(const std::string& what) const {
-  throw Failure(kExitInput, "\"" + shd::io::printable(options_.input) + "\": " + what);
-}
-
-void Source::check_time() const {
-  if (end_.seconds_left() > 0) return;
-  throw Failure(kExitFailed, "not done within --time-limit: an unfinished run continues by the same command");
+  throw Failure(kExitInput, "\"" + shd::io::printable(path_) + "\": " + what);
 }
 
 /// Refuses the input because the decoder has ended, or sends nothing.
@@ -112,7 +139,7 @@ void Source::refuse_end(shd::io::Stream stream) {
   const pid_t pid = std::exchange(decoder_.pid, 0);
   if (stream == shd::io::Stream::kLate) {
     shd::io::kill_process(pid);
-    check_time();
+    check_time(end_);
     char limit[32];
     std::snprintf(limit, sizeof limit, "%g", options_.stall_limit);
     refuse(std::string("the decoder has sent nothing for ") + limit + " s (--stall-limit)");
@@ -165,7 +192,8 @@ void Source::describe(const Description& file) {
   if (options_.normal && channels < 3) refuse("--normal needs 3 or 4 channels, not " + text(channels));
   if (file.base_type < 0 || file.base_type >= OIIO::TypeDesc::LASTBASE) refuse("numbers of no known type");
   const OIIO::TypeDesc type(static_cast<OIIO::TypeDesc::BASETYPE>(file.base_type));
-  const Storage* const storage = find_storage(options_.format, type);
+  const bool widens = converter_ && options_.format.empty() && type != OIIO::TypeFloat;
+  const Storage* const storage = find_storage(widens ? "half" : options_.format, type);
   if (!storage) refuse(std::string("numbers of type ") + type.c_str() + ": choose another one with --format");
   image_.width = static_cast<uint32_t>(file.width);
   image_.height = static_cast<uint32_t>(file.height);
@@ -175,7 +203,12 @@ void Source::describe(const Description& file) {
   image_.alpha = file.alpha >= 0 && file.alpha < channels ? file.alpha : -1;
   image_.straight = image_.alpha >= 0 && file.straight != 0;
   choose_names(file);
-  choose_encoding(text_of(file.color_space), storage->name);
+  if (converter_) {
+    if (channels < 3) refuse("--colorconvert needs 3 or 4 channels, not " + text(channels));
+    choose_converted();
+  } else {
+    choose_encoding(text_of(file.color_space), storage->name);
+  }
   choose_step(static_cast<uint32_t>(file.tile_height));
 }
 
@@ -195,11 +228,22 @@ void Source::choose_names(const Description& file) {
 /// Rows of a piece: whole tiles, or blocks of lines.
 void Source::choose_step(uint32_t tile_height) {
   constexpr uint64_t kLargest = uint64_t{4} << 20, kBlock = 64;
-  const uint64_t bytes = std::min(kLargest, options_.memory / 8), row = image_.row_size();
+  const uint64_t bytes = std::min(kLargest, options_.memory / 8), row = wire_row();
   const uint64_t block = tile_height ? tile_height : kBlock;
   uint64_t rows = std::max<uint64_t>(bytes / (row * block), 1) * block;
   if (tile_height == 0) rows = std::min(rows, std::max<uint64_t>(bytes / row, 1));
   step_ = static_cast<uint32_t>(std::min<uint64_t>(rows, image_.height));
+}
+
+size_t Source::wire_row() const {
+  return converter_ ? size_t{image_.width} * image_.channels * sizeof(float) : image_.row_size();
+}
+
+/// A conversion may make sRGB codes of 8 bits: levels are averages of their light.
+void Source::choose_converted() {
+  image_.color_space = options_.color_to;
+  const bool srgb = shd::io::transfer_of(options_.color_to).curve == shd::io::Curve::kSrgb;
+  if (srgb && image_.component == Component::kUnorm8) image_.component = Component::kSrgb8;
 }
 
 void Source::choose_encoding(const std::string& said, const char* type) {
@@ -211,6 +255,7 @@ void Source::choose_encoding(const std::string& said, const char* type) {
   if (!linear && !srgb && curve != shd::io::Curve::kLinear) {
     refuse("colour space \"" + shd::io::printable(space) + "\": say --srgb or --linear");
   }
+  image_.color_space = srgb ? "sRGB" : "Linear";
   if (!srgb) return;
   if (image_.component != Component::kUnorm8) {
     refuse(std::string("sRGB-encoded numbers of type ") + type +
@@ -220,7 +265,42 @@ void Source::choose_encoding(const std::string& said, const char* type) {
 }
 
 void Source::read(uint32_t count, uint8_t* out) {
-  const size_t row = image_.row_size();
+  check_time(end_);
+  if (!converter_) return read_wire(count, out);
+  std::vector<float> row(wire_row() / sizeof(float));
+  for (uint32_t y = 0; y < count; ++y) {
+    read_wire(1, reinterpret_cast<uint8_t*>(row.data()));
+    convert(row.data(), out + y * image_.row_size());
+  }
+}
+
+/// Converts a row. Colour that is multiplied by alpha is divided by it for the conversion.
+void Source::convert(const float* row, uint8_t* out) const {
+  const size_t channels = image_.channels;
+  const auto alpha_of = [&](const float* pixel) {
+    return image_.alpha == 3 && !image_.straight && pixel[3] > 0 ? pixel[3] : 1.0f;
+  };
+  std::vector<float> rgba(size_t{4} * image_.width, 1.0f);
+  for (size_t x = 0; x < image_.width; ++x) {
+    const float* const pixel = row + x * channels;
+    for (size_t c = 0; c < 3; ++c) rgba[4 * x + c] = pixel[c] / alpha_of(pixel);
+  }
+  converter_->convert(rgba.data(), image_.width);
+  const Component stored = image_.component == Component::kSrgb8 ? Component::kUnorm8 : image_.component;
+  const shd::texture::TexelCodec& codec = shd::texture::codec_of(stored, channels);
+  for (size_t x = 0; x < image_.width; ++x) {
+    const float* const pixel = row + x * channels;
+    double numbers[4];
+    for (size_t c = 0; c < channels; ++c) {
+      const float value = c < 3 ? rgba[4 * x + c] * alpha_of(pixel) : pixel[c];
+      numbers[c] = codec.clamp(c, static_cast<double>(value) * codec.one[c]);
+    }
+    codec.store(numbers, 1, out + x * codec.size);
+  }
+}
+
+void Source::read_wire(uint32_t count, uint8_t* out) {
+  const size_t row = wire_row();
   while (count > 0) {
     if (piece_ == 0) {
       piece_ = receive_piece(PieceKind::kRows, left_);

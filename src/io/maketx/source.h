@@ -10,6 +10,7 @@
 #include "image/format.h"
 #include "io/file/file_descriptor.h"
 #include "io/file/limits.h"
+#include "io/maketx/color.h"
 #include "io/maketx/decoder.h"
 #include "io/maketx/options.h"
 #include "io/worker/child_process.h"
@@ -23,34 +24,68 @@ struct Image {
   int alpha = -1;         // channel, -1 = none
   bool straight = false;  // alpha is not multiplied into the colour
   std::vector<std::string> names;
-  uint64_t file_bytes = 0;
-  int64_t changed = 0;  // time of the last change [ns]
+  std::string color_space;  // "sRGB", "Linear", or that of --colorconvert
+  int64_t changed = 0;      // time of the last change of the file [ns]
 
+  bool operator==(const Image& other) const {
+    return width == other.width && height == other.height && channels == other.channels &&
+           component == other.component && alpha == other.alpha && straight == other.straight && names == other.names &&
+           color_space == other.color_space && changed == other.changed;
+  }
   size_t pixel_size() const { return shd::image::format_info(channels, component).pixel_size; }
   size_t row_size() const { return width * pixel_size(); }
 };
 
+/// A regular file that is not empty.
+struct FileState {
+  uint64_t bytes = 0;
+  int64_t changed = 0;  // time of the last change [ns]
+};
+
+/// The state of an input. Throws Failure (kExitInput).
+FileState file_state(const std::string& path);
+
+/// Ends a run that takes longer than --time-limit. Throws Failure (kExitFailed).
+void check_time(const shd::io::Deadline& end);
+
+/// The rows of an image, from the top.
+class Rows {
+ public:
+  virtual ~Rows() = default;
+  virtual const Image& image() const = 0;
+  /// Rows that are in memory beside those that read() fills.
+  virtual uint32_t step() const = 0;
+  /// Reads the next `count` rows.
+  virtual void read(uint32_t count, uint8_t* out) = 0;
+};
+
 /// The input, which a decoder reads in another process. Throws Failure: kExitInput for what cannot be read or
 /// converted, also if the decoder dies or stops; kExitFailed after --time-limit.
-class Source {
+class Source : public Rows {
  public:
-  explicit Source(const Options& options);
-  const Image& image() const { return image_; }
-  /// Rows that the decoder has in memory.
-  uint32_t step() const { return step_; }
-  /// Reads the next `count` rows.
-  void read(uint32_t count, uint8_t* out);
-  /// Ends a run that takes longer than --time-limit.
-  void check_time() const;
+  /// @param end        end of the run
+  /// @param converter  null = no conversion of colours
+  Source(const Options& options, const shd::io::Deadline& end, const Converter* converter);
+  const Image& image() const override { return image_; }
+  uint32_t step() const override { return step_; }
+  void read(uint32_t count, uint8_t* out) override;
+  /// The key of the file that an earlier run has made, "" if it has none or cannot be read.
+  static std::string stored_key(const Options& options, const std::string& path);
 
  private:
+  Source(const Options& options, const shd::io::Deadline& end, const std::string& path);
   struct Process {
     pid_t pid = 0;
     ~Process() { shd::io::kill_process(pid); }
   };
   void start();
+  Description receive_description();
+  void read_wire(uint32_t count, uint8_t* out);
+  void convert(const float* row, uint8_t* out) const;
+  size_t wire_row() const;
   void describe(const Description& file);
   void choose_encoding(const std::string& said, const char* type);
+  void choose_converted();
   void choose_names(const Description& file);
   void choose_step(uint32_t tile_height);
   [[noreturn]] void refuse(const std::string& what) const;
@@ -61,7 +96,10 @@ class Source {
   shd::io::Deadline deadline() const;
 
   const Options& options_;
-  const shd::io::Deadline end_;  // end of the run
+  const std::string path_;
+  const shd::io::Deadline& end_;
+  const Converter* const converter_ = nullptr;
+  FileState state_;
   Image image_;
   uint32_t step_ = 1;
   Process decoder_;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "io/maketx/target.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <utility>
 
 #include "command/failure.h"
+#include "command/values.h"
 #include "io/file/printable.h"
 #include "texture/store/storage.h"
 
@@ -25,6 +28,18 @@ std::string date_of(const Image& image) {
   return text;
 }
 
+void set_attribute(const Attribute& attribute, OIIO::ImageSpec& spec) {
+  int whole = 0;
+  float number = 0;
+  if (command::read_number(attribute.value, whole)) {
+    spec.attribute(attribute.name, whole);
+  } else if (command::read_number(attribute.value, number)) {
+    spec.attribute(attribute.name, number);
+  } else {
+    spec.attribute(attribute.name, attribute.value);
+  }
+}
+
 OIIO::ImageSpec make_spec(const Options& options, const Image& image) {
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), static_cast<int>(image.channels),
                        image.type);
@@ -33,11 +48,13 @@ OIIO::ImageSpec make_spec(const Options& options, const Image& image) {
   spec.tile_width = spec.tile_height = options.tile;
   spec.attribute("compression", options.compression);
   spec.attribute("planarconfig", "contig");
-  spec.attribute("textureformat", "Plain Texture");
-  spec.attribute("wrapmodes", options.wrap + "," + options.wrap);
-  spec.attribute("oiio:ColorSpace", image.component == shd::image::Component::kSrgb8 ? "sRGB" : "Linear");
+  spec.attribute("textureformat", options.content == Content::kPlain ? "Plain Texture" : "LatLong Environment");
+  spec.attribute("wrapmodes", options.wrap_s + "," + options.wrap_t);
+  spec.attribute("fovcot", static_cast<float>(image.width) / static_cast<float>(image.height));
+  spec.attribute("oiio:ColorSpace", image.color_space);
   spec.attribute("DateTime", date_of(image));
-  spec.attribute("Software", "shd-maketx");
+  // OpenImageIO uses the hash and the colours of files alone whose Software begins with "OpenImageIO" or "maketx".
+  spec.attribute("Software", "maketx (shd-maketx)");
   if (image.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("tiff:half", 1);
   // Decided by the size of the numbers, because the size of compressed tiles is not known.
@@ -45,6 +62,7 @@ OIIO::ImageSpec make_spec(const Options& options, const Image& image) {
   spec.attribute("tiff:bigtiff", bytes > 3.9e9 ? 1 : 0);
   spec.attribute("openexr:levelmode", 1);     // mip levels
   spec.attribute("openexr:roundingmode", 0);  // sizes are rounded down
+  for (const Attribute& attribute : options.attributes) set_attribute(attribute, spec);
   return spec;
 }
 
@@ -68,6 +86,50 @@ Target::Target(const Options& options, const Image& image)
   }
   output_ = OIIO::ImageOutput::create(exr_ ? "openexr" : "tiff");
   if (!output_) refuse("cannot create", OIIO::geterror());
+  if (!options.attributes.empty()) check_attributes(options);
+}
+
+/// Writes one tile into memory, and refuses properties that are not in it.
+void Target::check_attributes(const Options& options) const {
+  OIIO::ImageSpec spec = spec_;
+  spec.width = spec.full_width = spec.height = spec.full_height = spec.tile_width = spec.tile_height = 16;
+  spec.erase_attribute("openexr:levelmode");
+  spec.erase_attribute("oiio:ColorSpace");  // OpenImageIO 2.4 spoils TIFF files in memory by it
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput out(bytes);
+  const auto output = OIIO::ImageOutput::create(exr_ ? "openexr" : "tiff");
+  const std::vector<uint8_t> tile(256 * spec.pixel_bytes());
+  output->set_ioproxy(&out);
+  if (!output->open(exr_ ? "x.exr" : "x.tif", spec) || !output->write_tile(0, 0, 0, type_, tile.data()) ||
+      !output->close()) {
+    refuse("cannot store the properties of --attrib", output->geterror());
+  }
+  OIIO::Filesystem::IOMemReader in(bytes.data(), bytes.size());
+  const auto input = OIIO::ImageInput::open(exr_ ? "x.exr" : "x.tif", nullptr, &in);
+  if (!input) refuse("cannot store the properties of --attrib", OIIO::geterror());
+  for (const Attribute& attribute : options.attributes) {
+    if (input->spec().find_attribute(attribute.name)) continue;
+    throw Failure(kExitUsage, "--attrib: " + std::string(exr_ ? "OpenEXR" : "TIFF") +
+                                  " files of OpenImageIO have no \"" + shd::io::printable(attribute.name) + "\"" +
+                                  (exr_ ? "" : ": write .exr"));
+  }
+}
+
+void Target::mark(const Marks& marks) {
+  const std::pair<const char*, const std::string&> texts[] = {{"oiio:SHA-1", marks.hash},
+                                                              {"oiio:ConstantColor", marks.constant},
+                                                              {"oiio:AverageColor", marks.average},
+                                                              {kKeyAttribute, marks.key}};
+  std::string description = spec_.get_string_attribute("ImageDescription");
+  for (const auto& [name, text] : texts) {
+    if (text.empty()) continue;
+    if (exr_) {
+      spec_.attribute(name, text);
+    } else {
+      description += (description.empty() ? "" : " ") + std::string(name) + "=" + text;  // TIFF has no other place
+    }
+  }
+  if (!exr_) spec_.attribute("ImageDescription", description);
 }
 
 void Target::refuse(const std::string& action, const std::string& reason) const {

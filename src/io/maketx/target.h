@@ -8,10 +8,18 @@
 #include "io/file/file_descriptor.h"
 #include "io/maketx/source.h"
 
+/// Properties of an output that are known after its pixels.
+struct Marks {
+  std::string hash, average, constant;  // as Stats has them
+  std::string key;                      // checksum of input and options, for -u
+};
+
 /// The tiled file. Throws Failure (kExitOutput).
 class Target {
  public:
   Target(const Options& options, const Image& image);
+  /// Adds these properties to the header, before open().
+  void mark(const Marks& marks);
   /// Takes the file to write, which is empty.
   void open(shd::io::FileDescriptor file);
   /// Begins level 0, then 1 and so on.
@@ -22,6 +30,7 @@ class Target {
   void finish();
 
  private:
+  void check_attributes(const Options& options) const;
   [[noreturn]] void refuse(const std::string& action, const std::string& reason) const;
   bool write_tile(uint32_t x, uint32_t y, uint32_t width, uint32_t height, const uint8_t* texels, size_t stride);
   bool write_tiles(uint32_t y, uint32_t count, const uint8_t* rows);

@@ -40,13 +40,22 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
   spec.alpha_channel = job.alpha;
   if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
   // OpenImageIO would write the time of day; the constant makes the file depend on the pixels alone.
-  if (std::strcmp(job.writer, "openexr") == 0) spec.attribute("DateTime", "1970:01:01 00:00:00");
+  if (std::strcmp(job.writer, "openexr") == 0 || std::strcmp(job.writer, "tiff") == 0)
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
   // With an sRGB tag, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone, which is
   // unreadable.
   const bool tagged = job.color_space[0] != 0 && std::strcmp(job.writer, "tiff") != 0;
   if (tagged) spec.attribute("oiio:ColorSpace", job.color_space);
   if (std::strcmp(job.writer, "openexr") == 0 && std::strcmp(job.color_space, "Linear") == 0) {
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709);
+  }
+  if (!job.compression.empty()) spec.attribute("compression", job.compression);
+  for (const EncodeAttribute& attribute : job.attributes) {
+    if (attribute.matrix.empty()) {
+      spec.attribute(attribute.name, attribute.text);
+    } else {
+      spec.attribute(attribute.name, OIIO::TypeMatrix, attribute.matrix.data());
+    }
   }
   return spec;
 }

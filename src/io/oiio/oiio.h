@@ -32,6 +32,13 @@ struct EncodeChannel {
   Sample sample;
 };
 
+/// A text, or a matrix of 16 floats, in the header of a file.
+struct EncodeAttribute {
+  std::string name;
+  std::string text;
+  std::vector<float> matrix;  // empty = text
+};
+
 /// A file to be written. `row` fills one row: [width] pixels, each with its channels in order, packed, native endian.
 struct EncodeJob {
   const char* writer = "";  // name of the format in OpenImageIO
@@ -41,6 +48,8 @@ struct EncodeJob {
   int alpha = -1;                // index of the alpha channel, -1 = none
   bool straight = false;         // alpha is not multiplied into the colour
   const char* color_space = "";  // tag: "sRGB", "Linear" or "" for none
+  std::string compression;       // as OpenImageIO has it, such as "jpeg:95"; "" = that of the format
+  std::vector<EncodeAttribute> attributes;
   void (*row)(const void* user_data, uint32_t y, unsigned char* out) = nullptr;
   const void* user_data = nullptr;
 };

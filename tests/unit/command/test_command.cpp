@@ -40,7 +40,8 @@ struct Settings {
                {"--limit", "X", number(limit, 0, 1), "Limit."},
                {"--color", "C", named(color, kColors), "Colour."},
                {"--first", "T", {"", {}, "", note}, "First."},
-               {"--second", "T", {"", {}, "", note}, "Second."}}}},
+               {"--second", "T", {"", {}, "", note}, "Second."},
+               {"--pair", "A B", {"two words", {}, "", note}, "Pair.", 2}}}},
             {{"Exit status", "0 or 2."}}};
   }
 
@@ -67,6 +68,10 @@ void test_values(void**) {
   assert_true(s.color == Color::kBlue && s.output == "result");
   assert_string_equal(s.log.c_str(), "213");  // in the order of the line
   assert_true(s.files == (std::vector<std::string>{"a", "--fast", "-"}));
+  Settings two;
+  assert_string_equal(two.read({"--pair", "x y", "z", "file", "--count", "3"}).c_str(), "");
+  assert_string_equal(two.log.c_str(), "x y\nz");
+  assert_true(two.files == std::vector<std::string>{"file"} && two.count == 3);
 }
 
 void test_refusals(void**) {
@@ -91,6 +96,10 @@ void test_refusals(void**) {
       {{"-o", ""}, "--output: \"\" is not the name of a file"},
       {{"--count"}, "--count needs a value: a whole number 0..9"},
       {{"--first"}, "--first needs a value"},
+      {{"-o"}, "--output needs a value: the name of a file"},
+      {{"--pair"}, "--pair needs a value: two words"},
+      {{"--pair", "x"}, "--pair needs a value: two words"},
+      {{"a", "--pair", "x", "--fast"}, "--pair needs a value: two words"},
       {{"--fast=1"}, "--fast takes no value"},
       {{"--cuont", "3"}, "--cuont is not an option: did you mean --count?"},
       {{"-count=3"}, "-count is not an option: did you mean --count?"},
