@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Writes a table of lookups by a texture unit with one bug, for tests of shd-check.
 //   lookup_table FOLDER KEY=VALUE...
-// FOLDER receives level0.npy, level1.npy ... and lookups.csv. Keys: width height layers rows seed; format (rgba8, srgb8);
-// cube (1 = six faces); filter wrap_u wrap_v (numbers of the API); bias lod_min lod_max max_anisotropy; lod (1 = a column
-// lod, no derivatives); and those of the unit: bug (a name below) a b option subtexel_bits level_bits weight_bits
-// result_bits.
+// FOLDER receives level0.npy, level1.npy ... and lookups.csv.
+// Keys of the texture: width height layers seed, format (rgba8, srgb8), cube (1 = six faces).
+// Keys of the sampler: filter wrap_u wrap_v (numbers of the API) bias lod_min lod_max max_anisotropy.
+// Keys of the lookups: rows, lod (1 = a column lod, no derivatives).
+// Keys of the unit: bug (a name below) a b option subtexel_bits level_bits weight_bits result_bits.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -299,6 +299,7 @@ void add_precision(List& list) {
              [=](Case& judged) { judged.bounds.*field = value; });
   };
   error("relative-error", &shd_bounds_desc::relative_error, 1.0f / 2048.0f, "results are half floats");
+  error("coordinate-error", &shd_bounds_desc::coordinate_error, 1.0f / 65536.0f, "coordinates have 16 bits");
   error("coordinate-error", &shd_bounds_desc::coordinate_error, 1.0f / 2048.0f, "coordinates are half floats");
   if (list.base.decode == Decode::kSrgb)
     error("srgb-error", &shd_bounds_desc::srgb_error, 1.0f, "decoded sRGB texels are a code off");
