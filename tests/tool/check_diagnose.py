@@ -11,8 +11,11 @@ import csv
 import json
 import pathlib
 import random
+import struct
 import subprocess
 import sys
+
+from check_shd_check import npy
 
 ROWS = 200
 NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP, TRILINEAR, ANISOTROPIC = 1, 2, 4, 5, 0, 8
@@ -194,6 +197,30 @@ def check_garbage(bench):
         assert "diagnosis by" not in output and "with --" not in output
 
 
+def check_formats(bench):
+    """Comparisons, and texels that are no codes. Nearest lookups of the centres of 8 x 8 texels."""
+    numbers = random.Random(3)
+    centres = [(numbers.randrange(8), numbers.randrange(8)) for _ in range(ROWS)]
+    image, table = bench.folder / "texels.npy", bench.folder / "texels.csv"
+    arguments = ["--filter", "nearest", "--diagnose", "--list", "0", image, table]
+    codes = [numbers.randrange(256) for _ in range(64)]
+    npy(image, "'|u1'", "(8, 8)", bytes(codes))
+    references = [numbers.random() for _ in centres]
+    write(table, [{"u": (x + 0.5) / 8, "v": (y + 0.5) / 8, "reference": z, "r": float(z >= codes[8 * y + x] / 255)}
+                  for (x, y), z in zip(centres, references)])
+    bench.expect("comparison", ["--compare", "less", *arguments], 1,
+                 f"legal in {ROWS} of {ROWS} with --compare greater-equal\n")
+    for type_ in "ef":
+        data = struct.pack(f"<192{type_}", *(numbers.random() for _ in range(192)))
+        texels = struct.unpack(f"<192{type_}", data)
+        npy(image, f"'<f{len(data) // 192}'", "(8, 8, 3)", data)
+        write(table, [{"u": (x + 0.5) / 8, "v": (y + 0.5) / 8,
+                       **{name: decode(texels[3 * (8 * y + x) + c]) for name, c in zip("rgb", (2, 1, 0))}}
+                      for x, y in centres])
+        bench.expect(f"floats {type_}", arguments, 1,
+                     f"legal in {ROWS} of {ROWS} with --assume order-bgr,srgb-decoded-again\n")
+
+
 def check_edges(bench):
     files = bench.make("edges", "wrap_u=1 wrap_v=1 bug=none", rows=64)
     path = files[-1]
@@ -289,6 +316,7 @@ def main():
     check_planted(bench)
     check_right(bench)
     check_garbage(bench)
+    check_formats(bench)
     check_edges(bench)
     check_reports(bench)
     check_page(bench, pathlib.Path(sys.argv[4]))

@@ -9,7 +9,7 @@
 namespace {
 
 // A part of the rows represents a large table: most refused rows, and most legal rows.
-constexpr size_t kMostRows = 8192;
+constexpr size_t kMostRows = 2048;
 // A pair is tried on refused rows first, then on some of both kinds. The best pairs are tried on all chosen rows.
 constexpr size_t kFirstRows = 12, kFirstLegal = 8, kPairRows = 32, kMostPairs = 24;
 // Findings, and those of them that stand beside complete ones.
@@ -98,6 +98,18 @@ std::vector<Score> try_pairs(Textures& textures, const std::vector<Hypothesis>& 
   return scores;
 }
 
+/// Keeps the best scores, judged on all rows: complete ones, and two beside them.
+void judge_best(Textures& textures, const Sample& whole, std::vector<Score>* scores) {
+  size_t count = 0, complete = 0;
+  while (count < std::min(scores->size(), kMostShown) && (complete == 0 || count < complete + kMostBeside)) {
+    Score& score = (*scores)[count++];
+    score = score_of(textures, whole, score.parts);
+    complete += score.legal == whole.rows.count();
+  }
+  scores->resize(count);
+  rank(scores);
+}
+
 /// Joins options; names of --assume become one list.
 Finding finding_of(const Score& score) {
   Finding out = {"", "", score.legal, score.explained};
@@ -146,11 +158,7 @@ Diagnosis diagnose(Textures& textures, const Case& judged, const std::vector<boo
   }
   const Sample whole = sample_of(judged, bad, good, judged.count());
   const auto complete = [&](const Score& score) { return score.legal == out.rows; };
-  if (whole.rows.count() > sample.rows.count()) {
-    scores.resize(std::min(scores.size(), 2 * kMostShown));
-    for (Score& score : scores) score = score_of(textures, whole, score.parts);
-    rank(&scores);
-  }
+  if (whole.rows.count() > sample.rows.count()) judge_best(textures, whole, &scores);
   out.complete = static_cast<size_t>(std::count_if(scores.begin(), scores.end(), complete));
   out.best = finding_of(scores.front());
   const size_t most = out.complete ? std::min(out.complete + kMostBeside, kMostShown) : kMostShown;
