@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // shd-check: judges texture lookups of any implementation by <shd/bounds.h>.
-#include <cstdio>
+#include <algorithm>
 
 #include "command/program.h"
-#include "tool/check/judge.h"
-#include "tool/check/picture.h"
+#include "tool/check/report.h"
 
 namespace {
 
@@ -24,45 +23,33 @@ void add_results(shd_context* context, const Options& options, size_t channels, 
   }
 }
 
-int judge(const Options& options, const Case& judged) {
-  const Bounds bounds = find_bounds(judged, options.bounds);
-  size_t illegal = 0;
-  for (size_t row = 0; row < judged.lookups.count; ++row) {
-    const int channel = worst_channel(judged, bounds, row);
-    if (channel < 0) continue;
-    if (illegal++ < options.list) describe(judged, bounds, row, channel);
+int judge(const Options& options, Textures& textures, const Case& judged) {
+  const Bounds bounds = find_bounds(textures, judged);
+  Verdict verdict;
+  verdict.refusals = find_refusals(judged, bounds);
+  for (size_t i = 0; i < std::min(verdict.refusals.size(), options.list); ++i)
+    describe(textures, judged, bounds, verdict.refusals[i]);
+  summarize(judged, verdict.refusals);
+  if (options.diagnose) {
+    std::vector<bool> refused(judged.count(), false);
+    for (const Refusal& refusal : verdict.refusals) refused[refusal.place] = true;
+    verdict.diagnosed = true;
+    verdict.diagnosis = diagnose(textures, judged, refused);
+    print_diagnosis(verdict.diagnosis);
   }
-  std::printf("%zu of %zu lookups are not legal\n", illegal, judged.lookups.count);
-  return illegal ? kExitFailed : kExitOk;
+  if (!options.report.empty()) write_report(options.report, judged, bounds, verdict);
+  return verdict.refusals.empty() ? kExitOk : kExitFailed;
 }
 
-/// Handles of a run, released at its end.
-struct Handles {
-  shd_context* context = nullptr;
-  shd_texture* texture = nullptr;
-  shd_sampler* sampler = nullptr;
-
-  ~Handles() {
-    shd_sampler_release(sampler);
-    shd_texture_release(texture);
-    shd_context_release(context);
-  }
-};
-
-int run(Options options) {
-  Handles handles;
-  check(shd_context_create(nullptr, &handles.context), "context");
-  // The probes and levels that are printed are those of the API.
-  options.sampler.profile = options.rules == SHD_RULES_D3D11 ? SHD_PROFILE_D3D11 : SHD_PROFILE_VULKAN;
-  check(shd_sampler_create(handles.context, &options.sampler, &handles.sampler), "sampler", kExitUsage);
+int run(const Options& options) {
+  Context context;
+  check(shd_context_create(nullptr, context.out()), "context");
   Table table = read_table(options.lookups, options.columns);
-  handles.texture = make_texture(handles.context, options);
-  if (!options.results.empty()) add_results(handles.context, options, channels_of(handles.texture), &table);
-  std::vector<uint32_t> layers;
-  Case judged = make_case(options, table, &layers);
-  judged.texture = handles.texture;
-  judged.sampler = handles.sampler;
-  return judge(options, judged);
+  Textures textures(context.get(), options);
+  if (!options.results.empty()) add_results(context.get(), options, channels_of(textures.base()), &table);
+  Case judged = make_case(options, table);
+  assume(options.assumed, textures, judged);
+  return judge(options, textures, judged);
 }
 
 }  // namespace

@@ -23,8 +23,11 @@ float32, or an image file that libshd_io reads. LOOKUPS is one of
 Columns: u v w dudx dvdx dwdx dudy dvdy dwdy lod reference layer, and the results r g b a.)";
 
 const std::vector<Section> kSections = {
-    {"Exit status", "0 all results are legal, 1 some are not, 2 wrong options, 3 a file cannot be read."},
+    {"Exit status",
+     "0 all results are legal, 1 some are not, 2 wrong options, 3 a file cannot be read, 4 the "
+     "report cannot be written."},
     {"Examples", R"(  shd-check --filter bilinear --wrap clamp texture.png lookups.csv
+  shd-check --diagnose --wrap repeat texture.png lookups.csv
   shd-check --rules d3d11 --results picture.exr texture.npy lookups.npy)"},
     {"See also", "shd-render(1), shd-maketx(1)"}};
 
@@ -60,6 +63,16 @@ Values column_values(std::vector<std::string>& columns) {
   return {"", {}, "u,v,dudx,dvdx,dudy,dvdy,r,g,b,a", read};
 }
 
+Values report_values(std::string& out) {
+  const auto read = [&out](const std::string& text) {
+    const auto ends = [&text](const std::string& end) {
+      return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+    };
+    return out = text, ends(".csv") || ends(".json");
+  };
+  return {"the name of a file that ends in .csv or .json", {}, "", read, true};
+}
+
 Group file_options(Options& out) {
   return {"Files",
           {{"--results", "FILE", file(out.results),
@@ -70,7 +83,23 @@ Group file_options(Options& out) {
            {"--level", "FILE", level_values(out.levels),
             "Mip level 1, then 2 and so on, in place of averages. Repeatable."},
            {"--no-mipmap", "", flag(out.mipmap, false), "Level 0 alone."},
-           {"--list", "N", number(out.list, 0, 1e15), "Most illegal lookups to describe."}}};
+           {"--report", "FILE", report_values(out.report),
+            "Verdicts as a table of all lookups (.csv), or of the illegal ones with the diagnosis (.json)."},
+           {"--list", "N", number(out.list, 0, 1e15), "Most illegal lookups to describe, the farthest first."}}};
+}
+
+Values name_values(std::vector<std::string>& names) {
+  const auto read = [&names](const std::string& text) { return names = split(text, ','), true; };
+  return {"", {}, "", read};
+}
+
+Group diagnosis_options(Options& out) {
+  return {"Diagnosis",
+          {{"--diagnose", "", flag(out.diagnose),
+            "Judge the table under other hypotheses, such as another wrap or a shift of half a texel, and print those "
+            "that make most lookups legal."},
+           {"--assume", "NAMES", name_values(out.assumed),
+            "Judge under hypotheses that --diagnose names, separated by commas."}}};
 }
 
 /// A number that the sampler or the bounds refuse if it is out of range.
@@ -136,12 +165,13 @@ Group bound_options(Options& out, Changes& changes) {
 
 bool read_options(int argc, const char* const* argv, Options& out) {
   Changes changes;
-  const Program program = {"shd-check",
-                           "judge the texture lookups of any implementation",
-                           "[options] TEXTURE LOOKUPS",
-                           kDescription,
-                           {file_options(out), sampler_options(out), bound_options(out, changes)},
-                           kSections};
+  const Program program = {
+      "shd-check",
+      "judge the texture lookups of any implementation",
+      "[options] TEXTURE LOOKUPS",
+      kDescription,
+      {file_options(out), diagnosis_options(out), sampler_options(out), bound_options(out, changes)},
+      kSections};
   std::vector<std::string> files;
   if (!parse(program, argc, argv, files)) return false;
   refuse_if(files.size() != 2, "two files are needed, TEXTURE and LOOKUPS");

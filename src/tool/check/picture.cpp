@@ -65,13 +65,19 @@ Picture file_picture(shd_context* context, const std::string& path, bool srgb) {
   return out;
 }
 
-shd_image image_of(Picture* picture, uint32_t layer) {
-  shd_image image = shd_image_default();
-  image.format = picture->format;
-  image.width = picture->width;
-  image.height = picture->height;
-  image.pixels = picture->texels.data() + layer * (picture->texels.size() / picture->layers);
-  return image;
+/// Row and column of kFormats; a row of 5 for other formats.
+struct Kind {
+  int row;
+  size_t channels;
+};
+
+Kind kind_of(shd_format format) {
+  for (int row = 0; row < 5; ++row) {
+    for (size_t c = 0; c < 4; ++c) {
+      if (kFormats[row][c] == format) return {row, c + 1};
+    }
+  }
+  return {5, 4};
 }
 
 }  // namespace
@@ -82,30 +88,31 @@ Picture read_picture(shd_context* context, const std::string& path, bool srgb) {
   return file_picture(context, path, srgb);
 }
 
-size_t channels_of(const shd_texture* texture) {
-  shd_texture_info info = shd_texture_info_default();
-  check(shd_texture_get_info(texture, &info), "texture");
-  for (const auto& row : kFormats) {
-    for (size_t c = 0; c < 4; ++c) {
-      if (row[c] == info.format) return c + 1;
-    }
+Pictures read_pictures(shd_context* context, const Options& options) {
+  Pictures out = {read_picture(context, options.texture, options.srgb), {}};
+  for (const std::string& path : options.levels) {
+    out.levels.push_back(read_picture(context, path, options.srgb));
+    if (out.levels.back().layers != out.base.layers) throw Failure(kExitInput, path + ": another number of layers");
   }
-  return 4;
+  return out;
+}
+
+size_t channels_of(const Picture& picture) {
+  return kind_of(picture.format).channels;
+}
+
+bool has_codes(const Picture& picture) {
+  return kind_of(picture.format).row <= 1;
+}
+
+bool is_unorm(const Picture& picture) {
+  return kind_of(picture.format).row <= 2;
 }
 
 std::vector<std::vector<float>> float_columns(const std::string& path, const Picture& picture) {
-  size_t channels = 0, size = 4;
-  switch (picture.format) {
-    case SHD_FORMAT_R32F: channels = 1; break;
-    case SHD_FORMAT_RG32F: channels = 2; break;
-    case SHD_FORMAT_RGB32F: channels = 3; break;
-    case SHD_FORMAT_RGBA32F: channels = 4; break;
-    case SHD_FORMAT_R16F: channels = 1, size = 2; break;
-    case SHD_FORMAT_RG16F: channels = 2, size = 2; break;
-    case SHD_FORMAT_RGB16F: channels = 3, size = 2; break;
-    case SHD_FORMAT_RGBA16F: channels = 4, size = 2; break;
-    default: throw Failure(kExitInput, path + ": results are not floats");
-  }
+  const auto [row, channels] = kind_of(picture.format);
+  if (row < 3 || row > 4) throw Failure(kExitInput, path + ": results are not floats");
+  const size_t size = row == 3 ? 2 : 4;
   std::vector<std::vector<float>> columns(channels);
   for (size_t i = 0; i < picture.texels.size() / size; ++i) {
     float value;
@@ -115,30 +122,4 @@ std::vector<std::vector<float>> float_columns(const std::string& path, const Pic
     columns[i % channels].push_back(size == 4 ? value : shd::image::half_to_float(half));
   }
   return columns;
-}
-
-shd_texture* make_texture(shd_context* context, const Options& options) {
-  Picture base = read_picture(context, options.texture, options.srgb);
-  std::vector<Picture> levels;
-  for (const std::string& path : options.levels) {
-    levels.push_back(read_picture(context, path, options.srgb));
-    if (levels.back().layers != base.layers) throw Failure(kExitInput, path + ": another number of layers");
-  }
-  std::vector<shd_image> images;
-  for (uint32_t layer = 0; layer < base.layers; ++layer) {
-    for (Picture& level : levels) images.push_back(image_of(&level, layer));
-  }
-  shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = base.format;
-  desc.width = base.width;
-  desc.height = base.height;
-  desc.layer_count = base.layers;
-  desc.texels = base.texels.data();
-  desc.tables = options.mipmap ? SHD_TABLE_MIPMAP : SHD_TABLE_NONE;
-  desc.level_images = images.empty() ? nullptr : images.data();
-  desc.level_count = static_cast<uint32_t>(levels.size());
-  if (options.cube) desc.kind = SHD_TEXTURE_KIND_DIRECTIONS, desc.projection = SHD_PROJECTION_CUBE;
-  shd_texture* texture = nullptr;
-  check(shd_texture_create(context, &desc, &texture), options.texture, kExitInput);
-  return texture;
 }
