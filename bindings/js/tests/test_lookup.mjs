@@ -52,12 +52,10 @@ test("lookup/kinds", (shd, context) => {
     const { kind, depth, layerCount } = make(more).info;
     return `${kind} ${depth} ${layerCount}`;
   };
-  assert.equal(info({}), "2d 1 1");
+  assert.equal(info({}), "2d 0 1");
   assert.equal(info({ depth: 6 }), "3d 6 1");
-  assert.equal(info({ depth: 6, projection: "cube", kind: "3d" }), "3d 6 1");
-  assert.equal(info({ depth: 7, layerCount: 6, kind: "2d" }), "2d 1 6");
-  assert.equal(info({ projection: "lat_long" }), "directions 1 1");
-  assert.equal(info({ projection: "cube", layerCount: 9 }), "directions 1 6");
+  assert.equal(info({ projection: "lat_long" }), "directions 0 1");
+  assert.equal(info({ projection: "cube" }), "directions 0 6");
   const axes = { u: [1, -1, 0, 0, 0, 0], v: [0, 0, 1, -1, 0, 0], w: [0, 0, 0, 0, 1, -1] };
   const found = make({ projection: "cube" }).sample(new shd.Sampler(context, { filter: "nearest" }), axes).channel[0];
   assert.deepEqual([...found], [0, 1, 2, 3, 4, 5]);
@@ -72,6 +70,9 @@ test("lookup/kinds", (shd, context) => {
   refused(() => make({ depth: 6, projection: "cube" }), "desc.kind: depth is of 3D textures and projection of");
   refused(() => make({ depth: 7 }), "desc.texels: 24 bytes, fewer than the 28");
   refused(() => make({ projection: "cube", texels: new Float32Array(2) }), "desc.texels: 8 bytes, fewer than the 24");
+  refused(() => make({ depth: 6, projection: "cube", kind: "3d" }), "texture.projection: 4, but texture.kind is not");
+  refused(() => make({ depth: 7, layerCount: 6, kind: "2d" }), "texture.depth: 7, but texture.kind is not");
+  refused(() => make({ projection: "cube", layerCount: 9, texels: new Float32Array(9) }), "texture.layer_count: 9");
   refused(() => make({ kind: "4d" }), 'desc.kind: "4d" is none of 2d, 3d, directions');
   refused(() => make({ projection: "none" }), "texture.projection");
 });

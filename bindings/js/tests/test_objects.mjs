@@ -40,7 +40,7 @@ test("objects/descs", (shd, context) => {
   assert.equal(context.workerCount, 1);
   const texture = grey(shd, context);
   assert.deepEqual({ ...texture.info, byteSize: 0 }, {
-    kind: "2d", format: "r8", width: 4, height: 4, layerCount: 1, levelCount: 3, tables: "mipmap", flags: "none", byteSize: 0, depth: 1,
+    kind: "2d", format: "r8", width: 4, height: 4, layerCount: 1, levelCount: 3, tables: "mipmap", flags: "none", byteSize: 0, depth: 0,
     projection: "none",
   });
   const camera = shd.call("shd_view_from_camera", { eye: [0, 0, 5] });
