@@ -54,11 +54,8 @@ export async function load(source) {
   class Context extends ContextObject {
     constructor(desc) { super(module, desc); }
   }
-  return {
+  const shd = {
     Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
-    /** The functions of C, with addresses for pointers. */
-    raw,
-    memory: module.memory,
     get version() {
       const number = raw.shd_version();
       return [number >> 16, (number >> 8) & 255, number & 255].join(".");
@@ -80,6 +77,8 @@ export async function load(source) {
       return invoke(module, name, values);
     },
   };
+  // Consoles do not print these: the functions of C, with addresses for pointers, and the memory.
+  return Object.defineProperties(shd, { raw: { value: raw }, memory: { value: module.memory } });
 }
 
 export { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume };

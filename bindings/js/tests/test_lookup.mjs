@@ -73,7 +73,7 @@ test("lookup/kinds", (shd, context) => {
   refused(() => make({ depth: 6, projection: "cube", kind: "3d" }), "texture.projection: 4, but texture.kind is not");
   refused(() => make({ depth: 7, layerCount: 6, kind: "2d" }), "texture.depth: 7, but texture.kind is not");
   refused(() => make({ projection: "cube", layerCount: 9, texels: new Float32Array(9) }), "texture.layer_count: 9");
-  refused(() => make({ kind: "4d" }), 'desc.kind: "4d" is none of 2d, 3d, directions');
+  refused(() => make({ kind: "4d" }), 'desc.kind: no texture_kind is "4d"; there are 2d, 3d, directions');
   refused(() => make({ projection: "none" }), "texture.projection");
 });
 
@@ -110,7 +110,9 @@ test("lookup/growth", (shd, context) => {
 test("lookup/misuse", (shd, context) => {
   const texture = grey(shd, context), sampler = new shd.Sampler(context);
   const sample = (lookups, out) => () => texture.sample(sampler, lookups, out);
-  refused(sample({ u: new Float64Array(4), v: half }), "lookups.u: a Float32Array, not a value of type Float64Array");
+  refused(sample({ u: new Int16Array(4), v: half }), "lookups.u: a Float32Array, not a value of type Int16Array; Float32Array.from(values) converts it");
+  refused(sample({ u: new BigInt64Array(4), v: half }), "lookups.u: a Float32Array, not a value of type BigInt64Array");
+  refused(sample({ u: half, v: half }, { channel: [new Float64Array(4)] }), "out.channel[0]: a Float32Array, not a value");
   refused(sample({ u: half, v: half.slice(1) }), "lookups.v: 3 elements, not count = 4");
   refused(sample({ u: half, v: [0, "1", 2, 3] }), "lookups.v[1]: a number, not \"1\"");
   refused(sample({ u: { data: new Float32Array(8), stride: -2 }, v: half }), "lookups.u.stride: -2");
@@ -118,7 +120,7 @@ test("lookup/misuse", (shd, context) => {
   refused(sample({ u: { data: new Float32Array(8), offset: 9 }, v: half }), "lookups.u.offset: 9, not 0..8");
   refused(sample({ u: half, v: half }, { channel: [new Float32Array(3)] }), "out.channel: 3 elements, not 4");
   refused(sample({ u: half, v: half }, { channel: [[0, 0, 0, 0]] }), "out.channel[0]: a Float32Array");
-  refused(sample({ u: half, v: half, bias: 1 }), "lookups.bias: there is no such field");
+  refused(sample({ u: half, v: half, bias: 1 }), "lookups.bias: lookups has no such field; lib/api.d.ts lists them");
   refused(sample({ u: half }), "lookups.v");
   refused(() => texture.sample(null, { u: half, v: half }), "sampler: a sampler, not null");
   refused(() => texture.sample(texture, { u: half, v: half }), "sampler: a sampler, not a value of type Texture");
