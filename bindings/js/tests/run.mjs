@@ -4,6 +4,7 @@ import { test } from "./support.mjs";
 import "./test_garbage.mjs";
 import "./test_lookup.mjs";
 import "./test_objects.mjs";
+import "./test_pool.mjs";
 import "./test_random.mjs";
 import "./test_render.mjs";
 import "./test_tiles.mjs";
