@@ -19,7 +19,23 @@ try {
   const { load } = await import("/lib/index.js");
   const { runPrograms, runSpeed } = await import("/examples/programs.mjs");
   const { renderFloor } = await import("/bench/floor.mjs");
+  const { Pool } = await import("/lib/pool.js");
+  const { HEIGHT, makeScene } = await import("/tests/pool_scene.mjs");
   const shd = await load();
+  const whole = makeScene(shd)([0, HEIGHT]);
+  for (const count of [1, 3]) {
+    const pool = new Pool(() => new Worker("/tests/pool_worker.mjs", { type: "module" }), { count });
+    for (let frame = 0; frame < 2; ++frame) {
+      const bytes = (await pool.bands(HEIGHT, "draw")).flatMap(({ value }) => [...value]);
+      if (bytes.length !== whole.length || whole.some((byte, i) => byte !== bytes[i])) {
+        throw new Error(\`\${count} workers draw other pixels\`);
+      }
+    }
+    await pool.call("refuse").then(() => { throw new Error("no error"); }, (problem) => {
+      if (problem.result !== "invalid_argument") throw problem;
+    });
+    pool.close();
+  }
   await post({ lines: runPrograms(shd).lines, times: [...runSpeed(shd), renderFloor(shd)] });
 } catch (problem) {
   await post({ problem: String(problem.stack ?? problem) });
