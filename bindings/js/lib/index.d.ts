@@ -13,7 +13,7 @@ export type Pixels = TypedArray | ArrayBuffer | Allocation;
 export interface Strided<T> { data: T | Allocation; offset?: number; stride?: number }
 type Single<F extends string> = Exclude<F, "none" | "all">;
 /** Flags: a name, two or three names joined by "|" such as "uv|normal", or a list of names. */
-export type Flags<F extends string> = F | `${Single<F>}|${Single<F>}` | `${Single<F>}|${Single<F>}|${Single<F>}` | F[];
+export type Flags<F extends string> = F | F[] | `${Single<F>}|${Single<F>}` | `${Single<F>}|${Single<F>}|${Single<F>}`;
 /** New arrays. Since TypeScript 5.7 the types say that their memory is not shared, as ImageData requires. */
 type Bytes = ReturnType<typeof Uint8ClampedArray.of>;
 type Halves = ReturnType<typeof Uint16Array.of>;
@@ -216,13 +216,18 @@ export interface PresentTile {
 interface Constructor<T, Desc> { new (context: Context, desc?: Desc): T }
 
 export interface Memory {
-  readonly buffer: ArrayBuffer;
+  /** Shared if the instance has threads. */
+  readonly buffer: ArrayBufferLike;
   readonly view: DataView;
   text(address: number): string;
 }
 
 export interface Shd {
   readonly version: string;
+  /** Threads that contexts use, at most: 1, or those of load() of "shd/threads". */
+  readonly threadCount: number;
+  /** Ends the threads. An instance with threads cannot be used afterwards. */
+  close(): void;
   readonly Context: { new (desc?: api.ContextDesc): Context };
   readonly Texture: Constructor<Texture, api.TextureDesc>;
   readonly Sampler: Constructor<Sampler, api.SamplerDesc>;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The WebAssembly instance: where its bytes come from, and what it imports.
 
+export const isNode = () => typeof process !== "undefined" && Boolean(process.versions?.node);
+
 /** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
 async function readBytes(source) {
   if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;
   const url = source ?? new URL("./shd.wasm", import.meta.url);
-  const isNode = typeof process !== "undefined" && process.versions?.node;
-  if (isNode && !/^https?:/.test(String(url))) {
+  if (isNode() && !/^https?:/.test(String(url))) {
     const { readFile } = await import("node:fs/promises");
     return readFile(url);
   }

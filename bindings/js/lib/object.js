@@ -57,7 +57,8 @@ function printed(depth, options, inspect) {
   const values = {};
   let made = Object.getPrototypeOf(this);
   for (; !this.isClosed && made !== SharedObject.prototype; made = Object.getPrototypeOf(made)) {
-    for (const [key, { get }] of Object.entries(Object.getOwnPropertyDescriptors(made))) if (get) values[key] = this[key];
+    const own = Object.getOwnPropertyDescriptors(made);
+    for (const key of Object.keys(own)) if (own[key].get) values[key] = this[key];
   }
   return `${name} ${inspect(this.isClosed ? { isClosed: true } : values, options)}`;
 }

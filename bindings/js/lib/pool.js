@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Workers that each have an instance of the library: Pool is for the page, serve() for the module of a worker.
-import { compile } from "./instance.js";
+import { compile, isNode } from "./instance.js";
 import { ShdError, describe, refuse } from "./error.js";
 
 /** Numbers of the threads that a machine runs at once. */
@@ -105,7 +105,8 @@ export class Pool {
     if (!Number.isInteger(height) || height < 1) refuse("height", `${height}, not 1 or more rows`);
     const members = this.#members.slice(0, height);
     const count = members.length;
-    const edges = this.#edges.get(height) ?? Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const edges = this.#edges.get(height)
+      ?? Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
     const rowsOf = (i) => [edges[i], edges[i + 1]];
     const bands = await Promise.all(members.map(({ own }, i) => this.#ask(own, name, [rowsOf(i), ...values])));
     const wanted = balance(edges, bands.map(({ milliseconds }) => milliseconds));
@@ -191,7 +192,7 @@ export function serve(start) {
 
 /** Calls `receive(data, post)` for each message of the page, or of the thread that made this one in Node. */
 function listen(receive) {
-  if (typeof process === "undefined" || !process.versions?.node) {
+  if (!isNode()) {
     globalThis.onmessage = ({ data }) => receive(data, (...reply) => globalThis.postMessage(...reply));
     return;
   }

@@ -4,6 +4,7 @@ import { enums } from "./api.js";
 import { arrayOf, RANGES, structOf } from "./layout.js";
 import { placeData, writeColumns } from "./column.js";
 import { checkPixels } from "./pixels.js";
+import { Executor } from "./executor.js";
 import { refuse, describe, suggest } from "./error.js";
 
 const FACES = 6;  // of a cube
@@ -29,7 +30,9 @@ export function enumValue(kind, value, label) {
   let bits = 0;
   for (const part of value.split("|")) {
     const found = enums[kind][part.trim()];
-    if (found === undefined) refuse(label, `no ${kind} is ${describe(part)}; ${suggest(part, Object.keys(enums[kind]))}`);
+    if (found === undefined) {
+      refuse(label, `no ${kind} is ${describe(part)}; ${suggest(part, Object.keys(enums[kind]))}`);
+    }
     bits |= found;
   }
   return bits;
@@ -203,6 +206,7 @@ export function writeStruct(call, name, address, value, label, outer) {
     if (rows !== undefined && length !== rows) refuse(label, `${length} elements, not ${rows}`);
     return undefined;
   }
+  if (value instanceof Executor) return value.write(call.memory.view, address);
   value = complete(struct, value, label);
   call.writeDefault(struct, address);
   const state = { struct, address, counts: new Map(), data: new Map(), functions: {} };

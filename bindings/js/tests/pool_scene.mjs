@@ -10,7 +10,8 @@ export function makeScene(shd) {
   const texels = Uint8Array.from({ length: 64 * 64 * 4 }, (_, i) => (i * 7919) % 251);
   const texture = new shd.Texture(context, { format: "rgba8_srgb", width: 64, height: 64, texels, tables: "mipmap" });
   const sampler = new shd.Sampler(context, { filter: "ewa", maxAnisotropy: 16 });
-  const material = new shd.Material(context, { model: "blinn_phong", slots: [{ target: "diffuse", texture, sampler }] });
+  const slots = [{ target: "diffuse", texture, sampler }];
+  const material = new shd.Material(context, { model: "blinn_phong", slots });
   const framebuffer = new shd.Framebuffer(context, { width: WIDTH, height: HEIGHT, sampleCount: 4 });
   const draws = [{ mesh: shd.Mesh.shape(context, { kind: "torus" }), material },
                  { mesh: shd.Mesh.shape(context, { kind: "plane", size: [40, 1, 40] }), material }];
