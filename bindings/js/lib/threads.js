@@ -95,7 +95,7 @@ function answer(memory, address, callbacks) {
 async function startWorker() {
   if (!isNode()) return new Worker(new URL("./thread.js", import.meta.url), { type: "module" });
   const { Worker: NodeWorker } = await import("node:worker_threads");
-  return new NodeWorker(new URL("./thread.js", import.meta.url));
+  return new NodeWorker(new URL("./thread.js", import.meta.url), { execArgv: [] });
 }
 
 /** Resolves when the worker runs its thread. */

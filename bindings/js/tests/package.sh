@@ -21,7 +21,7 @@ cp node_modules/shd/examples/{hello,png}.mjs .
   const colours = new Set();
   for (let i = 0; i < rows.length - 4; i += 97) colours.add(rows.readUInt32BE(i));
   if (colours.size < 500) throw new Error(`only ${colours.size} colours`);'
-"$NODE" --input-type=module -e '
+"$NODE" --input-type=module --eval '
   import { load } from "shd/threads";
   const shd = await load({ threads: 2 });
   if (new shd.Context().workerCount !== 2) throw new Error("no threads");'

@@ -60,7 +60,7 @@ withPool("pool/problems", 2, async (pool) => {
   await assert.rejects(pool.callOn(2, "count"), /index: 2, not 0\.\.1/);
   refused(() => new Pool("worker.js"), "start: a function that makes a Worker, not \"worker.js\"");
   refused(() => new Pool(start, { count: 0 }), "count: 0, not 1 or more workers");
-  await pool.callOn(0, "end");
+  await pool.callOn(0, "end").catch(() => {});  // the worker may break before it answers
   await assert.rejects(async () => { for (;;) await pool.callOn(0, "count"); }, /this worker breaks/);
   assert.equal(typeof await pool.call("count"), "number");  // the other worker goes on
   const waiting = pool.call("count");
