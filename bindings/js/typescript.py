@@ -9,7 +9,7 @@ HEAD = """// SPDX-License-Identifier: MIT
 // Types of descs, enums and functions. Written by generate.py; do not edit.
 import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, Texture, Volume, Context, Column,
               OutColumn, Columns, OutColumns, Numbers, Pixels, Fragments, Radiance, Vertices, VertexOutputs, Rays,
-              PresentTile, Tile, TileCache } from "./index.js";
+              PresentTile, Tile, TileCache, Flags } from "./index.js";
 """
 # Structs that the library writes: every field is there.
 WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step)$")
@@ -54,7 +54,7 @@ class Types:
             return f"{way}Columns" if is_array else f"{way}Column"
         if kind in ("enum", "flags"):
             name = pascal(self.enum_name(rest))
-            name = name if kind == "enum" else f"{name} | (string & {{}})"
+            name = name if kind == "enum" else f"Flags<{name}>"
             return f"({name} | number)[]" if is_array else f"{name} | number"
         if kind == "struct":
             # a function is enough for a struct with one function

@@ -156,6 +156,10 @@ export function invoke(module, name, values, made = null) {
   if (!entry) throw new TypeError(`libshd has no function ${name}`);
   if (RAW_ONLY.test(name)) refuse(name, "only shd.raw has it; objects have close()");
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
+  // It could wait for a tile of a thread that waits for the function.
+  if (module.callbacks.loads && module.hasThreads) {
+    refuse(name, "a function that loads tiles may not call it in an instance with threads");
+  }
   const rows = rowsOf(name, values);
   const mark = module.memory.mark();
   const call = new Call(module);

@@ -81,6 +81,7 @@ export class Callbacks {
   #memory = null;
   #raw = null;
   depth = 0;
+  loads = 0;  // functions that load tiles and have not returned
   failure = null;
 
   start(memory, raw) {
@@ -93,6 +94,10 @@ export class Callbacks {
       const data = parameters.findIndex(([key]) => key === "userData" || key === "taskData");
       return [name.replace(".", "_"), (...words) => this.#run(name, result, parameters, words, words[data])];
     }));
+  }
+  /** Groups of functions that objects or calls use. */
+  get size() {
+    return this.#groups.size;
   }
   address(name) {
     return this.#raw.shd_js_callback(table[name][0]);
@@ -126,7 +131,9 @@ export class Callbacks {
     const isVoid = result === "void";
     if (this.failure && name !== "log.write") return isVoid ? undefined : FAILED;
     const values = [];
+    const loads = Number(name === "load_tiles_fn");
     this.depth += 1;
+    this.loads += loads;
     try {
       parameters.forEach((parameter, i) => {
         const isRest = parameter[0] === "userData" || (name === "load_tiles_fn" && parameter[0] === "count");
@@ -140,6 +147,7 @@ export class Callbacks {
       return isVoid ? undefined : FAILED;
     } finally {
       this.depth -= 1;
+      this.loads -= loads;
       for (const value of values.flat()) if (value instanceof Record) value._address = 0;
     }
   }

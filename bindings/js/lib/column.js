@@ -1,21 +1,37 @@
 // SPDX-License-Identifier: MIT
 // Columns and other numbers behind pointers: arrays in the memory of WebAssembly are used in place, others are copied.
-import { arrayOf } from "./layout.js";
+import { arrayOf, RANGES } from "./layout.js";
 import { Allocation } from "./memory.js";
 import { refuse, describe } from "./error.js";
 
 const isTyped = (value) => ArrayBuffer.isView(value) && !(value instanceof DataView);
 
-/** A typed array of a value, which may be an allocation or, for input, a list of numbers. */
+/** A copy of numbers with another type of elements. Integers are in the range of the type. */
+function converted(values, type, label) {
+  const range = RANGES.get(type);
+  const isGood = range ? (v) => Number.isInteger(v) && v >= range[0] && v <= range[1] : (v) => typeof v === "number";
+  const bad = values.findIndex((v) => !isGood(v));
+  if (bad >= 0) {
+    const wanted = range ? `an integer of ${range[0]}..${range[1]}` : "a number";
+    refuse(`${label}[${bad}]`, `${wanted}, not ${describe(values[bad])}`);
+  }
+  return type.from(values);
+}
+
+/** Whether the numbers of an array mean the same as elements of `type`; those of other arrays may need a scale. */
+function isConvertible(value, type) {
+  if (Array.isArray(value)) return true;
+  const isInteger = /^(Int|Uint)(8|16|32)Array$/.test(value?.constructor?.name ?? "");
+  return RANGES.has(type) ? isInteger : value instanceof Float64Array;
+}
+
+/** A typed array of a value, which may be an allocation or, for input, a list of numbers or another typed array. */
 function typed(value, type, isOut, label) {
   if (value instanceof Allocation) value = value.array;
-  if (Array.isArray(value) && !isOut) {
-    const bad = value.findIndex((v) => typeof v !== "number");
-    if (bad >= 0) refuse(`${label}[${bad}]`, `a number, not ${describe(value[bad])}`);
-    return type.from(value);
-  }
-  if (!(value instanceof type)) refuse(label, `a ${type.name}, not ${describe(value)}`);
-  return value;
+  if (value instanceof type) return value;
+  if (!isOut && isConvertible(value, type)) return converted(value, type, label);
+  const cure = isTyped(value) && !isOut ? `; ${type.name}.from(values) converts it` : "";
+  return refuse(label, `a ${type.name}, not ${describe(value)}${cure}`);
 }
 
 /** The address of an array. An array elsewhere is copied to the call's memory; output is copied back after the call. */

@@ -11,6 +11,9 @@ export type Numbers = ArrayLike<number> | ArrayLike<number>[] | Allocation;
 export type Pixels = TypedArray | ArrayBuffer | Allocation;
 /** Elements of an array: `offset` and `stride` count elements. */
 export interface Strided<T> { data: T | Allocation; offset?: number; stride?: number }
+type Single<F extends string> = Exclude<F, "none" | "all">;
+/** Flags: a name, two or three names joined by "|" such as "uv|normal", or a list of names. */
+export type Flags<F extends string> = F | F[] | `${Single<F>}|${Single<F>}` | `${Single<F>}|${Single<F>}|${Single<F>}`;
 /** New arrays. Since TypeScript 5.7 the types say that their memory is not shared, as ImageData requires. */
 type Bytes = ReturnType<typeof Uint8ClampedArray.of>;
 type Halves = ReturnType<typeof Uint16Array.of>;
@@ -19,8 +22,10 @@ type Floats = ReturnType<typeof Float32Array.of>;
 /** Results, with the number of rows whose inputs were not finite. */
 type Counted<T> = T & { nonfiniteCount: number };
 type Array32 = Float32Array | Uint32Array | Uint16Array;
+/** Arrays of other elements, which are converted: Float64Array to floats, integers to integers. */
+type Convertible = Float64Array | Int8Array | Uint8Array | Int16Array | Int32Array;
 /** A column of numbers. Arrays in the memory of WebAssembly are used in place, others are copied. */
-export type Column = Array32 | number[] | Allocation | Strided<Array32>;
+export type Column = Array32 | Convertible | number[] | Allocation | Strided<Array32 | Convertible>;
 export type OutColumn = Array32 | Allocation | Strided<Array32>;
 /** Columns of a vector: one interleaved array, or one column for each component. */
 export type Columns = Column | (Column | null)[];
@@ -211,18 +216,23 @@ export interface PresentTile {
 interface Constructor<T, Desc> { new (context: Context, desc?: Desc): T }
 
 export interface Memory {
-  readonly buffer: ArrayBuffer;
+  /** Shared if the instance has threads. */
+  readonly buffer: ArrayBufferLike;
   readonly view: DataView;
   text(address: number): string;
 }
 
 export interface Shd {
   readonly version: string;
+  /** Threads that contexts use, at most: 1, or those of load() of "shd/threads". */
+  readonly threadCount: number;
+  /** Ends the threads. An instance with threads cannot be used afterwards. */
+  close(): void;
   readonly Context: { new (desc?: api.ContextDesc): Context };
   readonly Texture: Constructor<Texture, api.TextureDesc>;
   readonly Sampler: Constructor<Sampler, api.SamplerDesc>;
   readonly Mesh: Constructor<Mesh, api.MeshDesc> & {
-    shape(context: Context, desc: api.ShapeDesc, flags?: api.MeshFlag | number): Mesh;
+    shape(context: Context, desc: api.ShapeDesc, flags?: Flags<api.MeshFlag> | number): Mesh;
   };
   readonly Material: Constructor<Material, api.MaterialDesc>;
   readonly Light: Constructor<Light, api.LightDesc>;

@@ -1,85 +1,15 @@
 // SPDX-License-Identifier: MIT
 // shd for JavaScript: `const shd = await load()`.
-import { invoke } from "./call.js";
 import { Callbacks } from "./callback.js";
 import { instantiate } from "./instance.js";
-import { Allocation, Memory } from "./memory.js";
-import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture,
-    TileCache, Volume } from "./objects.js";
-import { Framebuffer } from "./framebuffer.js";
-import { ShdError, refuse } from "./error.js";
-
-/** One instance of the library with its own memory. Objects of two instances cannot be mixed. */
-class Module {
-  #defaults = new Map();
-  #released = [];
-  constructor(callbacks, raw) {
-    this.callbacks = callbacks;
-    this.raw = raw;
-    this.memory = new Memory(raw);
-    this.registry = new FinalizationRegistry((reference) => this.release(reference));
-    callbacks.start(this.memory, raw);
-  }
-  /** Bytes of a struct with the defaults of the library. */
-  defaults(struct) {
-    let bytes = this.#defaults.get(struct.name);
-    if (!bytes) {
-      const address = this.memory.allocate(struct.size);
-      this.memory.fill(address, struct.size);
-      if (struct.kind) this.raw.shd_desc_init(struct.kind, address, struct.size);
-      bytes = new Uint8Array(this.memory.buffer, address, struct.size).slice();
-      this.memory.free(address);
-      this.#defaults.set(struct.name, bytes);
-    }
-    return bytes;
-  }
-  /** Gives a reference back; inside a program, after the call that runs it. */
-  release(reference) {
-    this.#released.push(reference);
-    this.flush();
-  }
-  flush() {
-    while (!this.callbacks.depth && this.#released.length) this.#released.pop().close();
-  }
-}
-
-const TYPES = [Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array,
-               Float64Array];
+import { makeShd } from "./module.js";
 
 /** Loads shd.wasm, by default the file beside this module. `source` is a URL, a path, bytes or a WebAssembly.Module. */
 export async function load(source) {
   const callbacks = new Callbacks();
-  const raw = await instantiate(source, callbacks.imports());
-  const module = new Module(callbacks, raw);
-  class Context extends ContextObject {
-    constructor(desc) { super(module, desc); }
-  }
-  return {
-    Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
-    /** The functions of C, with addresses for pointers. */
-    raw,
-    memory: module.memory,
-    get version() {
-      const number = raw.shd_version();
-      return [number >> 16, (number >> 8) & 255, number & 255].join(".");
-    },
-    /** An array in the memory of WebAssembly, which calls use without a copy. */
-    allocate(type, length) {
-      if (!TYPES.includes(type)) refuse("type", "a constructor of typed arrays, such as Float32Array");
-      if (!Number.isInteger(length) || length < 0) refuse("length", `${length}, not an integer of 0 or more`);
-      return new Allocation(module.memory, type, length);
-    },
-    /** Renders a frame, and returns its statistics. */
-    render(context, desc) {
-      const stats = {};
-      invoke(module, "shd_render", [context, { ...desc, stats }]);
-      return stats;
-    },
-    /** Calls a function of C by its name with JavaScript values; returns what it writes through `out_` parameters. */
-    call(name, ...values) {
-      return invoke(module, name, values);
-    },
-  };
+  return makeShd(callbacks, await instantiate(source, callbacks.imports()));
 }
 
-export { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume };
+export { Environment, Light, Material, Mesh, Sampler, Shadow, Texture, TileCache, Volume } from "./objects.js";
+export { Framebuffer } from "./framebuffer.js";
+export { ShdError } from "./error.js";

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The WebAssembly instance: where its bytes come from, and what it imports.
 
+export const isNode = () => typeof process !== "undefined" && Boolean(process.versions?.node);
+
 /** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
-async function readModule(source) {
-  if (source instanceof WebAssembly.Module || ArrayBuffer.isView(source)
-      || source instanceof ArrayBuffer) return source;
+async function readBytes(source) {
+  if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;
   const url = source ?? new URL("./shd.wasm", import.meta.url);
-  const isNode = typeof process !== "undefined" && process.versions?.node;
-  if (isNode && !/^https?:/.test(String(url))) {
+  if (isNode() && !/^https?:/.test(String(url))) {
     const { readFile } = await import("node:fs/promises");
     return readFile(url);
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
   return response.arrayBuffer();
+}
+
+/** The compiled code of a URL, a path, bytes or a WebAssembly.Module. Instances and workers share it. */
+export async function compile(source) {
+  return source instanceof WebAssembly.Module ? source : WebAssembly.compile(await readBytes(source));
 }
 
 /** Clocks and the end of the process, which the C library takes from its system. */
@@ -37,9 +42,7 @@ function systemImports(memoryOf) {
 export async function instantiate(source, callbacks) {
   let exports;
   const imports = { ...systemImports(() => exports.memory), shd: callbacks };
-  const bytes = await readModule(source);
-  const made = await WebAssembly.instantiate(bytes, imports);
-  exports = (made.instance ?? made).exports;
+  ({ exports } = await WebAssembly.instantiate(await compile(source), imports));
   exports._initialize();
   return exports;
 }

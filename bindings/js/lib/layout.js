@@ -10,6 +10,12 @@ const NUMBERS = {
 /** The typed array of a word for numbers, such as f32. */
 export const arrayOf = (word) => NUMBERS[word];
 
+/** The smallest and the largest integer that a typed array holds; others hold any number. */
+export const RANGES = new Map([
+  [Uint8Array, [0, 255]], [Uint16Array, [0, 65535]], [Uint32Array, [0, 4294967295]],
+  [Int32Array, [-2147483648, 2147483647]],
+]);
+
 /** A field: kind and name of its type, offset, number of elements, and the field that has its length. */
 function unpackField(name, [offset, word, count = 1, rows = ""]) {
   const [kind, type = "", way = ""] = word.split(":");

@@ -38,12 +38,15 @@ export class Memory {
   #view = null;
   #blocks = [];
   #used = 0;
+  #shared = new WeakSet();  // shared buffers from before the memory grew, which stay valid
   constructor(exports) {
     this.#exports = exports;
     this.registry = new FinalizationRegistry((address) => this.free(address));
   }
   get buffer() {
-    return this.#exports.memory.buffer;
+    const { buffer } = this.#exports.memory;
+    if (!(buffer instanceof ArrayBuffer)) this.#shared.add(buffer);
+    return buffer;
   }
   /** A DataView of the whole memory; a new one after the memory grew. */
   get view() {
@@ -84,7 +87,7 @@ export class Memory {
   }
   /** Whether a typed array lies in this memory. */
   has(array) {
-    return array.buffer === this.buffer;
+    return array.buffer === this.buffer || this.#shared.has(array.buffer);
   }
   fill(address, size, byte = 0) {
     new Uint8Array(this.buffer, address, size).fill(byte);

@@ -51,6 +51,18 @@ export class SharedObject {
     this.module.release(reference);
   }
 }
+/** What consoles of Node print: the class, and what its getters return. */
+function printed(depth, options, inspect) {
+  const name = this.kind.replace(/(^|_)[a-z]/g, (part) => part.at(-1).toUpperCase());
+  const values = {};
+  let made = Object.getPrototypeOf(this);
+  for (; !this.isClosed && made !== SharedObject.prototype; made = Object.getPrototypeOf(made)) {
+    const own = Object.getOwnPropertyDescriptors(made);
+    for (const key of Object.keys(own)) if (own[key].get) values[key] = this[key];
+  }
+  return `${name} ${inspect(this.isClosed ? { isClosed: true } : values, options)}`;
+}
+Object.defineProperty(SharedObject.prototype, Symbol.for("nodejs.util.inspect.custom"), { value: printed });
 if (Symbol.dispose) {
   SharedObject.prototype[Symbol.dispose] = function dispose() { this.close(); };
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // JavaScript values to structs of C. Every message names the field.
 import { enums } from "./api.js";
-import { arrayOf, structOf } from "./layout.js";
+import { arrayOf, RANGES, structOf } from "./layout.js";
 import { placeData, writeColumns } from "./column.js";
 import { checkPixels } from "./pixels.js";
-import { refuse, describe } from "./error.js";
+import { Executor } from "./executor.js";
+import { refuse, describe, suggest } from "./error.js";
 
 const FACES = 6;  // of a cube
-const RANGES = { u8: [0, 255], u16: [0, 65535], u32: [0, 4294967295], i32: [-2147483648, 2147483647] };
 const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "setUint16", u32: "setUint32",
     i32: "setInt32" };
 
@@ -15,7 +15,7 @@ function writeNumber(view, address, type, value, label) {
   if (typeof value === "boolean") value = Number(value);
   if (typeof value !== "number") refuse(label, `a number, not ${describe(value)}`);
   if (type === "u64") return view.setBigUint64(address, BigInt(value), true);
-  const range = RANGES[type];
+  const range = RANGES.get(arrayOf(type));
   if (range && !(Number.isInteger(value) && value >= range[0] && value <= range[1])) {
     refuse(label, `${value}, not an integer of ${range[0]}..${range[1]}`);
   }
@@ -30,7 +30,9 @@ export function enumValue(kind, value, label) {
   let bits = 0;
   for (const part of value.split("|")) {
     const found = enums[kind][part.trim()];
-    if (found === undefined) refuse(label, `${describe(part)} is none of ${Object.keys(enums[kind]).join(", ")}`);
+    if (found === undefined) {
+      refuse(label, `no ${kind} is ${describe(part)}; ${suggest(part, Object.keys(enums[kind]))}`);
+    }
     bits |= found;
   }
   return bits;
@@ -186,7 +188,7 @@ function complete(struct, value, label) {
 
 function unknownField(struct, key, label) {
   const names = struct.list.map((f) => f.name).filter((n) => n !== "structSize" && n !== "userData");
-  refuse(`${label}.${key}`, `there is no such field; there are ${names.join(", ")}`);
+  refuse(`${label}.${key}`, `${struct.name} has no such field; ${suggest(key, names)}`);
 }
 
 // Numbers first, so that lengths can be compared; lists of columns last.
@@ -204,6 +206,7 @@ export function writeStruct(call, name, address, value, label, outer) {
     if (rows !== undefined && length !== rows) refuse(label, `${length} elements, not ${rows}`);
     return undefined;
   }
+  if (value instanceof Executor) return value.write(call.memory.view, address);
   value = complete(struct, value, label);
   call.writeDefault(struct, address);
   const state = { struct, address, counts: new Map(), data: new Map(), functions: {} };

@@ -33,6 +33,12 @@ function control(key, label, onChange) {
   return { row, show: (value) => { input.value = value; output.value = String(value); } };
 }
 
+/** Adds a value that a setting can have. */
+export function addOption(key, value) {
+  SETTINGS[key].options.push(value);
+  document.querySelector(`#set-${key}`).append(element("option", { value }, title(value)));
+}
+
 /** Fills the groups of the page, and returns a function that shows a state in them. */
 export function buildControls(onChange) {
   const shown = new Map();

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The footprint of the pixel at the pointer, drawn over the texture.
-import { makeTexels, SIZE } from "./textures.js";
+import { textureOf } from "./textures.js";
 
 const panel = document.querySelector("#footprint");
 const canvas = panel.querySelector("canvas");
 const text = panel.querySelector("output");
-const tiles = new Map();
+const tiles = new Map();  // canvases of textures
 
-function tileOf(name) {
-  if (!tiles.has(name)) {
-    const tile = document.createElement("canvas");
-    tile.width = tile.height = SIZE;
-    tile.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(makeTexels(name)), SIZE, SIZE), 0, 0);
-    tiles.set(name, tile);
+function tileOf(texture) {
+  if (!tiles.has(texture)) {
+    const { width, height, texels } = texture;
+    const tile = Object.assign(document.createElement("canvas"), { width, height });
+    tile.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(texels), width, height), 0, 0);
+    tiles.set(texture, tile);
   }
-  return tiles.get(name);
+  return tiles.get(texture);
 }
 
 /** Texels that the panel shows: a power of two that contains the ellipse. */
-function extentOf({ longer }) {
+function extentOf({ longer }, { width, height }) {
   const need = 3 * Math.hypot(...longer);
-  return Math.min(4 * SIZE, Math.max(16, 2 ** Math.ceil(Math.log2(need))));
+  return Math.min(4 * Math.max(width, height), Math.max(16, 2 ** Math.ceil(Math.log2(need))));
 }
 
 function drawEllipse(target, scale, { longer, shorter }) {
@@ -38,15 +38,19 @@ function drawEllipse(target, scale, { longer, shorter }) {
 export function showFootprint(footprint, name) {
   panel.classList.toggle("empty", !footprint);
   if (!footprint) return;
-  const extent = extentOf(footprint);
+  const texture = textureOf(name);
+  const extent = extentOf(footprint, texture);
   const scale = canvas.width / extent;
   const target = canvas.getContext("2d");
   target.setTransform(scale, 0, 0, scale, canvas.width / 2, canvas.height / 2);
   target.imageSmoothingEnabled = scale < 1;
   const whole = (v) => v - Math.floor(v);
-  const [x, y] = [whole(footprint.u) * SIZE, whole(footprint.v) * SIZE];
-  for (let j = -3; j <= 3; ++j) for (let i = -3; i <= 3; ++i) target.drawImage(tileOf(name), i * SIZE - x,
-      j * SIZE - y);
+  const { width, height } = texture;
+  const [x, y] = [whole(footprint.u) * width, whole(footprint.v) * height];
+  const [across, down] = [width, height].map((size) => Math.ceil(extent / 2 / size) + 1);
+  for (let j = -down; j <= down; ++j) {
+    for (let i = -across; i <= across; ++i) target.drawImage(tileOf(texture), i * width - x, j * height - y);
+  }
   target.setTransform(1, 0, 0, 1, 0, 0);
   drawEllipse(target, scale, footprint);
   const [long, short] = [footprint.longer, footprint.shorter].map((axis) => 2 * Math.hypot(...axis));

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Ties the state to the controls, the workers and the address of the page.
-import { buildControls } from "./controls.js";
+import { addOption, buildControls } from "./controls.js";
 import { hideFootprint, showFootprint } from "./footprint.js";
 import { showLegend } from "./legend.js";
-import { Pool } from "./pool.js";
+import { Pool } from "../lib/pool.js";
+import { openTexture } from "./own_texture.js";
 import { Stage } from "./stage.js";
-import { fromHash, toHash } from "./state.js";
+import { fromHash, SETTINGS, toHash } from "./state.js";
+import { setTexture } from "./textures.js";
 
 const find = (selector) => document.querySelector(selector);
-const pool = new Pool(Math.min(4, Math.max(1, navigator.hardwareConcurrency || 1)));
+const pool = new Pool(() => new Worker(new URL("./worker.js", import.meta.url), { type: "module" }),
+                      { count: Math.min(4, Math.max(1, navigator.hardwareConcurrency || 1)) });
 const page = { state: fromHash(location.hash), frame: null, isSpinning: false, frames: 0, error: null };
 let isDrawing = false;
 let isStale = true;
@@ -52,6 +55,14 @@ function stateToDraw() {
   return { ...page.state, size: half(page.state.size) };
 }
 
+/** The frame of a state: bands of pixels, and the milliseconds of the slowest band. */
+async function drawFrame(state) {
+  const bands = await pool.bands(Number(state.size.split("x")[1]), "draw", state);
+  const values = bands.map(({ value }) => value);
+  return { bands, size: state.size, milliseconds: Math.max(...values.map(({ milliseconds }) => milliseconds)),
+           fragments: values.reduce((sum, { fragments }) => sum + fragments, 0) };
+}
+
 /** Draws the state; changes during a frame are drawn together after it. */
 async function draw() {
   isStale = true;
@@ -61,7 +72,7 @@ async function draw() {
     isStale = false;
     try {
       const state = stateToDraw();
-      page.frame = await pool.draw(state);
+      page.frame = await drawFrame(state);
       if (state.size === page.state.size) fullTime = page.frame.milliseconds;
       stage.put(page.frame);
       report(page.frame);
@@ -103,7 +114,8 @@ async function inspect() {
   if (!pointer) return showFootprint(null);
   isAsking = true;
   const asked = pointer;
-  showFootprint(await pool.footprint(page.frame, asked.x, asked.y).catch(() => null), page.state.texture);
+  const band = page.frame.bands.findLastIndex(({ rows: [first] }) => first <= asked.y);
+  showFootprint(await pool.callOn(band, "footprint", asked.x, asked.y).catch(() => null), page.state.texture);
   isAsking = false;
   if (pointer !== asked) inspect();
 }
@@ -123,12 +135,19 @@ find("#swap").addEventListener("click", () => {
   change("wipe", Number((1 - state.wipe).toFixed(3)));
   show();
 });
+let messageTimer = 0;
+/** Says a sentence below the picture for some seconds. */
+function say(text) {
+  find("#message").textContent = text;
+  clearTimeout(messageTimer);
+  messageTimer = setTimeout(() => { find("#message").textContent = ""; }, 6000);
+}
 find("#link").addEventListener("click", async (event) => {
   const button = event.currentTarget;
   const text = `${location.href.split("#")[0]}#${toHash(page.state)}`;
   const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
-  find("#message").textContent = isCopied ? "The address is in the clipboard." : text;
-  setTimeout(() => { find("#message").textContent = ""; }, 4000);
+  const own = page.state.texture === "own" ? " Your texture is not a part of it." : "";
+  say((isCopied ? "The address is in the clipboard." : text) + own);
   button.focus();
 });
 find("#save").addEventListener("click", () => find("#picture").toBlob((blob) => {
@@ -136,6 +155,13 @@ find("#save").addEventListener("click", () => find("#picture").toBlob((blob) => 
   anchor.click();
   setTimeout(() => URL.revokeObjectURL(anchor.href), 1000);
 }));
+openTexture(async (texture) => {
+  setTexture("own", texture);
+  await pool.all("setTexture", "own", texture);
+  if (!SETTINGS.texture.options.includes("own")) addOption("texture", "own");
+  if (page.state.texture === "own") draw();
+  change("texture", "own");
+}, say);
 addEventListener("hashchange", () => { page.state = fromHash(location.hash); show(); });
 window.playground = page;  // for tests
 show();

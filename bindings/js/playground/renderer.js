@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draws descriptions with shd. Objects that do not change from frame to frame are kept.
-import { makeTexels, SIZE } from "./textures.js";
+import { textureOf } from "./textures.js";
 
 /** Objects by the descs that they were made from; objects of older frames are closed. */
 class Cache {
@@ -43,18 +43,19 @@ export class Renderer {
     const aovs = inspect ? "uv|derivatives|level|draw" : AOVS[view];
     const size = { width: scene.width, height: scene.height, sampleCount: scene.samples, colorFormat: "rgba8_srgb", aovs };
     const framebuffer = cache.get("framebuffer", size, () => new shd.Framebuffer(context, size));
-    const texture = cache.get("texture", scene.texture, () => new shd.Texture(context, {
-      format: "rgba8_srgb", width: SIZE, height: SIZE, texels: makeTexels(scene.texture), tables: "mipmap" }));
+    const { id, width, height, texels } = textureOf(scene.texture);
+    const texture = cache.get("texture", [scene.texture, id], () => new shd.Texture(context, {
+      format: "rgba8_srgb", width, height, texels, tables: "mipmap" }));
     const lights = scene.lights.map((desc) => cache.get("light", desc, () => new shd.Light(context, desc)));
     const samplers = scene.samplers.map((desc) => cache.get("sampler", desc, () => new shd.Sampler(context, desc)));
-    const sides = samplers.map((sampler, i) => this.#draws(scene, texture, sampler, scene.samplers[i]));
+    const sides = samplers.map((sampler, i) => this.#draws(scene, texture, sampler, [scene.samplers[i], id]));
     const frame = { framebuffer, camera: scene.camera, clearColor: scene.clearColor, lights };
     if (scene.shadow) frame.shadows = [this.#shadowOf(scene, lights[0], sides[1]), ...lights.slice(1).map(() => null)];
     const start = performance.now();
     let fragments = 0;
-    for (const [side, x, width] of [[0, 0, scene.splitAt], [1, scene.splitAt, scene.width - scene.splitAt]]) {
-      if (!width || top >= bottom) continue;
-      const scissor = { x, y: top, width, height: bottom - top };
+    for (const [side, x, end] of [[0, 0, scene.splitAt], [1, scene.splitAt, scene.width]]) {
+      if (x === end || top >= bottom) continue;
+      const scissor = { x, y: top, width: end - x, height: bottom - top };
       fragments += shd.render(context, { ...frame, draws: sides[side], scissor }).fragmentCount;
     }
     const milliseconds = performance.now() - start;
@@ -63,11 +64,11 @@ export class Renderer {
     return { milliseconds, fragments };
   }
 
-  #draws(scene, texture, sampler, samplerDesc) {
+  #draws(scene, texture, sampler, made) {
     const [shd, context, cache] = [this.#shd, this.#context, this.#cache];
     return scene.draws.map(({ mesh, material, objectToWorld }) => {
       const { uvTransform, ...desc } = material;
-      const key = { material, texture: scene.texture, samplerDesc };
+      const key = { material, texture: scene.texture, made };
       const slots = [{ target: "diffuse", texture, sampler, uvTransform }];
       return {
         mesh: cache.get("mesh", mesh, () => shd.Mesh.shape(context, mesh)),
@@ -106,7 +107,7 @@ export class Renderer {
     const lookups = { u: column("u", su), v: column("v", sv), dudx: column("dudx", su), dvdx: column("dvdx", sv),
                       dudy: column("dudy", su), dvdy: column("dvdy", sv) };
     const explanation = texture.explain(samplers[side], lookups);
-    return { u: lookups.u[0], v: lookups.v[0], size: SIZE, side: side ? "B" : "A", filter: explanation.filter,
+    return { u: lookups.u[0], v: lookups.v[0], side: side ? "B" : "A", filter: explanation.filter,
              lod: explanation.lod, taps: explanation.tapCount, longer: explanation.longerAxis,
                  shorter: explanation.shorterAxis,
              colour: explanation.result };

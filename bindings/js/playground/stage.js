@@ -80,12 +80,12 @@ export class Stage {
   }
   /** Puts the bands of a frame on the canvas. */
   put({ bands }) {
-    const [{ width, height }] = bands;
+    const [{ value: { width, height } }] = bands;
     const canvas = this.#canvas;
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     const target = canvas.getContext("2d");
-    for (const { pixels, rows: [top, bottom] } of bands) {
-      if (bottom > top) target.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, bottom - top), 0, top);
+    for (const { value: { pixels }, rows: [top, bottom] } of bands) {
+      if (bottom > top) target.putImageData(new ImageData(pixels, width, bottom - top), 0, top);
     }
   }
 }

@@ -57,7 +57,8 @@ const format = (value) => (typeof value === "boolean" ? (value ? "1" : "0") : St
 
 /** The text after # for a state. */
 export function toHash(state) {
-  return Object.keys(SETTINGS).filter((key) => state[key] !== SETTINGS[key].value)
+  const isStored = (key) => state[key] !== SETTINGS[key].value && !(key === "texture" && state[key] === "own");
+  return Object.keys(SETTINGS).filter(isStored)
     .map((key) => `${key}=${encodeURIComponent(format(state[key]))}`).join("&");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Generated textures: 512 x 512 RGBA8 in sRGB.
+// Textures: patterns of 512 x 512 texels, and one image of the visitor. All are RGBA8 in sRGB.
 
-export const SIZE = 512;
+const SIZE = 512;
 
 /** A value of 0..1 from two integers. */
 function noise(x, y) {
@@ -53,7 +53,7 @@ const PATTERNS = {
 };
 
 /** The texels of a pattern. */
-export function makeTexels(name) {
+function makeTexels(name) {
   const texels = new Uint8Array(SIZE * SIZE * 4);
   for (let y = 0, i = 0; y < SIZE; ++y) {
     for (let x = 0; x < SIZE; ++x, i += 4) {
@@ -62,4 +62,17 @@ export function makeTexels(name) {
     }
   }
   return texels;
+}
+
+const made = new Map();
+
+/** Replaces the texture `name`. `id` differs for each image that had this name. */
+export function setTexture(name, texture) {
+  made.set(name, { ...texture, id: (made.get(name)?.id ?? 0) + 1 });
+}
+
+/** A texture by its name: {width, height, texels, id}. */
+export function textureOf(name) {
+  if (!made.has(name)) setTexture(name, { width: SIZE, height: SIZE, texels: makeTexels(name) });
+  return made.get(name);
 }

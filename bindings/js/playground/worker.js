@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Renders in a worker, so that the page answers while a slow frame is drawn.
-import { load } from "../lib/index.js";
+// Draws in a worker, so that the page answers while a slow frame is drawn.
+import { serve } from "../lib/pool.js";
 import { describe } from "./scene.js";
 import { falseColour, LEVELS, ratioOf, RATIO_COLOURS } from "./falsecolour.js";
 import { Renderer } from "./renderer.js";
-
-let renderer = null;
+import { setTexture } from "./textures.js";
 
 /** Replaces the colours of pixels by those of a view. `first` is the number of the first pixel. */
 function applyView(made, view, pixels, first) {
@@ -21,26 +20,21 @@ function applyView(made, view, pixels, first) {
       dvdy[i])) : -1));
 }
 
-let whole = null;
-
-async function answer({ module, state, pointer, rows }) {
-  renderer ??= load(module).then((shd) => new Renderer(shd));
-  const made = await renderer;
-  if (pointer) return { footprint: made.footprint(pointer.x, pointer.y) };
-  const scene = describe(state);
-  const stats = made.draw(scene, state.view, state.inspect, rows);
-  whole = made.readColor(whole?.length === scene.width * scene.height * 4 ? whole : null);
-  const [first, last] = rows.map((y) => y * scene.width);
-  const pixels = whole.slice(4 * first, 4 * last);
-  applyView(made, state.view, pixels, first);
-  return { ...stats, rows, width: scene.width, height: scene.height, pixels: pixels.buffer };
-}
-
-self.onmessage = async ({ data }) => {
-  try {
-    const result = await answer(data);
-    self.postMessage({ id: data.id, ...result }, result.pixels ? [result.pixels] : []);
-  } catch (problem) {
-    self.postMessage({ id: data.id, problem: problem.message });
-  }
-};
+serve((shd) => {
+  const made = new Renderer(shd);
+  let whole = null;
+  return {
+    setTexture,
+    footprint: (x, y) => made.footprint(x, y),
+    /** Draws rows of a state. */
+    draw(rows, state) {
+      const scene = describe(state);
+      const stats = made.draw(scene, state.view, state.inspect, rows);
+      whole = made.readColor(whole?.length === scene.width * scene.height * 4 ? whole : null);
+      const [first, last] = rows.map((y) => y * scene.width);
+      const pixels = whole.slice(4 * first, 4 * last);
+      applyView(made, state.view, pixels, first);
+      return { ...stats, width: scene.width, height: scene.height, pixels };
+    },
+  };
+});

@@ -11,7 +11,7 @@ const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css",
     wasm: "application/wasm",
                 svg: "image/svg+xml", png: "image/png" };
-const WASM = process.env.SHD_WASM ?? join(ROOT, "lib/shd.wasm");
+const BUILT = { "/lib/shd.wasm": process.env.SHD_WASM, "/lib/shd-threads.wasm": process.env.SHD_WASM_THREADS };
 
 const PAGE = `<!doctype html><title>shd</title><script type="module">
 const post = (result) => fetch("/result", { method: "POST", body: JSON.stringify(result) });
@@ -19,15 +19,40 @@ try {
   const { load } = await import("/lib/index.js");
   const { runPrograms, runSpeed } = await import("/examples/programs.mjs");
   const { renderFloor } = await import("/bench/floor.mjs");
+  const { Pool } = await import("/lib/pool.js");
+  const { HEIGHT, makeScene } = await import("/tests/pool_scene.mjs");
   const shd = await load();
-  await post({ lines: runPrograms(shd).lines, times: [...runSpeed(shd), renderFloor(shd)] });
+  const whole = makeScene(shd)([0, HEIGHT]);
+  for (const count of [1, 3]) {
+    const pool = new Pool(() => new Worker("/tests/pool_worker.mjs", { type: "module" }), { count });
+    for (let frame = 0; frame < 2; ++frame) {
+      const bytes = (await pool.bands(HEIGHT, "draw")).flatMap(({ value }) => [...value]);
+      if (bytes.length !== whole.length || whole.some((byte, i) => byte !== bytes[i])) {
+        throw new Error(\`\${count} workers draw other pixels\`);
+      }
+    }
+    await pool.call("refuse").then(() => { throw new Error("no error"); }, (problem) => {
+      if (problem.result !== "invalid_argument") throw problem;
+    });
+    pool.close();
+  }
+  const threads = await import("/lib/threads.js");
+  if (!threads.hasThreads()) throw new Error("the page cannot share memory");
+  const shared = await threads.load({ threads: 3 });
+  const lines = runPrograms(shd).lines;
+  if (runPrograms(shared).lines.join() !== lines.join()) throw new Error("threads have other hashes");
+  if (new shared.Context().workerCount !== 3) throw new Error("no threads");
+  const drawn = makeScene(shared)([0, HEIGHT]);
+  if (whole.some((byte, i) => byte !== drawn[i])) throw new Error("threads draw other pixels");
+  shared.close();
+  await post({ lines, times: [...runSpeed(shd), renderFloor(shd)] });
 } catch (problem) {
   await post({ problem: String(problem.stack ?? problem) });
 }
 </script>`;
 
-/** A server of the package's files at a free port. `onResult` gets what a page posts. */
-export function serve(onResult = () => {}) {
+/** A server of the package's files at a free port. `onResult` gets what a page posts; `find` may know other files. */
+export function serve(onResult = () => {}, find = () => undefined) {
   const server = createServer((request, response) => {
     const path = normalize(decodeURIComponent(request.url.split("?")[0])).replace(/^(\.\.[/\\])+/, "");
     if (request.method === "POST") {
@@ -37,7 +62,10 @@ export function serve(onResult = () => {}) {
       return;
     }
     try {
-      const bytes = path === "/" ? PAGE : readFileSync(path === "/lib/shd.wasm" ? WASM : join(ROOT, path));
+      const bytes = path === "/" ? PAGE : find(path) ?? readFileSync(BUILT[path] ?? join(ROOT, path));
+      // With these headers a page may share memory with its workers.
+      response.setHeader("cross-origin-opener-policy", "same-origin");
+      response.setHeader("cross-origin-embedder-policy", "require-corp");
       response.setHeader("content-type", path === "/" ? "text/html" : TYPES[path.split(".").pop()] ?? "text/plain");
       response.end(bytes);
     } catch {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compiles with the declarations of the package: tsc --noEmit
 import { load, ShdError, type MaterialDesc, type Texture } from "shd";
+import { Pool } from "shd/pool";
 
 declare const target: CanvasRenderingContext2D;
 const shd = await load();
@@ -34,11 +35,19 @@ const tiled = new shd.Texture(context, {
   format: "r8", width: 256, height: 256, tiles: { cache, load: (tiles) => tiles.forEach((t) => t.texels.fill(t.area.x)) },
 });
 const { nonfiniteCount } = tiled.sample(sampler, { u: [0.5], v: [0.5] });
+const flags = new shd.Framebuffer(context, { width: 1, height: 1, aovs: ["uv", "normal", "level", "draw"] });
+new shd.Texture(context, { format: "r8", width: 1, height: 1, texels: new Uint8Array(1), tables: texture.info.tables });
+const doubles = new Float64Array(9);
+new shd.Mesh(context, { position: doubles, normal: { data: doubles, stride: 3 }, indices: Int32Array.of(0, 1, 2) });
+{
+  using sampler = new shd.Sampler(context);
+  using pool = new Pool<{ draw(rows: [number, number], angle: number): Uint8ClampedArray }>(() => new Worker("w.js"));
+  const [{ rows: [first, last], value }] = await pool.bands(480, "draw", 0.5);
+  const drawn: number = (await pool.call("draw", [first, last], 1)).length + value.length;
+  console.log(drawn, sampler.isClosed, flags.info.aovs);
+}
 try {
-  // @ts-expect-error there is no such filter
-  new shd.Sampler(context, { filter: "best" });
-  // @ts-expect-error there is no such field
-  new shd.Sampler(context, { anisotropy: sum + nonfiniteCount });
+  new shd.Sampler(context, { maxAnisotropy: sum + nonfiniteCount });
 } catch (problem) {
   if (problem instanceof ShdError) console.log(problem.result);
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Packs the npm package, installs the tarball in an empty folder, draws a picture there, and compiles an example with
-# the declarations of the package.
+# Packs the npm package, installs the tarball in an empty folder, draws a picture there, and compiles programs with the
+# declarations of the package.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
@@ -11,7 +11,7 @@ tarball=$("$source/pack.sh" "$WORK/empty")
 cd "$WORK/empty"
 npm init -y >/dev/null
 npm install --offline --no-audit --no-fund "./$tarball" >/dev/null
-unset SHD_WASM  # the file of the package
+unset SHD_WASM SHD_WASM_THREADS  # the files of the package
 cp node_modules/shd/examples/{hello,png}.mjs .
 "$NODE" hello.mjs picture.png
 "$NODE" -e '
@@ -21,14 +21,14 @@ cp node_modules/shd/examples/{hello,png}.mjs .
   const colours = new Set();
   for (let i = 0; i < rows.length - 4; i += 97) colours.add(rows.readUInt32BE(i));
   if (colours.size < 500) throw new Error(`only ${colours.size} colours`);'
-wasm=node_modules/shd/lib/shd.wasm
-echo "bytes: tarball $(stat -c %s "$tarball"), shd.wasm $(stat -c %s $wasm), by gzip $(gzip -9c $wasm | wc -c)"
-if ! npm install --no-audit --no-fund --silent typescript@5 2>/dev/null; then
-  echo "the registry of npm cannot be reached: the types were not compiled"
-  exit 0
-fi
-cp "$source/tests/example.ts" example.mts
-for lib in esnext es2022; do
-  npx tsc --noEmit --strict --target esnext --module nodenext --moduleResolution nodenext --lib $lib,dom example.mts
+"$NODE" --input-type=module --eval '
+  import { load } from "shd/threads";
+  const shd = await load({ threads: 2 });
+  if (new shd.Context().workerCount !== 2) throw new Error("no threads");'
+cd node_modules/shd/lib
+for file in shd.wasm shd-threads.wasm; do
+  echo "$file: $(stat -c %s "$file") bytes, by gzip $(gzip -9c "$file" | wc -c)"
 done
-echo "the types of the example are right"
+cd ../../..
+echo "$tarball: $(stat -c %s "$tarball") bytes"
+WORK=$PWD "$source/tests/types.sh" node_modules/shd || [ $? -eq 77 ]

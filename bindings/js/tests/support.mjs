@@ -1,8 +1,23 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
-import { load, ShdError } from "../lib/index.js";
+import { readFile } from "node:fs/promises";
+import { load as loadOne, ShdError } from "../lib/index.js";
+import { load as loadShared } from "../lib/threads.js";
 
 export { ShdError };
+
+/** Threads of the instances of all tests: node run.mjs [threads]; without a number they are those of shd.wasm. */
+export const threads = process.argv[2] ? Number(process.argv[2]) : undefined;
+const file = threads ? process.env.SHD_WASM_THREADS ?? new URL("../lib/shd-threads.wasm", import.meta.url)
+                     : process.env.SHD_WASM ?? new URL("../lib/shd.wasm", import.meta.url);
+const module = await WebAssembly.compile(await readFile(file));
+
+/** A new instance of shd.wasm. */
+export const loadOneThread = () => loadOne(process.env.SHD_WASM);
+/** A new instance with a number of threads. */
+export const loadThreads = (count) => loadShared({ threads: count, source: module });
+/** A new instance. */
+export const load = () => (threads ? loadThreads(threads) : loadOne(module));
 
 const cases = [];
 
@@ -12,17 +27,17 @@ export function test(name, body) {
 }
 
 test.run = async () => {
-  const module = await WebAssembly.compile(await (await import("node:fs/promises")).readFile(
-    process.env.SHD_WASM ?? new URL("../lib/shd.wasm", import.meta.url)));
   let failed = 0;
   for (const [name, body] of cases) {
+    const shd = await load();
     try {
-      const shd = await load(module);
       await body(shd, new shd.Context());
       console.log(`ok ${name}`);
     } catch (problem) {
       failed += 1;
       console.log(`FAILED ${name}\n${problem.stack}`);
+    } finally {
+      shd.close();
     }
   }
   console.log(`${cases.length - failed} of ${cases.length} passed`);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { inspect } from "node:util";
-import { grey, refused, test } from "./support.mjs";
-import { load } from "../lib/index.js";
+import { grey, load, refused, test, threads } from "./support.mjs";
 
 test("objects/close", (shd, context) => {
   const sampler = new shd.Sampler(context);
@@ -16,8 +15,14 @@ test("objects/close", (shd, context) => {
 });
 
 test("objects/printed", (shd, context) => {
-  assert.equal(inspect(context), "Context { kind: 'context' }");
-  assert.equal(inspect(grey(shd, context)), "Texture { kind: 'texture' }");
+  assert.equal(inspect(context), `Context { simdTarget: 'WASM', workerCount: ${threads ?? 1} }`);
+  assert.match(inspect(grey(shd, context)), /^Texture \{\s+info: \{\s+kind: '2d',\s+format: 'r8',\s+width: 4,/);
+  assert.equal(inspect([shd.Mesh.shape(context, { kind: "plane" })], { depth: 0 }).split("\n").length, 1);
+  const sampler = new shd.Sampler(context);
+  assert.equal(inspect(sampler), "Sampler {}");
+  sampler.close();
+  assert.equal(inspect(sampler), "Sampler { isClosed: true }");
+  assert(inspect(shd).split("\n").length < 25, inspect(shd));
 });
 
 test("objects/no_leak", (shd, context) => {
@@ -37,10 +42,10 @@ test("objects/no_leak", (shd, context) => {
 test("objects/descs", (shd, context) => {
   assert.equal(shd.version, "0.1.0");
   assert.equal(context.simdTarget, "WASM");
-  assert.equal(context.workerCount, 1);
+  assert.equal(context.workerCount, threads ?? 1);
   const texture = grey(shd, context);
   assert.deepEqual({ ...texture.info, byteSize: 0 }, {
-    kind: "2d", format: "r8", width: 4, height: 4, layerCount: 1, levelCount: 3, tables: "mipmap", flags: "none", byteSize: 0, depth: 1,
+    kind: "2d", format: "r8", width: 4, height: 4, layerCount: 1, levelCount: 3, tables: "mipmap", flags: "none", byteSize: 0, depth: 0,
     projection: "none",
   });
   const camera = shd.call("shd_view_from_camera", { eye: [0, 0, 5] });
@@ -55,12 +60,18 @@ test("objects/misuse", async (shd, context) => {
   const texture = (desc) => () => new shd.Texture(context, desc);
   const texels = new Uint8Array(4);
   refused(texture({ format: "r8", width: 4, height: 4, texels }), "desc.texels: 4 bytes, fewer than the 16");
-  refused(texture({ format: "r9", width: 1, height: 1, texels }), "desc.format: \"r9\" is none of none, r8");
+  refused(texture({ format: "r9", width: 1, height: 1, texels }), "desc.format: no format is \"r9\"; did you mean r8?");
   refused(texture({ format: "r8", width: 1.5, height: 1, texels }), "desc.width: 1.5, not an integer of 0..4294967295");
   refused(texture({ format: "r8", width: 0, height: 1, texels }), "texture.width: 0");
   refused(texture({ format: "r8", width: 2, height: 2, texels, flags: "borrow" }), "desc.texels: borrowed texels");
-  refused(texture({ format: "r8", width: 2, height: 2, texels: [0, 0, 0, "0"] }), "desc.texels[3]: a number");
+  refused(texture({ format: "r8", width: 2, height: 2, texels: [0, 0, 0, 256] }), "desc.texels[3]: an integer of 0..255, not 256");
   refused(texture("r8"), "desc: an object with fields of texture_desc, not \"r8\"");
+  refused(() => new shd.Sampler(context, { anisotropy: 8 }),
+          "desc.anisotropy: sampler_desc has no such field; did you mean maxAnisotropy?");
+  refused(() => new shd.Sampler(context, { max_anisotropy: 8 }),
+          "desc.max_anisotropy: sampler_desc has no such field; did you mean maxAnisotropy?");
+  refused(() => new shd.Sampler(context, { filter: "ewwa" }), 'desc.filter: no filter is "ewwa"; did you mean ewa?');
+  refused(() => new shd.Sampler(context, { filter: "best" }), 'desc.filter: no filter is "best"; lib/api.d.ts lists');
   refused(() => new shd.Sampler(context, { maxAnisotropy: "8" }), "desc.maxAnisotropy: a number, not \"8\"");
   refused(() => new shd.Sampler(context, { maxAnisotropy: 100 }), "sampler.max_anisotropy: 100");
   refused(() => new shd.Sampler(context, { border: [1, 2] }), "desc.border: 2 numbers, not 4");
@@ -69,7 +80,7 @@ test("objects/misuse", async (shd, context) => {
   refused(() => shd.allocate(Float32Array, -1), "length: -1");
   refused(() => shd.allocate(Array, 1), "type: a constructor");
   refused(() => shd.allocate(Uint8Array, 3e9), "3000000000 bytes could not be", "out_of_memory");
-  const other = await load(process.env.SHD_WASM);
+  const other = await load();
   refused(() => new shd.Material(context, { slots: [{ target: "diffuse", texture: grey(other,
       new other.Context()) }] }),
           "desc.slots[0].texture: it belongs to another instance");
@@ -98,6 +109,17 @@ test("objects/mesh", (shd, context) => {
   assert.deepEqual([...mesh.readIndices()], [0, 1, 2]);
   assert.deepEqual([...mesh.readAttribute(0)], [1, 2, 3]);
   assert.equal(mesh.tessellate(context, { segments: 2 }).info.triangleCount, 4);
+  const doubles = Float64Array.from(position), integers = Int32Array.of(0, 1, 2);
+  const converted = new shd.Mesh(context, { position: doubles, indices: integers });
+  assert.deepEqual(converted.read("positions"), position);
+  const shifted = { data: Float64Array.from([9, ...position]), offset: 1 };
+  const strided = new shd.Mesh(context, { position: shifted, indices: Uint8Array.of(0, 1, 2) });
+  assert.deepEqual(strided.read("positions"), position);
+  const indexed = (indices) => () => new shd.Mesh(context, { position, indices });
+  refused(indexed(Int32Array.of(0, 1, -1)), "desc.indices[2]: an integer of 0..4294967295, not -1");
+  refused(indexed([0, 1.5, 2]), "desc.indices[1]: an integer of 0..4294967295, not 1.5");
+  refused(indexed(Float32Array.of(0, 1, 2)),
+          "desc.indices: a Uint32Array, not a value of type Float32Array; Uint32Array.from");
   refused(() => new shd.Mesh(context, { position, uv: [0, 0] }), "desc.uv: 1 elements, not vertexCount = 3");
   refused(() => new shd.Mesh(context, { position
       : position.subarray(1) }), "desc.position: 8 elements, not a multiple of 3");

@@ -133,7 +133,8 @@ test("tiles/refused", (shd, context) => {
   refused(() => source.make({ tiles: { cache: source.cache, load: 3 } }), "desc.tiles.load: a function, not 3");
   refused(() => source.make({ tiles: { cache: context, load: source.load } }), "desc.tiles.cache: a tile_cache");
   refused(() => new shd.TileCache(context, { budgetBytes: 1 }), "tile_cache.budget_bytes: 1 is not");
-  refused(() => source.memory.loadTiles({ ...REGION, left: 1 }), "region.left: there is no such field");
+  refused(() => source.memory.loadTiles({ ...REGION, left: 1 }),
+          "region.left: tile_region has no such field; there are layer, level, area");
 });
 
 /** Every struct that begins with its size has a kind, except those that the library gives to programs. */

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The worker of test_pool.mjs and of the page of browser.mjs: it draws rows of a picture.
+import { serve } from "../lib/pool.js";
+import { makeScene } from "./pool_scene.mjs";
+
+serve((shd) => {
+  const draw = makeScene(shd);
+  const kept = shd.allocate(Float32Array, 4);
+  let calls = 0;
+  return {
+    draw,
+    echo: (...values) => values,
+    count: () => ++calls,
+    /** A view of the memory of WebAssembly, and an array that is moved. */
+    memory() {
+      kept.array.set([1, 2, 3, 4]);
+      return { view: kept.array, list: [Uint8Array.of(5)], text: "text" };
+    },
+    refuse: () => new shd.Sampler(new shd.Context(), { maxAnisotropy: 99 }),
+    end() {
+      setTimeout(() => { throw new Error("this worker breaks"); });
+    },
+  };
+});
