@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support/check.h"
+#undef fail  // cmocka's macro
 
 namespace {
 
