@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Builds and tests everything on Debian 12, from a fresh machine, as root or with sudo.
 #
-#   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | arm
+#   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | small | arm
 #
 #   format    clang-format 14 over every tracked C and C++ file; the documentation, by Doxygen, without warnings
 #   highway   every file with kernels compiles with the headers of the newest Highway (tests/highway.sh)
@@ -11,6 +11,7 @@
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
 #   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB, on one generic SIMD target: the same bits, and
 #             what users build with it
+#   small     libshd_io and libshd_scene without OpenImageIO and assimp: their tests
 #   arm       libshd for 64-bit ARM; its frames and lookups have the golden hashes under qemu. Skipped without a cross
 #             compiler (g++-aarch64-linux-gnu, qemu-user); SHD_ARM=1 installs both, 320 MB
 #   quick     format and release
@@ -23,7 +24,7 @@ cd "$(dirname "$0")/.." || exit 1
 
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
           libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
-          libembree-dev libhwy-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libtbb-dev libzstd-dev
+          libembree-dev libhwy-dev libjpeg-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev libopenvdb-dev libpng-dev libtbb-dev libzstd-dev
           ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
@@ -105,7 +106,7 @@ stage_asan() {
 stage_tsan() {
   local runner=() targets=(tests_threads)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
-  build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+  build tsan -DSHD_SIMD=few -DSHD_WITH_IO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^(slow|forks)$'
 }
 # The absence of the dependencies and the one SIMD target can change the binary, the bits, the process, and the programs
@@ -115,6 +116,11 @@ stage_core() {
   build core -DSHD_SIMD=scalar && run_tests core -L '^(abi|bits|consumer|examples|host)$'
 }
 # Only the golden hashes and those of the bindings' programs: the emulator takes a minute for them.
+# Files by libpng, libjpeg and the own readers of models, without OpenImageIO and assimp.
+stage_small() {
+  local targets=(all)
+  build small && run_tests small -R '^(api\.(io|scene)|unit\.scene|abi\.(ldd|symbols))'
+}
 stage_arm() {
   local missing targets=(test_api_determinism c_programs)
   missing=$(missing_packages "${arm_packages[@]}" | paste -sd, | sed 's/,/, /g')
@@ -140,11 +146,11 @@ run_stage() {
 stages=()
 for argument in "${@:-all}"; do
   case $argument in
-    all) stages+=(format highway release asan tsan core arm) ;;
+    all) stages+=(format highway release asan tsan core small arm) ;;
     quick) stages+=(format release) ;;
-    format | highway | release | asan | tsan | core | arm) stages+=("$argument") ;;
+    format | highway | release | asan | tsan | core | small | arm) stages+=("$argument") ;;
     *)
-      sed -n '3,21p' "$0" | sed 's/^# \{0,1\}//'
+      sed -n '3,22p' "$0" | sed 's/^# \{0,1\}//'
       exit 2
       ;;
   esac

@@ -25,6 +25,8 @@ THIRD_PARTY = {
     "OpenImageIO/": {"src/io/oiio/oiio.cpp", "src/io/oiio/encode.cpp", "src/io/oiio/handle.h", "src/io/oiio/tiles.cpp",
                      "src/io/maketx/decoder.cpp", "src/io/maketx/main.cpp", "src/io/maketx/pyramid.cpp", "src/io/maketx/source.h",
                      "src/io/maketx/target.h"},
+    "png.h": {"src/io/small/png.cpp"},
+    "jpeglib.h": {"src/io/small/jpeg.cpp"},
     "openvdb/": {"src/io/vdb/vdb.cpp"},
     "zstd": {"src/io/container/inflate.cpp"},
     "zlib.h": {"src/io/container/inflate.cpp"},

@@ -10,9 +10,9 @@
 #include "extension/color_planes.h"
 #include "io/abi/common.h"
 #include "io/abi/plane_rows.h"
+#include "io/codec/codec.h"
 #include "io/file/printable.h"
 #include "io/file/write_file.h"
-#include "io/oiio/oiio.h"
 
 namespace {
 
