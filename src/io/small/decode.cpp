@@ -46,7 +46,7 @@ struct Decoder {
   PictureRows& rows;
   size_t row_size;  // size of a row of the file [bytes]
   ChannelMap map;
-  bool streams;     // rows go to the sink as they are read; otherwise they are placed in the bitmap first
+  bool streams;  // rows go to the sink as they are read; otherwise they are placed in the bitmap first
 };
 
 size_t sample_size(Sample sample) {
@@ -170,18 +170,20 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   describe(input, options, picture, &out);
   const bool one_channel = has_one_channel(out.format);
   const bool plain = (options.flags & (SHD_LOAD_FLIP_V | SHD_LOAD_PARTIAL)) == 0 && !picture.turn.any();
-  const Decoder decoder = {options, deadline, sink, *rows,
+  const Decoder decoder = {options,
+                           deadline,
+                           sink,
+                           *rows,
                            size_t{picture.width} * static_cast<size_t>(picture.channels) * sample_size(picture.sample),
-                           channel_map(picture), sink && plain};
-  const size_t bytes = check_bytes(options.limits, uint64_t{out.width} * out.height, bitmap_pixel_size(out.format),
-                                   input.file_size);
+                           channel_map(picture),
+                           sink && plain};
+  const size_t bytes =
+      check_bytes(options.limits, uint64_t{out.width} * out.height, bitmap_pixel_size(out.format), input.file_size);
   if (!decoder.streams) {
     out.pixels = Buffer(memory, bytes);
     if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
   }
-  const Packing packing = one_channel           ? kSingle
-                          : !decoder.streams ? kExpanded
-                                             : Packing{picture.channels, decoder.map};
+  const Packing packing = one_channel ? kSingle : !decoder.streams ? kExpanded : Packing{picture.channels, decoder.map};
   if (sink) sink->begin(sink->owner, out, packing);
   read_rows(decoder, memory, &out);
   return out;

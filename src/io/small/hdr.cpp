@@ -139,7 +139,8 @@ void pack_bytes(const std::vector<unsigned char>& row, std::vector<unsigned char
     size_t end = x;
     while (end < row.size() && end - x < 128 && run_at(end) < 4) ++end;
     out->push_back(static_cast<unsigned char>(end - x));
-    out->insert(out->end(), row.begin() + static_cast<std::ptrdiff_t>(x), row.begin() + static_cast<std::ptrdiff_t>(end));
+    out->insert(out->end(), row.begin() + static_cast<std::ptrdiff_t>(x),
+                row.begin() + static_cast<std::ptrdiff_t>(end));
     x = end;
   }
 }
@@ -149,8 +150,7 @@ void pack_row(const std::vector<unsigned char>& pixels, size_t width, std::vecto
     out->insert(out->end(), pixels.begin(), pixels.end());
     return;
   }
-  out->insert(out->end(),
-              {2, 2, static_cast<unsigned char>(width >> 8), static_cast<unsigned char>(width & 0xff)});
+  out->insert(out->end(), {2, 2, static_cast<unsigned char>(width >> 8), static_cast<unsigned char>(width & 0xff)});
   std::vector<unsigned char> row(width);
   for (size_t c = 0; c < 4; ++c) {
     for (size_t x = 0; x < width; ++x) row[x] = pixels[4 * x + c];
@@ -166,8 +166,8 @@ std::unique_ptr<PictureRows> open_hdr(const DecodeInput& input) {
 
 std::vector<unsigned char> encode_hdr(const EncodeJob& job) {
   char head[128];
-  const int size = std::snprintf(head, sizeof head, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %u +X %u\n", job.height,
-                                 job.width);
+  const int size =
+      std::snprintf(head, sizeof head, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %u +X %u\n", job.height, job.width);
   std::vector<unsigned char> out(head, head + size);
   std::vector<float> rgb(size_t{3} * job.width);
   std::vector<unsigned char> pixels(size_t{4} * job.width);

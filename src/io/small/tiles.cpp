@@ -3,14 +3,16 @@
 #include "io/codec/tiles.h"
 
 #include "core/failure.h"
+#include "io/file/printable.h"
 
 namespace shd::io {
 
 class TiledSet {};
 
-TiledSet* open_tiled_set(const TiledPaths&, TiledInfo*) {
+TiledSet* open_tiled_set(const TiledPaths& paths, TiledInfo*) {
   core::refuse(SHD_ERROR_UNSUPPORTED,
-               "this build keeps KTX2 and DDS files open, because it has no OpenImageIO for tiled TIFF and OpenEXR");
+               "\"%s\": neither KTX2 nor DDS; this build has no OpenImageIO for other tiled files",
+               printable(paths.paths[0]).c_str());
 }
 
 void read_tiled_set(TiledSet&, const TiledRead&) {}

@@ -48,7 +48,8 @@ Result by_small(FileBytes bytes, uint32_t flags, const io::Sink* sink = nullptr)
     const bool strict = (flags & SHD_LOAD_PARTIAL) == 0;
     if (!complete && strict) core::refuse(SHD_ERROR_CORRUPT, "JPEG: the end is missing");
     const size_t scrubbed = io::scrub(format, bytes.data(), size, strict);
-    const io::Bitmap bitmap = io::decode({format, bytes.data(), scrubbed, size, complete}, options, kHeap, deadline, sink);
+    const io::Bitmap bitmap =
+        io::decode({format, bytes.data(), scrubbed, size, complete}, options, kHeap, deadline, sink);
     out.space = bitmap.color_space;
     out.format = bitmap.format;
     out.width = bitmap.width;
@@ -227,8 +228,8 @@ void test_hdr(void**) {
                                 "#?RADIANCE\nGAMMA=2.2\nEXPOSURE=3\nFORMAT=32-bit_rle_rgbe\n",
                                 "#?RADIANCE\n# a comment\nGAMMA=1.0\nFORMAT=32-bit_rle_rgbe\n"};
   for (const char* head : kHeads) assert_same_both(head, hdr_file(head, "-Y 6 +X 7", 7, 6));
-  for (const char* size : {"-Y 6 +X 5", "+Y 6 +X 5", "-Y 6 -X 5", "+Y 6 -X 5", "+X 6 -Y 5", "-X 6 +Y 5", "+X 6 +Y 5",
-                           "-X 6 -Y 5"}) {
+  for (const char* size :
+       {"-Y 6 +X 5", "+Y 6 +X 5", "-Y 6 -X 5", "+Y 6 -X 5", "+X 6 -Y 5", "-X 6 +Y 5", "+X 6 +Y 5", "-X 6 -Y 5"}) {
     assert_same_both(size, hdr_file(kHeads[0], size, 5, 6));
   }
   for (const char* size : {"", "-Y 6", "-Y 6 +X", "6 5", "-Z 6 +X 5", "-Y 6 +Y 5", "-Y 0 +X 5", "-Y 6 +X 900000"}) {
@@ -372,8 +373,9 @@ void test_partial(void**) {
 void test_refused(void**) {
   const Result gif = by_small({'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0}, 0);
   assert_int_equal(gif.code, SHD_ERROR_UNSUPPORTED);
-  assert_string_equal(gif.text.c_str(), "the content is GIF; this build reads PNG, JPEG and Radiance HDR, because it "
-                                         "has no OpenImageIO");
+  assert_string_equal(gif.text.c_str(),
+                      "the content is GIF; this build reads PNG, JPEG and Radiance HDR, because it "
+                      "has no OpenImageIO");
   Job job("openexr", 3, io::Sample::kFloat, 1, 1);
   try {
     (void)io::encode(job.job);
@@ -388,9 +390,9 @@ void test_refused(void**) {
 
 int main() {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_png),      cmocka_unit_test(test_png_gamma), cmocka_unit_test(test_jpeg),
-      cmocka_unit_test(test_hdr),      cmocka_unit_test(test_write_png), cmocka_unit_test(test_write_hdr),
-      cmocka_unit_test(test_damaged),  cmocka_unit_test(test_partial),   cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_png),     cmocka_unit_test(test_png_gamma), cmocka_unit_test(test_jpeg),
+      cmocka_unit_test(test_hdr),     cmocka_unit_test(test_write_png), cmocka_unit_test(test_write_hdr),
+      cmocka_unit_test(test_damaged), cmocka_unit_test(test_partial),   cmocka_unit_test(test_refused),
   };
   return _cmocka_run_group_tests("unit.io.small", tests, sizeof tests / sizeof tests[0], set_up, tear_down);
 }
