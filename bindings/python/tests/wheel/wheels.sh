@@ -30,7 +30,7 @@ import os
 import re
 import shd
 context = shd.Context()
-workers = shd._api.lib.shd_context_worker_count(context.handle("shd_context", []))
+workers = shd._api.lib.shd_context_get_worker_count(context.handle("shd_context", []))
 assert workers == len(os.sched_getaffinity(0)), workers  # of oneTBB
 shd._api.lib.shd_scene_load  # also loads libshd_io
 found = set(re.findall(r"\S*/lib(?:shd|hwy|tbb|png|jpeg|z|zstd|draco)\S*", open("/proc/self/maps").read()))
