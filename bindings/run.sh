@@ -15,15 +15,16 @@ pattern=${1:-'^bindings\.'}
 build=build/bindings
 packages=(ca-certificates clang cmake g++ gcc git ninja-build pkg-config python3
           libassimp-dev libbenchmark-dev libboost-dev libcli11-dev libcmocka-dev libdraco-dev libeigen3-dev libembree-dev
-          libhwy-dev libmeshoptimizer-dev nlohmann-json3-dev
-          libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev assimp-testmodels
+          libhwy-dev libjpeg-dev libmeshoptimizer-dev nlohmann-json3-dev
+          libopencolorio-dev libopenimageio-dev libopenvdb-dev libpng-dev libtbb-dev libzstd-dev zlib1g-dev
+          assimp-testmodels
           mypy python3-numpy python3-pil python3-pip python3-pytest python3-setuptools python3-venv python3-wheel
           chromium emscripten
           luajit love godot3-server
           cargo rustc
           mono-mcs mono-runtime
           imagemagick libimgui-dev libsdl2-dev xauth xdotool xvfb
-          debootstrap dpkg-dev fakeroot file lintian)
+          debootstrap dpkg-dev fakeroot file lintian nasm)
 
 # Node from another source has its own npm.
 command -v npm >/dev/null || packages+=(npm)

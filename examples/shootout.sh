@@ -50,7 +50,7 @@ if [ -z "$build" ]; then
   echo "== Building shd and shd-shootout in $build: minutes on a few cores"
   # Without libshd_color and libshd_scene, whose parts the report does not need.
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON \
-    -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_OCIO=OFF -DSHD_WITH_ASSIMP=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF
+    -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_OCIO=OFF -DSHD_WITH_SCENE=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF
   cmake --build "$build" --parallel "$(compile_jobs)" --target shd-shootout
 fi
 "$build/examples/apps/shootout/shd-shootout" -o out/shootout "$@"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Builds and tests everything on Debian 12, from a fresh machine, as root or with sudo.
 #
-#   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | arm
+#   tests/run.sh [stage...]      all (default) | quick | format | highway | release | asan | tsan | core | small | arm
 #
 #   format    clang-format 14 over every tracked C and C++ file; the manual, by Doxygen and MkDocs, without warnings
 #   highway   every file with kernels compiles with the headers of the newest Highway (tests/highway.sh)
@@ -11,6 +11,7 @@
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
 #   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB, on one generic SIMD target: the same bits, and
 #             what users build with it
+#   small     libshd_io and libshd_scene without OpenImageIO and assimp: their tests
 #   arm       libshd for 64-bit ARM; its frames and lookups have the golden hashes under qemu. Skipped without a cross
 #             compiler (g++-aarch64-linux-gnu, qemu-user); SHD_ARM=1 installs both, 320 MB
 #   quick     format and release
@@ -23,19 +24,18 @@ cd "$(dirname "$0")/.." || exit 1
 
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc gdb git
           libassimp-dev libastcenc-dev libbenchmark-dev libcli11-dev libcmocka-dev libboost-dev libdraco-dev libeigen3-dev
-          libembree-dev libhwy-dev libimgui-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev libopenmpi-dev
-          libopenvdb-dev libsdl2-dev libtbb-dev libzstd-dev
+          libembree-dev libhwy-dev libimgui-dev libjpeg-dev libmeshoptimizer-dev libopencolorio-dev libopenimageio-dev
+          libopenmpi-dev libopenvdb-dev libpng-dev libsdl2-dev libtbb-dev libzstd-dev
           doxygen-awesome-css libjs-katex mkdocs-material  # the manual
+          mypy openimageio-tools python3-pil  # types of Python, maketx to compare with, images
           ninja-build nlohmann-json3-dev openmpi-bin pkg-config procps python3 python3-numpy zlib1g-dev)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
-packages+=(mypy python3-pil)  # types and images of the Python package
 jobs=$(nproc)
 # Clones share what they compile, wherever they lie.
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
 # Dependencies come from the compiler itself: a cold cache costs no second preprocessing.
 export CCACHE_DEPEND=${CCACHE_DEPEND:-1}
-packages+=(openimageio-tools python3-pil)  # maketx, beside which files are compared, and JPEG
 summary=()
 failed=0
 
@@ -109,7 +109,7 @@ stage_asan() {
 stage_tsan() {
   local runner=() targets=(tests_threads)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
-  build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+  build tsan -DSHD_SIMD=few -DSHD_WITH_IO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 run_tests tsan -L '^threads$' -LE '^(slow|forks)$'
 }
 # The absence of the dependencies and the one SIMD target can change the binary, the bits, the process, and the programs
@@ -117,6 +117,11 @@ stage_tsan() {
 stage_core() {
   local targets=(shd tests_abi tests_bits tests_examples tests_host)
   build core -DSHD_SIMD=scalar && run_tests core -L '^(abi|bits|consumer|examples|host)$'
+}
+# Files by libpng, libjpeg and the own readers of models, without OpenImageIO and assimp.
+stage_small() {
+  local targets=(all)
+  build small && run_tests small -R '^(api\.(io|scene)|unit\.scene|abi\.(ldd|symbols))'
 }
 # Only the golden hashes and those of the bindings' programs: the emulator takes a minute for them.
 stage_arm() {
@@ -144,11 +149,11 @@ run_stage() {
 stages=()
 for argument in "${@:-all}"; do
   case $argument in
-    all) stages+=(format highway release asan tsan core arm) ;;
+    all) stages+=(format highway release asan tsan core small arm) ;;
     quick) stages+=(format release) ;;
-    format | highway | release | asan | tsan | core | arm) stages+=("$argument") ;;
+    format | highway | release | asan | tsan | core | small | arm) stages+=("$argument") ;;
     *)
-      sed -n '3,21p' "$0" | sed 's/^# \{0,1\}//'
+      sed -n '3,22p' "$0" | sed 's/^# \{0,1\}//'
       exit 2
       ;;
   esac

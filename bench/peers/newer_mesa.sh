@@ -29,7 +29,7 @@ build_beside_newer_mesa() {
     done
     copy_sources
     inside cmake -S /shd -B "$newer_build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_BENCH=ON \
-      -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON -DSHD_WITH_OCIO=OFF -DSHD_WITH_TBB=OFF -DSHD_WITH_ASSIMP=OFF \
+      -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON -DSHD_WITH_OCIO=OFF -DSHD_WITH_TBB=OFF -DSHD_WITH_SCENE=OFF \
       -DSHD_BUILD_TOOLS=OFF -DSHD_WITH_EMBREE=OFF -DSHD_WITH_OPENVDB=OFF "-DSHD_COMMIT=$(git describe --always --dirty)"
     inside cmake --build "$newer_build" -j "${SHD_JOBS:-$(nproc)}" --target "$target"
   } >&2

@@ -5,7 +5,6 @@
     audit.py WHEEL...             exit code 1 if a library needs what the tag does not promise
     audit.py --tag FILE...        prints the tag that ELF files allow, such as manylinux_2_28_x86_64
     --libstdc++                   allows libstdc++.so.6 and libgcc_s.so.1, in versions that the tag promises
-    --system NAME                 allows a library of the system; the wheel's tag must be linux_*
 
 A library may need libraries of glibc and of the wheel itself, and symbols up to the version of glibc in the tag. It may
 search the wheel's own folders only. Bundled libraries have a name of their own, because the loader takes the first
@@ -56,7 +55,7 @@ def problems(name, file, glibc, machine, bundled, options):
     if file.machine != machine:
         yield f"is for {file.machine}, and the tag names {machine}"
     for needed in file.needed:
-        allowed = bool(GLIBC.match(needed)) or needed in bundled or needed in options.system
+        allowed = bool(GLIBC.match(needed)) or needed in bundled
         if not allowed and not (needed in STDCXX and options.libstdcxx):
             yield f"needs {needed}, which is neither of glibc nor in the wheel"
     for library, version in sorted(file.versions):
@@ -84,8 +83,6 @@ def audit(path, options):
     else:
         glibc = int(match[2]), int(match[3])
     found, files, names = [], {}, []
-    if options.system and match[1] != "linux":
-        found.append("libraries of the system are allowed for a tag linux_* only")
     with zipfile.ZipFile(path) as wheel:
         for name in wheel.namelist():
             data = wheel.read(name)
@@ -117,7 +114,6 @@ def main():
     parser.add_argument("files", nargs="+", type=pathlib.Path)
     parser.add_argument("--tag", action="store_true")
     parser.add_argument("--libstdc++", dest="libstdcxx", action="store_true")
-    parser.add_argument("--system", action="append", default=[], metavar="NAME")
     parser.add_argument("--beside", action="append", default=[], metavar="NAME", help="a library in another wheel")
     options = parser.parse_args()
     try:

@@ -5,6 +5,8 @@
     SHD_BUNDLE=libshd.so pip wheel ./bindings/python         copies the library, and those that it needs besides the
                                                              system's, into a wheel for this platform
 
+SHD_BUNDLE may also have components, and the programs and modules that they open: paths with colons between them.
+
 wheel.sh makes wheels for other systems: it sets SHD_PLATFORM to a tag that audit.py has checked.
 """
 import os
@@ -22,7 +24,7 @@ except ImportError:
     from wheel.bdist_wheel import bdist_wheel
 
 HERE = pathlib.Path(__file__).resolve().parent
-BUNDLE = os.environ.get("SHD_BUNDLE")
+BUNDLE = [path for path in os.environ.get("SHD_BUNDLE", "").split(os.pathsep) if path]
 # Libraries that every Linux system of manylinux has (PEP 600).
 SYSTEM = re.compile(r"(?:ld-linux[\w-]*|linux-vdso|lib(?:c|m|dl|rt|pthread|stdc\+\+|gcc_s))\.so\.\d+$")
 
@@ -33,7 +35,7 @@ def needed(library):
     for name, path in re.findall(r"^\s*(\S+) => (\S+)", run.stdout, re.M):
         if path == "not":
             raise FileNotFoundError(f"{library} needs {name}, which was not found")
-        if not SYSTEM.match(name):
+        if not SYSTEM.match(name) and not name.startswith("libshd"):
             yield name, path
 
 
@@ -43,12 +45,12 @@ class Build(build_py):
         super().run()
         package = pathlib.Path(self.build_lib) / "shd"
         package.mkdir(parents=True, exist_ok=True)
-        for old in [package / "_library.txt", *package.glob("lib*.so*")]:  # of an earlier build
+        for old in [package / "_library.txt", package / "shd-io-worker", *package.glob("lib*.so*")]:  # earlier builds
             old.unlink(missing_ok=True)
         shutil.copyfile(HERE.parent / "shd.json", package / "shd.json")
         if BUNDLE:
-            for name, path in [("libshd.so", BUNDLE), *needed(BUNDLE)]:
-                shutil.copyfile(path, package / name)
+            for name, path in [*((pathlib.Path(b).name, b) for b in BUNDLE), *(n for b in BUNDLE for n in needed(b))]:
+                shutil.copy(path, package / name)
                 if shutil.which("strip"):
                     subprocess.run(["strip", "--strip-unneeded", package / name], check=True)
         elif os.environ.get("SHD_LIBRARY"):

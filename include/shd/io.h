@@ -41,6 +41,9 @@
  * with SHD_ERROR_UNSUPPORTED. libpng writes a line to stderr about damaged compressed data whose checksums are right,
  * and about any damage with SHD_LOAD_PARTIAL; a load by the worker is silent.
  *
+ * A build without OpenImageIO (SHD_WITH_OIIO=OFF) reads PNG, JPEG, Radiance HDR, KTX2 and DDS, and writes PNG, Radiance
+ * HDR and KTX2, with the same pixels. Other formats are SHD_ERROR_UNSUPPORTED. It starts no threads.
+ *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.
  *

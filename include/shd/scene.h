@@ -4,8 +4,8 @@
  * @brief Model files: meshes, materials, textures, lights, cameras and instances, ready to render (libshd_scene).
  *
  * A shd_scene holds the contents of a file as ordinary handles, which the caller may use with or without the scene. The
- * library reads glTF 2.0, OBJ, PLY and STL, and other formats by assimp (Collada, FBX, glTF 1.0 ...). World space is
- * the space of the file; glTF uses the same conventions as shd.
+ * library reads glTF 2.0, OBJ, PLY and STL. A build with assimp reads others (Collada, FBX, glTF 1.0 ...). World space
+ * is the space of the file; glTF uses the same conventions as shd.
  *
  * First calls: shd_scene_load(), shd_scene_get_warning(), shd_scene_fill_render(), shd_scene_pose() for animations, and
  * shd_scene_release().

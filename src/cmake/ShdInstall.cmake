@@ -60,20 +60,19 @@ endif()
 if(SHD_WITH_OCIO)
   shd_pkg_config(shd_color "Colour management for shd through OpenColorIO" "OpenColorIO" "shd")
 endif()
-if(SHD_WITH_OIIO)
+if(SHD_WITH_IO)
   set(io_libs "")
   if(shd_has_astcenc)
     set(io_libs -lastcenc)  # no pkg-config file
   endif()
   if(TARGET shd_openvdb)
-    shd_pkg_config(shd_io "Image and volume files for shd through OpenImageIO and OpenVDB"
-                   "OpenImageIO tbb Imath ${shd_texture_modules}" "shd" -lopenvdb ${io_libs})
+    shd_pkg_config(shd_io "Image and volume files for shd" "${shd_picture_modules} tbb Imath ${shd_texture_modules}"
+                   "shd" -lopenvdb ${io_libs})
   else()
-    shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO ${shd_texture_modules}" "shd"
-                   ${io_libs})
+    shd_pkg_config(shd_io "Image files for shd" "${shd_picture_modules} ${shd_texture_modules}" "shd" ${io_libs})
   endif()
 endif()
-if(SHD_WITH_ASSIMP)
+if(SHD_WITH_SCENE)
   shd_pkg_config(shd_scene "Model files for shd" "" "shd_io shd")
 endif()
 

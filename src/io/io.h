@@ -5,13 +5,13 @@
 /// Input:      untrusted bytes; rows of pixels to store.
 /// Output:     Bitmap, rows from the top in one of libshd's formats: RGBA, or one channel of volumes; whole files.
 /// Invariants: only abi/ calls libshd, so that the worker process does not need it; failures are thrown by
-///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
-///             memory, and open files only by oiio/tiles.cpp, whose files are trusted; files are opened by
-///             core/regular_file.h and file/write_file.cpp alone; only the worker sets the process-wide attributes of
-///             OpenImageIO; what a child of the worker sends is untrusted.
+///             core::refuse(); sizes are checked against the Limits before memory is allocated; a build has one of the
+///             rooms oiio/ and small/; decoders are given memory, and open files only by oiio/tiles.cpp, whose files
+///             are trusted; files are opened by core/regular_file.h and file/write_file.cpp alone; only the worker sets
+///             the process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
 ///
 /// Rooms, each of which includes its own files and those of the rooms before it:
-/// file bitmap check container oiio vdb worker load server maketx abi
+/// file bitmap check container codec oiio small vdb worker load server maketx abi
 ///
 /// | file                        | contents                                                             |
 /// |-----------------------------|----------------------------------------------------------------------|
@@ -43,11 +43,12 @@
 /// | container/ktx2_write.h      | a KTX2 file from texels                                              |
 /// | container/inflate.h         | Zstandard and zlib                                                   |
 /// | container/astc.h            | ASTC blocks, the only user of libastcenc                             |
-/// | oiio/oiio.h                 | decode and encode (encode.cpp) by OpenImageIO                        |
-/// | oiio/tiles.h                | tiles of files that stay open, by OpenImageIO                        |
+/// | codec/codec.h               | decode and encode: by OpenImageIO in oiio/, otherwise in small/      |
+/// | codec/tiles.h               | tiles of files that stay open, by OpenImageIO                        |
 /// | oiio/handle.h               | an input or output that prints nothing                               |
 /// | oiio/silence.h              | no messages of libtiff on stderr                                     |
 /// | oiio/module.h               | all of it in a module that a shared libshd_io opens at the first use |
+/// | small/rows.h                | rows of PNG, JPEG (libpng, libjpeg) and Radiance HDR, files of them  |
 /// | vdb/vdb.h                   | decode_grid; vdb.cpp is the only user of OpenVDB                     |
 /// | vdb/header.h                | the grids of an OpenVDB file                                         |
 /// | vdb/module.h                | decode_grid in a module                                              |

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <utility>
 
@@ -42,6 +43,30 @@ const ReadersModule& module() {
   }
   return *static_cast<const ReadersModule*>(opened);
 }
+
+/// Files for the readers, which are given no exception: the first one is kept for the end of the reading. A file that
+/// threw is absent for the reader.
+class ContainedFiles : public Files {
+ public:
+  explicit ContainedFiles(Files& files) : files_(files) {}
+
+  const Bytes* find(const std::string& name) override {
+    if (failure_) return nullptr;
+    try {
+      return files_.find(name);
+    } catch (...) {
+      failure_ = std::current_exception();
+      return nullptr;
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  Files& files_;
+  std::exception_ptr failure_;
+};
 
 /// State of one reading by the worker.
 struct Reading {
@@ -109,7 +134,9 @@ Model read_in_process(HostFiles& files, const Limits& limits, const Deadline& de
   const Bytes bytes = loaded.load("", files.model());
   Model model;
   char text[core::kErrorTextSize] = "";
-  const shd_result result = module().read({bytes, files.name(), loaded, limits, deadline}, &model, text);
+  ContainedFiles contained(loaded);
+  const shd_result result = module().read({bytes, files.name(), contained, limits, deadline}, &model, text);
+  contained.rethrow();
   if (result == SHD_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (result != SHD_OK) core::refuse(result, "%s", text);
   return model;

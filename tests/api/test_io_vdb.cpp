@@ -27,7 +27,8 @@ int main()
     const std::string path = io_path("any.vdb");
     std::FILE *file = std::fopen(path.c_str(), "wb");
     if (!file || std::fputs("any", file) < 0 || std::fclose(file) != 0) return 1;
-    const shd_result result = load_vdb(context, path.c_str(), nullptr, nullptr, nullptr, &texture);
+    const shd_vdb_desc vdb = shd_vdb_desc_default();
+    const shd_result result = load_vdb(context, path.c_str(), &vdb, nullptr, nullptr, &texture);
     const bool refused = result == SHD_ERROR_UNSUPPORTED && std::strstr(shd_last_error(), "built without OpenVDB");
     std::printf("built without OpenVDB (Debian: libopenvdb-dev libboost-dev): a load %s\n",
                 refused ? "is refused" : "FAILS");

@@ -26,6 +26,8 @@ THIRD_PARTY = {
                      "src/io/maketx/decoder.cpp", "src/io/maketx/main.cpp", "src/io/maketx/pyramid.cpp", "src/io/maketx/source.h", "src/io/maketx/stats.cpp",
                      "src/io/maketx/stats.h", "src/io/maketx/target.cpp",
                      "src/io/maketx/target.h"},
+    "png.h": {"src/io/small/png.cpp"},
+    "jpeglib.h": {"src/io/small/jpeg.cpp"},
     "openvdb/": {"src/io/vdb/vdb.cpp"},
     "zstd": {"src/io/container/inflate.cpp"},
     "zlib.h": {"src/io/container/inflate.cpp"},

@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DSHD_SIMD=scalar", "-DSHD_WITH_OIIO=OFF", "-DSHD_WITH_OCIO=OFF",
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DSHD_SIMD=scalar", "-DSHD_WITH_IO=OFF", "-DSHD_WITH_OCIO=OFF",
            "-DSHD_WITH_TBB=OFF", "-DSHD_BUILD_EXAMPLES=OFF"]
 BUILD = "build/mutants"
 

@@ -174,6 +174,8 @@ class Library:
     def load(self, name):
         if name not in self._loaded:
             problems = []
+            if name == "shd_scene":
+                self.load("shd_io")  # which it needs, and which has a name of its own in a wheel
             if not self._loaded and not os.environ.get("SHD_LIBRARY"):
                 for needed in sorted(HERE.glob("lib*.so.*")):  # of a wheel with its own libshd
                     ctypes.CDLL(str(needed))
@@ -185,7 +187,8 @@ class Library:
                     problems.append(str(problem))
             else:
                 place = "its path" if name == "shd" else "the path of libshd; components lie beside it"
-                raise ImportError(f"lib{name} was not found. Set SHD_LIBRARY to {place}. " + "; ".join(problems))
+                wheel = "Install the wheel shd-color, or set" if name == "shd_color" else "Set"
+                raise ImportError(f"lib{name} was not found. {wheel} SHD_LIBRARY to {place}. " + "; ".join(problems))
         return self._loaded[name]
 
     def __getattr__(self, name):

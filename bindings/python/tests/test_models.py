@@ -3,14 +3,13 @@
 import gc
 import json
 import pathlib
-import struct
 import tempfile
 import weakref
 
 import numpy as np
 
 import shd
-from shd import io, pyrender
+from shd import _png, io, pyrender
 from support import Case, require_component
 
 SQUARE = np.float32([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])  # seen from +z
@@ -48,14 +47,12 @@ TURNED = [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]  # half a turn aroun
 def textured():
     model, buffer = gltf(**TEXTURED)
     root = json.loads(model)
-    return json.dumps({**root, "textures": [{"source": 0}], "images": [{"uri": "paint.bmp"}]}).encode(), buffer
+    return json.dumps({**root, "textures": [{"source": 0}], "images": [{"uri": "paint.png"}]}).encode(), buffer
 
 
-def bmp(color):
-    """A BMP of 24 bits of 2 x 2 pixels of one colour r, g, b."""
-    row = bytes(color[::-1]) * 2 + b"\0\0"
-    return (struct.pack("<2sIHHI", b"BM", 70, 0, 0, 54) +
-            struct.pack("<IiiHHIIiiII", 40, 2, 2, 1, 24, 0, 16, 0, 0, 0, 0) + 2 * row)
+def png(color):
+    """A PNG of 2 x 2 pixels of one colour r, g, b."""
+    return _png.encode(np.full((2, 2, 3), color, np.uint8))
 
 
 class Models(Case):
@@ -70,7 +67,7 @@ class Models(Case):
     def test_memory(self):
         """A model in memory, whose files a dict or a function gives, by the worker and in this process."""
         model, buffer = textured()
-        files = {"a.bin": buffer, "paint.bmp": bmp((255, 0, 0))}
+        files = {"a.bin": buffer, "paint.png": png((255, 0, 0))}
         asked = []
 
         def find(name):
@@ -110,8 +107,8 @@ class Models(Case):
         model, buffer = textured()
         scene = self.scene(model, find={"a.bin": buffer})
         self.assertEqual(len(scene.warnings), scene.info["warning_count"])
-        self.assertTrue(any("paint.bmp" in text for text in scene.warnings), scene.warnings)
-        self.check_refused(shd.Error, "paint.bmp", self.scene, model, find={"a.bin": buffer}, flags="require_textures")
+        self.assertTrue(any("paint.png" in text for text in scene.warnings), scene.warnings)
+        self.check_refused(shd.Error, "paint.png", self.scene, model, find={"a.bin": buffer}, flags="require_textures")
 
     def test_filters(self):
         """The filters of the file, or with host_filters those of the desc."""
@@ -119,7 +116,7 @@ class Models(Case):
         root = json.loads(model)
         root["samplers"], root["textures"] = [{"magFilter": 9728, "minFilter": 9728}], [{"source": 0, "sampler": 0}]
         root["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 0
-        files = {"a.bin": buffer, "paint.bmp": bmp((255, 0, 0))}
+        files = {"a.bin": buffer, "paint.png": png((255, 0, 0))}
         desc = {"find": files, "sampler": {"filter": "bilinear"}}
         for flags, expected in (("none", True), ("host_filters", False)):
             slots = self.scene(json.dumps(root).encode(), flags=flags, **desc).material_descs[0].slots
@@ -156,7 +153,7 @@ class Models(Case):
                                find=lambda name: "text", flags=flags)
         picture = dict(zip(("model", "buffer"), textured()))
         find = {"a.bin": picture["buffer"]}.__getitem__  # the texture raises
-        self.check_refused(KeyError, "paint.bmp", self.scene, picture["model"], find=find)
+        self.check_refused(KeyError, "paint.png", self.scene, picture["model"], find=find)
         self.check_refused(TypeError, "scene.find: a function or a dict, not int", self.scene, model, find=3)
         self.check_refused(TypeError, "name: only models in memory", self.scene, "a.obj", name="a.obj")
         self.check_refused(shd.Error, "a.bin", self.scene, model)
@@ -239,12 +236,12 @@ class Containers(Case):
         return io.load_texture(self.context, source, **values)
 
     def test_memory(self):
-        image = self.loaded(bmp((10, 20, 30)))
+        image = self.loaded(png((10, 20, 30)))
         self.assertEqual((image.read_level()[0, 0, :3].tolist(), image.file), ([10, 20, 30], None))
         raw = self.loaded(self.pixels.tobytes(), raw={"width": 4, "height": 4, "depth": 4})
         self.assertEqual((raw.info["depth"], raw.read_level(layer=3)[3, 3, 0]), (4, 63))
-        self.check_refused(shd.Error, "stack", self.loaded, bmp((0, 0, 0)), stack={"paths": ["a.png"]})
-        self.check_refused(shd.Error, "vdb|VDB", self.loaded, bmp((0, 0, 0)), vdb={"grid": "density"})
+        self.check_refused(shd.Error, "stack", self.loaded, png((0, 0, 0)), stack={"paths": ["a.png"]})
+        self.check_refused(shd.Error, "vdb|VDB", self.loaded, png((0, 0, 0)), vdb={"grid": "density"})
 
     def test_ktx2(self):
         texture = shd.Texture(self.context, self.pixels, tables="mipmap")

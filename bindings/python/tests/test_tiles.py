@@ -126,6 +126,8 @@ class Tiles(Case):
     def test_file(self):
         require_component("shd_io")
         path = pathlib.Path(__file__).resolve().parents[2] / "tiled.tif"
+        if not path.exists():
+            self.skipTest(f"{path} is absent: the tests of a wheel, which reads no TIFF")
         texture, info = io.open_texture(self.context, path, self.cache, encoding="linear")
         self.assertEqual(info, {"column_count": 1, "row_count": 1, "file_count": 1, "tile_width": 16,
                                 "tile_height": 16})

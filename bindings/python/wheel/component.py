@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""component.py color|io --build FOLDER --output FOLDER: writes the wheel shd-color or shd-io.
+"""component.py color --build FOLDER --output FOLDER: writes the wheel shd-color.
 
 Its files lie in the folder of the package shd, where the package searches components. Libraries that a component needs
 are copied under a name of their own, of equal length: libexpat.so.1 becomes libexpat-1f2e, for the first digits of its
@@ -22,12 +22,8 @@ sys.path[:0] = [str(HERE), str(HERE.parent)]
 import audit  # noqa: E402
 from elf import Elf  # noqa: E402
 
-# component: (files of the build, packages that are linked in, libraries of the system that are not copied, description)
-COMPONENTS = {
-    "color": (["libshd_color.so"], ["libhwy-dev"], [], "Displays and colour spaces for shd, by OpenColorIO"),
-    "io": (["libshd_io.so", "libshd_io_oiio.so", "shd-io-worker"], [],
-           ["libOpenImageIO.so.2.4", "libOpenImageIO_Util.so.2.4"], "Picture files for shd, by OpenImageIO"),
-}
+# component: (files of the build, packages that are linked in, description)
+COMPONENTS = {"color": (["libshd_color.so"], ["libhwy-dev"], "Displays and colour spaces for shd, by OpenColorIO")}
 
 
 def stripped(path):
@@ -49,7 +45,7 @@ def found_by_loader(path):
     return dict(re.findall(r"^\s*(\S+) => (/\S+)", run.stdout, re.M))
 
 
-def collect(paths, system):
+def collect(paths):
     """{name in the wheel: bytes} of the files of a component and of the libraries that they need, and the libraries."""
     places = {name: place for path in paths for name, place in found_by_loader(path).items()}
     files, queue, names = {}, list(paths), {}
@@ -58,7 +54,7 @@ def collect(paths, system):
         data = stripped(path)
         files[path] = data
         for name in Elf(data).needed:
-            if audit.GLIBC.match(name) or name in audit.STDCXX or name in system or name.startswith("libshd"):
+            if audit.GLIBC.match(name) or name in audit.STDCXX or name.startswith("libshd"):
                 continue
             if name not in names:
                 library = pathlib.Path(places[name]).resolve()
@@ -118,8 +114,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True, help="folder of the built libraries")
     parser.add_argument("--output", type=pathlib.Path, required=True)
     options = parser.parse_args()
-    names, packages, system, summary = COMPONENTS[options.component]
-    files, copied = collect([(options.build / n).resolve() for n in names], system)
+    names, packages, summary = COMPONENTS[options.component]
+    files, copied = collect([(options.build / n).resolve() for n in names])
     files = {next((n for n in names if k.startswith(n)), k): d for k, d in files.items()}  # without .0.1.0
     with tempfile.TemporaryDirectory() as folder:
         paths = []
@@ -127,7 +123,6 @@ def main():
             paths.append(pathlib.Path(folder) / name)
             paths[-1].write_bytes(data)
         tag = audit.tag(paths)
-    tag = re.sub(r"manylinux_\d+_\d+", "linux", tag) if system else tag
     path = options.output / f"shd_{options.component}-{project()}-py3-none-{tag}.whl"
     licences = {"shd": (HERE.parents[2] / "LICENSE").read_bytes()}
     for package in [*packages, *packages_of(copied)]:

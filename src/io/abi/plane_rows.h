@@ -7,7 +7,7 @@
 #include <shd/framebuffer.h>
 
 #include "core/simd_target.h"
-#include "io/oiio/oiio.h"
+#include "io/codec/codec.h"
 
 namespace shd::io {
 

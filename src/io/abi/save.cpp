@@ -12,9 +12,9 @@
 #include "io/abi/common.h"
 #include "io/abi/plane_rows.h"
 #include "io/abi/save_extras.h"
+#include "io/codec/codec.h"
 #include "io/file/printable.h"
 #include "io/file/write_file.h"
-#include "io/oiio/oiio.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "io/abi/plane_rows.h"
 #include "io/file/memory.h"
-#include "io/oiio/oiio.h"
+#include "io/codec/codec.h"
 
 namespace shd::io {
 

@@ -11,10 +11,10 @@
 #include "io/abi/common.h"
 #include "io/abi/loads.h"
 #include "io/bitmap/levels.h"
+#include "io/codec/tiles.h"
 #include "io/container/texture_tiles.h"
 #include "io/file/printable.h"
 #include "io/file/udim.h"
-#include "io/oiio/tiles.h"
 
 namespace {
 

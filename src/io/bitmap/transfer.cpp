@@ -36,7 +36,21 @@ bool is_linear_name(const std::string& reported) {
          text == "linear rec.709" || text == "linear rec.709 (srgb)";
 }
 
-/// Parses digits and a point. strtod is not used, because it follows the host's locale.
+/// Decoded value of every code of an integer format; empty for other formats.
+std::vector<float> code_table(const Transfer& transfer, shd_format format) {
+  const bool wide = format == SHD_FORMAT_RGBA16;
+  if (!wide && format != SHD_FORMAT_RGBA8 && format != SHD_FORMAT_RGBA8_SRGB) return {};
+  const size_t maximum = wide ? 65535 : 255;
+  std::vector<float> table(maximum + 1);
+  for (size_t i = 0; i <= maximum; ++i) {
+    table[i] = static_cast<float>(decode(transfer, static_cast<double>(i) / static_cast<double>(maximum)));
+  }
+  return table;
+}
+
+}  // namespace
+
+// strtod is not used, because it follows the host's locale.
 double parse_gamma(const std::string& text) {
   double value = 0, scale = 0;
   for (const char c : text) {
@@ -51,20 +65,6 @@ double parse_gamma(const std::string& text) {
   }
   return scale > 0 ? value / scale : value;
 }
-
-/// Decoded value of every code of an integer format; empty for other formats.
-std::vector<float> code_table(const Transfer& transfer, shd_format format) {
-  const bool wide = format == SHD_FORMAT_RGBA16;
-  if (!wide && format != SHD_FORMAT_RGBA8 && format != SHD_FORMAT_RGBA8_SRGB) return {};
-  const size_t maximum = wide ? 65535 : 255;
-  std::vector<float> table(maximum + 1);
-  for (size_t i = 0; i <= maximum; ++i) {
-    table[i] = static_cast<float>(decode(transfer, static_cast<double>(i) / static_cast<double>(maximum)));
-  }
-  return table;
-}
-
-}  // namespace
 
 Transfer transfer_of(const std::string& color_space) {
   const std::string text = lower(color_space);

@@ -21,6 +21,9 @@ struct Transfer {
 /// The curve of a colour space by name; shd_bitmap_get_color_space lists the names.
 Transfer transfer_of(const std::string& color_space);
 
+/// Number of digits and a point, in any locale of the host; 0 for other texts.
+double parse_gamma(const std::string& text);
+
 /// Name of the colour space of a file. `reported` is the name from the decoder, "" = none; `chromaticities` are x, y of
 /// red, green, blue and white, or null.
 std::string name_color_space(shd_color_encoding wanted, const std::string& reported, bool integers,

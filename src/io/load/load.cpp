@@ -5,8 +5,8 @@
 #include "io/check/jpeg_header.h"
 #include "io/check/scrub.h"
 #include "io/check/sniff.h"
+#include "io/codec/codec.h"
 #include "io/container/texture_load.h"
-#include "io/oiio/oiio.h"
 #include "io/vdb/vdb.h"
 
 namespace shd::io {

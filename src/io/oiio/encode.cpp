@@ -8,9 +8,9 @@
 
 #include "core/failure.h"
 #include "io/bitmap/transfer.h"
+#include "io/codec/codec.h"
 #include "io/file/printable.h"
 #include "io/oiio/handle.h"
-#include "io/oiio/oiio.h"
 
 namespace shd::io {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "io/oiio/oiio.h"
-#include "io/oiio/tiles.h"
+#include "io/codec/codec.h"
+#include "io/codec/tiles.h"
 
 namespace shd::io {
 

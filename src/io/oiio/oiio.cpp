@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decoding by OpenImageIO.
-#include "io/oiio/oiio.h"
+#include "io/codec/codec.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tiles of files by OpenImageIO. A reader of OpenImageIO is used by one thread between take() and give(); several exist
 // for a file that several threads read.
-#include "io/oiio/tiles.h"
+#include "io/codec/tiles.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

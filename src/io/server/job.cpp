@@ -13,9 +13,9 @@
 
 #include "core/guard.h"
 #include "io/bitmap/levels.h"
+#include "io/codec/codec.h"
 #include "io/file/read_file.h"
 #include "io/load/load.h"
-#include "io/oiio/oiio.h"
 #include "io/server/confine.h"
 #include "io/server/memory.h"
 #include "io/server/module.h"

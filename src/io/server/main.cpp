@@ -9,8 +9,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
-#include "io/oiio/oiio.h"
+#include "io/codec/codec.h"
 #include "io/server/job.h"
 
 namespace {
@@ -57,10 +58,23 @@ void await_idle_threads(int expected) {
   }
 }
 
+/// Closes what the host left open, for hosts whose glibc has no function for it.
+void close_inherited() {
+  DIR* folder = ::opendir("/proc/self/fd");
+  if (!folder) return;
+  std::vector<int> open;
+  while (const dirent* entry = ::readdir(folder)) open.push_back(std::atoi(entry->d_name));
+  ::closedir(folder);
+  for (const int descriptor : open) {
+    if (descriptor > 2) ::close(descriptor);
+  }
+}
+
 }  // namespace
 
 int main() {
   try {
+    close_inherited();
     const int threads = look_at_threads().count;
     shd::io::prepare_process();
     await_idle_threads(threads);

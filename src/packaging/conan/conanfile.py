@@ -69,8 +69,8 @@ class ShdConan(ConanFile):
         for variable, value in {
             "SHD_WITH_TBB": self.options.with_tbb,
             "SHD_WITH_OCIO": self.options.with_color,
-            "SHD_WITH_OIIO": self.options.with_io,
-            "SHD_WITH_ASSIMP": self.options.with_scene,
+            "SHD_WITH_IO": self.options.with_io,
+            "SHD_WITH_SCENE": self.options.with_scene,
             "SHD_WITH_EIGEN": False,
             "SHD_WITH_EMBREE": False,
             "SHD_WITH_OPENVDB": False,

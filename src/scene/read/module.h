@@ -6,7 +6,8 @@
 namespace shd::scene {
 
 /// Functions of the module of the readers for a host that reads in its own process, beside shd_worker_entry(). Both
-/// ends are of one build. No exception leaves them: a failure is a result and a text of core::kErrorTextSize bytes.
+/// ends are of one build. No exception passes between them, because each may have a C++ runtime of its own: a failure
+/// is a result and a text of core::kErrorTextSize bytes, and source.files throws nothing.
 struct ReadersModule {
   const char* version;
   shd_result (*read)(const Source& source, Model* out, char* text);

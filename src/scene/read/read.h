@@ -80,4 +80,7 @@ bool is_stl(const Source& source);
 Model read_stl(const Source& source);
 Model read_by_assimp(const Source& source);
 
+/// The last row of a build without assimp: throws the Failure that names the formats which this build reads.
+Model refuse_format(const Source& source);
+
 }  // namespace shd::scene

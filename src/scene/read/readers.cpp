@@ -16,10 +16,19 @@ constexpr Reader kReaders[] = {
     {is_obj, read_obj},
     {is_ply, read_ply},
     {is_stl, read_stl},
+#if defined(SHD_HAS_ASSIMP)
     {[](const Source&) { return true; }, read_by_assimp},
+#else
+    {[](const Source&) { return true; }, refuse_format},
+#endif
 };
 
 }  // namespace
+
+Model refuse_format(const Source&) {
+  core::refuse(SHD_ERROR_UNSUPPORTED,
+               "the content is not glTF 2.0, OBJ, PLY or STL, which this build reads: it has no assimp");
+}
 
 Model read_model(const Source& source) {
   for (const Reader& reader : kReaders) {

@@ -12,8 +12,8 @@ vcpkg_check_features(
   OUT_FEATURE_OPTIONS FEATURE_OPTIONS
   FEATURES
     color SHD_WITH_OCIO
-    io    SHD_WITH_OIIO
-    scene SHD_WITH_ASSIMP
+    io    SHD_WITH_IO
+    scene SHD_WITH_SCENE
     tbb   SHD_WITH_TBB
 )
 
