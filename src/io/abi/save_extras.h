@@ -4,8 +4,8 @@
 #include <shd/io.h>
 
 #include "io/abi/plane_rows.h"
-#include "io/file/memory.h"
 #include "io/codec/codec.h"
+#include "io/file/memory.h"
 
 namespace shd::io {
 
