@@ -56,5 +56,5 @@ refused "--verdicts needs a value" --verdicts
 refused "--threads: \"0\" is not a whole number 1..256" --threads 0
 refused "--threads: \"2x\" is not a whole number 1..256" --threads 2x
 refused "--photograph: \"/no/file\" is not a file" --photograph /no/file
-refused "-o needs a value: the name of a file" -o
+refused "--output needs a value: the name of a file" -o
 echo "shootout: all checks passed"
