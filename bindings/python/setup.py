@@ -39,6 +39,11 @@ def needed(library):
             yield name, path
 
 
+def own_name(path):
+    """The name of a file in the wheel: libshd.so.0.1.0 is libshd.so.0.1, as other libraries call it."""
+    return re.sub(r"([.]so[.]\d+[.]\d+)[.]\d+$", r"\1", pathlib.Path(path).name)
+
+
 class Build(build_py):
     def run(self):
         subprocess.run([sys.executable, HERE.parent / "generate.py", "python"], check=True)
@@ -49,7 +54,7 @@ class Build(build_py):
             old.unlink(missing_ok=True)
         shutil.copyfile(HERE.parent / "shd.json", package / "shd.json")
         if BUNDLE:
-            for name, path in [*((pathlib.Path(b).name, b) for b in BUNDLE), *(n for b in BUNDLE for n in needed(b))]:
+            for name, path in [*((own_name(b), b) for b in BUNDLE), *(n for b in BUNDLE for n in needed(b))]:
                 shutil.copy(path, package / name)
                 if shutil.which("strip"):
                     subprocess.run(["strip", "--strip-unneeded", package / name], check=True)

@@ -32,8 +32,21 @@ def python_parts(folder, _):
         yield from python_definitions(folder / f"shd/{module}.py", "shd.", lambda found, name=name: found == name)
     for module in modules:
         if module not in exported.values():
-            yield from python_definitions(folder / f"shd/{module}.py", f"shd.{module}.",
-                                          lambda found: not found.startswith("_") and found not in exported)
+            yield from python_module(folder / "shd" / module, exported)
+
+
+def python_module(path, exported):
+    """The definitions of a module that the package does not export, or of a folder of modules: those that it exports."""
+    prefix, package = f"shd.{path.name}.", path / "__init__.py"
+    if not package.exists():
+        yield from python_definitions(path.with_suffix(".py"), prefix,
+                                      lambda found: not found.startswith("_") and found not in exported)
+        return
+    tree = ast.parse(package.read_text(encoding="utf-8"))
+    names, _ = python_names(tree)
+    for source in [package, *sorted(path.glob("*.py"))[1:]]:
+        yield from python_definitions(source, prefix, lambda found, source=source: not found.startswith("_") and (
+            source == package or names.get(found) == source.stem))
 
 
 def python_names(tree):

@@ -189,8 +189,8 @@ def check_attributes():
          "--attrib", "note=a=b c")
     found = info("a.exr")
     assert (found["shot"], found["frame"], found["gain"], found["note"]) == ("ab_010", "1001", "0.5", "a=b c"), found
-    done("in.tif", "-o", "a.tx", "--linear", "--attrib", "Artist=me", "--attrib", "ImageDescription=a wall")
-    found = info("a.tx")
+    done("in.tif", "-o", "texts.tx", "--linear", "--attrib", "Artist=me", "--attrib", "ImageDescription=a wall")
+    found = info("texts.tx")
     assert found["Artist"] == "me" and "a wall" in found["ImageDescription"] and len(found["oiio:SHA-1"]) == 40, found
     refused(2, 'TIFF files of OpenImageIO have no "shot": write .exr', "in.tif", "-o", "x.tx", "--attrib", "shot=1")
     refused(2, '"wrapmodes" is set by shd-maketx', "in.tif", "-o", "x.exr", "--attrib", "wrapmodes=x")

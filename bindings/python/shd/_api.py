@@ -177,7 +177,7 @@ class Library:
             if name == "shd_scene":
                 self.load("shd_io")  # which it needs, and which has a name of its own in a wheel
             if not self._loaded and not os.environ.get("SHD_LIBRARY"):
-                for needed in sorted(HERE.glob("lib*.so.*")):  # of a wheel with its own libshd
+                for needed in sorted(set(HERE.glob("lib*.so.*")) - set(HERE.glob("libshd*"))):  # of a wheel
                     ctypes.CDLL(str(needed))
             for candidate in _candidates(name):
                 try:
