@@ -26,5 +26,5 @@
 /// | bake.h           | statistics of a bake from the states of its texels                                |
 /// | levels.h         | mip levels that the caller gives                                                  |
 /// | texture_desc.h   | descs of textures                                                                 |
-/// | black_draws.h    | reasons of a black picture, for the log                                           |
+/// | black_draws.h    | draws that cannot have a colour                                                   |
 #pragma once

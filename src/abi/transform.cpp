@@ -7,6 +7,7 @@
 #include "abi/camera.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
+#include "data/inverse.h"
 #include "data/matrix.h"
 #include "data/transform.h"
 

@@ -11,7 +11,8 @@
 /// | matrix.h    | products of 4 x 4 matrices                                        |
 /// | trig.h      | angles, tangents, sines and cosines, bit-equal on all machines    |
 /// | camera.h    | look-at matrices, bit-equal on all machines                       |
-/// | transform.h | projections, placements and inverses, bit-equal on all machines   |
+/// | transform.h | projections and placements, bit-equal on all machines             |
+/// | inverse.h   | inverses of matrices; libshd_io has it, too                       |
 /// | compare.h   | comparisons of depths and of texels, by less, equal and greater   |
 /// | hash.h      | hashes of words                                                   |
 /// | checksum.h  | checksums of stored bytes                                         |

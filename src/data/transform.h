@@ -17,11 +17,4 @@ void orthographic(const float rectangle[4], double near_plane, double far_plane,
 /// translation * rotation * scale. The quaternion x, y, z, w is not 0.
 void from_trs(const float translation[3], const float rotation[4], const float scale[3], double out[16]);
 
-/// The inverse of a finite matrix; false, with `out` undefined, if it is singular to within the rounding of double.
-bool invert(const float m[16], double out[16]);
-bool invert(const double m[16], double out[16]);
-
-/// The inverse of the upper left 3 x 3, [9]; false as above.
-bool invert_linear(const float m[16], double out[9]);
-
 }  // namespace shd::data

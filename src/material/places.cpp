@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "data/inverse.h"
 #include "data/matrix.h"
-#include "data/transform.h"
 
 namespace shd::material {
 namespace {

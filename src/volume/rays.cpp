@@ -7,8 +7,8 @@
 
 #include <shd/volume.h>
 
+#include "data/inverse.h"
 #include "data/matrix.h"
-#include "data/transform.h"
 
 namespace shd::volume {
 namespace {

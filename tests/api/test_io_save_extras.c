@@ -172,6 +172,13 @@ static void test_view(void **state)
     memset(view.view_to_clip, 0, sizeof view.view_to_clip);
     shd_assert_result("view", shd_framebuffer_save(g_framebuffer, io_path("b.exr"), &desc), SHD_ERROR_INVALID_ARGUMENT,
                       "save.view.view_to_clip: the matrix has no inverse");
+    view.world_to_view[7] = NAN;
+    shd_assert_result("nan", shd_framebuffer_save(g_framebuffer, io_path("b.exr"), &desc), SHD_ERROR_INVALID_ARGUMENT,
+                      "save.view.world_to_view[7]: nan is not finite");
+    view.world_to_view[7] = 0;
+    view.view_to_clip[15] = -INFINITY;
+    shd_assert_result("infinity", shd_framebuffer_save(g_framebuffer, io_path("b.exr"), &desc),
+                      SHD_ERROR_INVALID_ARGUMENT, "save.view.view_to_clip[15]: -inf is not finite");
     desc.compression = NULL;
     shd_assert_ok(shd_framebuffer_save(g_framebuffer, io_path("flat.png"), &desc)); /* other formats have no Z */
 }

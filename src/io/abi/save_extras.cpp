@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 #include "core/printable.h"
+#include "data/inverse.h"
+#include "data/matrix.h"
 #include "extension/error.h"
 #include "io/file/printable.h"
 
@@ -62,29 +63,11 @@ std::string item(const char* list, size_t i, const char* member) {
   return std::string(list) + "[" + std::to_string(i) + "]." + member;
 }
 
-/// Rows of the inverse of a column-major matrix, by elimination with partial pivots. Returns false for a singular one.
-bool invert(const float* matrix, double inverse[4][4]) {
-  double m[4][8] = {};  // the matrix and the identity
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) m[r][c] = static_cast<double>(matrix[4 * c + r]);
-    m[r][4 + r] = 1;
+void check_matrix(const char* name, const float matrix[16]) {
+  for (int i = 0; i < 16; ++i) {
+    if (std::isfinite(matrix[i])) continue;
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.view.%s[%d]: %g is not finite", name, i, static_cast<double>(matrix[i]));
   }
-  for (int k = 0; k < 4; ++k) {
-    int pivot = k;
-    for (int r = k + 1; r < 4; ++r) {
-      if (std::fabs(m[r][k]) > std::fabs(m[pivot][k])) pivot = r;
-    }
-    if (!(std::fabs(m[pivot][k]) > 0)) return false;
-    std::swap(m[pivot], m[k]);
-    for (int r = 0; r < 4; ++r) {
-      const double factor = r == k ? 0 : m[r][k] / m[k][k];
-      for (int c = k; c < 8 && r != k; ++c) m[r][c] -= factor * m[k][c];
-    }
-  }
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) inverse[r][c] = m[r][4 + c] / m[r][r];
-  }
-  return true;
 }
 
 }  // namespace
@@ -105,16 +88,14 @@ void add_attributes(const shd_save_desc& desc, bool is_exr, EncodeJob* job) {
 
 void add_matrices(const shd_view& view, EncodeJob* job) {
   // OpenEXR's matrices are rows of M in p' = p M, so they have the order of columns of shd's M in p' = M p.
+  check_matrix("world_to_view", view.world_to_view);
+  check_matrix("view_to_clip", view.view_to_clip);
   std::vector<float> camera(view.world_to_view, view.world_to_view + 16), ndc(16);
   for (size_t c = 0; c < 4; ++c) camera[4 * c + 2] = -camera[4 * c + 2];
+  double world_to_clip[16];
+  data::multiply(view.view_to_clip, view.world_to_view, world_to_clip);
   for (size_t c = 0; c < 4; ++c) {
-    double clip[4] = {};
-    for (size_t r = 0; r < 4; ++r) {
-      for (size_t k = 0; k < 4; ++k) {
-        clip[r] +=
-            static_cast<double>(view.view_to_clip[4 * k + r]) * static_cast<double>(view.world_to_view[4 * c + k]);
-      }
-    }
+    const double* const clip = world_to_clip + 4 * c;
     ndc[4 * c] = static_cast<float>(0.5 * (clip[3] + clip[0]));
     ndc[4 * c + 1] = static_cast<float>(0.5 * (clip[3] - clip[1]));
     ndc[4 * c + 2] = static_cast<float>(clip[2]);
@@ -146,8 +127,8 @@ void add_channels(const shd_save_desc& desc, bool is_exr, PlaneRows* rows, Encod
 
 Buffer make_distances(const shd_view& view, const shd_plane_view& depth, uint32_t width, uint32_t height,
                       const Memory& memory) {
-  double inverse[4][4];
-  if (!invert(view.view_to_clip, inverse)) {
+  double inverse[16];
+  if (!data::invert(view.view_to_clip, inverse)) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.view.view_to_clip: the matrix has no inverse");
   }
   Buffer buffer(memory, sizeof(float) * width * height);
@@ -158,7 +139,7 @@ Buffer make_distances(const shd_view& view, const shd_plane_view& depth, uint32_
     for (uint32_t x = 0; x < width; ++x) {
       const double place[4] = {2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, static_cast<double>(row[x]), 1};
       double z = 0, w = 0;
-      for (int k = 0; k < 4; ++k) z += inverse[2][k] * place[k], w += inverse[3][k] * place[k];
+      for (int k = 0; k < 4; ++k) z += inverse[4 * k + 2] * place[k], w += inverse[4 * k + 3] * place[k];
       *out++ = static_cast<float>(w == 0 ? HUGE_VAL : -z / w);
     }
   }
