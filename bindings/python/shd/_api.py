@@ -240,7 +240,7 @@ class MissingFile(Error, FileNotFoundError):
         return type(self), (int(self.result), str(self), self.filename)
 
 
-NOT_FOUND = 4  # SHD_ERROR_NOT_FOUND
+NOT_FOUND = constant("SHD_ERROR_NOT_FOUND")
 
 
 def check(result, path=None):

@@ -18,6 +18,8 @@ def encode(pixels):
     height, width, channels = pixels.shape
     if pixels.dtype not in (np.uint8, np.uint16) or channels not in COLOUR_TYPES:
         raise TypeError(f"pixels: [height][width][1..4] of uint8 or uint16, not {pixels.shape} of {pixels.dtype}")
+    if not pixels.size:
+        raise ValueError("pixels: the array is empty")
     size = pixels.dtype.itemsize
     rows = np.zeros((height, 1 + width * channels * size), np.uint8)  # filter 0 before each row
     rows[:, 1:] = np.ascontiguousarray(pixels, f">u{size}").view(np.uint8).reshape(height, -1)
