@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from .._array import check_range
+
 
 class Checked:
     """An attribute. `check` is a function (object, value, name) -> the value that is stored.
@@ -54,12 +56,38 @@ def number(low, high=math.inf, optional=False, or_equal=True):
     def check(_, value, name):
         if value is None and optional:
             return None
-        made = float(value)
+        try:
+            made = float(value)
+        except (OverflowError, TypeError, ValueError):
+            raise TypeError(f"{name}: a number, not {value!r}") from None
         if not (low <= made if or_equal else low < made) or not made <= high:
             least = f"{low:g}.." if or_equal else f"above {low:g}, at most "
             raise ValueError(f"{name}: {made:g} is not {'in ' if or_equal else ''}{least}{high:g}")
         return made
     return check
+
+
+def whole(low, high):
+    """Whole numbers from `low` to `high`."""
+    def check(_, value, name):
+        made = number(-math.inf)(_, value, name)
+        if not low <= made <= high or made != int(made):
+            raise ValueError(f"{name}: {made:g} is not a whole number in {low}..{high}")
+        return int(made)
+    return check
+
+
+def finite(array, name):
+    """An array whose numbers are finite."""
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        raise ValueError(f"{name}: a number is not finite")
+    return array
+
+
+def codes(value, name):
+    """Numbers 0..255 as uint8."""
+    check_range(finite(value, name), 255, name)
+    return value.astype(np.uint8)
 
 
 def instance_of(kind, noun):

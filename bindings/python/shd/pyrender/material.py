@@ -19,6 +19,18 @@ def factor(_, value, name):
     return number(0, 1)(None, 1.0 if value is None else value, name)
 
 
+def has_source(texture):
+    return texture is not None and texture.source is not None
+
+
+def channel_of(texture, letter, target):
+    """The number of a channel of a texture. Without source_channels, the images of two channels have G and B."""
+    channels = texture.source_channels or ("", "R", "GB", "RGB", "RGBA")[texture.source.shape[2]]
+    if letter not in channels:
+        raise ValueError(f"metallicRoughnessTexture: the channels {channels} of the source have no {letter}, {target}")
+    return channels.index(letter)
+
+
 class Material(Shown):
     """Base of the materials: what all models have."""
 
@@ -76,11 +88,14 @@ class MetallicRoughnessMaterial(Material):
         """Options of a material of the renderer."""
         maps = [(target, getattr(self, f"{name}Texture"), srgb, channel) for target, name, srgb, channel in (
             ("normal", "normal", False, 0), ("occlusion", "occlusion", False, 0), ("emission", "emissive", True, 0),
-            ("roughness", "metallicRoughness", False, 0), ("metallic", "metallicRoughness", False, 1))]
-        values = {"color": np.asarray(self.baseColorFactor, np.float64), "texture": self.baseColorTexture,
+            ("roughness", "metallicRoughness", False, "G"), ("metallic", "metallicRoughness", False, "B"))]
+        maps = [(target, texture, srgb, channel_of(texture, channel, target) if isinstance(channel, str) else channel)
+                for target, texture, srgb, channel in maps if has_source(texture)]
+        values = {"color": np.asarray(self.baseColorFactor, np.float64),
+                  "texture": self.baseColorTexture if has_source(self.baseColorTexture) else None,
                   "metallic": self.metallicFactor, "roughness": self.roughnessFactor,
                   "emission": np.asarray(self.emissiveFactor, np.float64),
-                  "maps": [row for row in maps if row[1] is not None and row[1].source is not None]}
+                  "maps": maps}
         if self.alphaMode == "MASK":
             values.update(blend="opaque", alpha_cutoff=self.alphaCutoff)
         elif self.alphaMode == "OPAQUE" or not self.is_transparent:

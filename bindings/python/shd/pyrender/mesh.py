@@ -30,7 +30,7 @@ def rows(*widths, optional=True, like_positions=True):
     def check(primitive, value, name):
         if value is None and optional:
             return None
-        array = np.ascontiguousarray(converted(value, np.dtype("f4"), name))
+        array = np.array(converted(value, np.dtype("f4"), name), order="C")  # the caller keeps its own
         if not array.size and not like_positions:
             return array.reshape(-1, widths[0])
         count = len(primitive.positions) if like_positions else len(array)
@@ -113,7 +113,8 @@ class Primitive(Boxed, Shown):
         own = bounds_of(self.positions.astype(np.float64))
         if self.poses is None or not len(self.positions):
             return own
-        return bounds_of(np.concatenate([corners_of(own) @ pose[:3, :3].T + pose[:3, 3] for pose in self.poses]))
+        placed = corners_of(own) @ self.poses[:, :3, :3].swapaxes(1, 2) + self.poses[:, np.newaxis, :3, 3]
+        return bounds_of(placed.reshape(-1, 3))
 
     @property
     def is_transparent(self):
@@ -158,9 +159,11 @@ class Primitive(Boxed, Shown):
             return pairs[:, (0, 1, 1)], "wireframe"
         fill = "wireframe" if self.material.wireframe else "solid"
         if self.mode == GLTF.TRIANGLES:
-            return flat, fill
+            return flat[:len(flat) // 3 * 3], fill
+        if len(flat) < 3:
+            return flat[:0], fill
         if self.mode == GLTF.TRIANGLE_FAN:
-            return np.stack([np.full(max(len(flat) - 2, 0), flat[0]), flat[1:-1], flat[2:]], axis=1), fill
+            return np.stack([np.full(len(flat) - 2, flat[0]), flat[1:-1], flat[2:]], axis=1), fill
         strip = np.stack([flat[:-2], flat[1:-1], flat[2:]], axis=1)
         strip[1::2, :2] = strip[1::2, 1::-1]  # every second triangle has the other winding
         return strip, fill
@@ -195,6 +198,8 @@ class Primitive(Boxed, Shown):
             start, along = corners.reshape(-1, 3), across.repeat(3, axis=0)
         else:
             start, along = self.positions, self.normals
+        if not len(start):
+            return []
         lengths = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-30)
         ends = start + LINE_LENGTH * np.linalg.norm(np.ptp(self.positions, axis=0)) * along / lengths
         numbers = np.arange(len(start))[:, np.newaxis] + (0, len(start), len(start))
