@@ -7,7 +7,7 @@ from ._array import pixels_of
 from ._convert import enum_value
 from ._desc import desc_type
 from ._objects import Material, Sampler, slot
-from ._png import decode
+from ._srgb import decode
 from ._texture import Texture
 
 ANISOTROPIC = {"filter": "anisotropic", "max_anisotropy": 8, "wrap_u": "repeat", "wrap_v": "repeat"}

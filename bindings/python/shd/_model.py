@@ -11,7 +11,7 @@ from ._convert import enum_value
 from ._desc import desc_type
 from ._material import Fixed, file_look, linear_color, make_look, options_of
 from ._objects import Mesh
-from ._png import decode
+from ._srgb import decode
 
 
 def floats(value, width, name):

@@ -3,7 +3,7 @@
 import numpy as np
 
 import shd.pyrender as pyrender
-from shd._png import decode
+from shd._srgb import decode
 from support import Case, require_component
 from trimesh_like import UV, ColorVisuals, PBRMaterial, Scene, SimpleMaterial, TextureVisuals, Trimesh, square
 
@@ -118,7 +118,8 @@ class Pictures(Cases):
         self.assertEqual((color[8, 8].tolist(), color[3, 8].tolist(), color[0, 0].tolist()), ([10, 20, 30], [7] * 3,
                                                                                           [0] * 3))
         self.assertEqual(float(depth[8, 8]), 2.0)
-        for value, text in ((300, "^seg_node_map.0.: 300 is not in 0..255$"), ((0, -1, 0), "seg_node_map.1.: -1 is not"),
+        for value, text in ((300, "^seg_node_map.0.: 300 is not in 0..255$"),
+                            ((0, -1, 0), "seg_node_map.1.: -1 is not"),
                             ([np.nan] * 3, "seg_node_map: a number is not finite"),
                             ((1, 2), "seg_node_map: r, g, b or one number, not an array of shape")):
             self.check_refused(ValueError, text, self.render, scene, Flags.SEG, seg_node_map={near: value})
