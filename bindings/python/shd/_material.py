@@ -69,14 +69,14 @@ class Look:
     """
 
     def __init__(self, context, desc):
-        self.lit, self._context, self._desc, self._flat = Material(context, desc), context, desc, None
+        self.lit, self._context, self.desc, self._flat = Material(context, desc), context, desc, None
         self.shows_codes = self.has_codes = False
 
     @property
     def flat(self):
         if self._flat is None:
-            kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
-            slots = [s for s in self._desc._values.get("slots", ())
+            kept = {name: getattr(self.desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
+            slots = [s for s in self.desc._values.get("slots", ())
                      if int(enum_value("shd_slot_target", s.target, "target")) in SHOWN]
             if self.shows_codes:
                 kept["diffuse"] = decode(kept["diffuse"])

@@ -75,7 +75,9 @@ class MetallicRoughnessMaterial(Material):
     @property
     def is_transparent(self):
         """Whether a part of the surface lets light through."""
-        cutoff = {"OPAQUE": 0.0, "MASK": self.alphaCutoff, "BLEND": 1.0}[self.alphaMode]
+        if self.alphaMode == "OPAQUE":
+            return False
+        cutoff = {"MASK": self.alphaCutoff, "BLEND": 1.0}[self.alphaMode]
         texture = self.baseColorTexture
         return bool(self.baseColorFactor[3] < cutoff or (texture is not None and texture.is_transparent(cutoff)))
 
