@@ -277,6 +277,7 @@ class Pieces(Case):
 
         model = self.loaded(twice)  # two places of one mesh
         self.assertEqual((len(model.geometry), len(model.graph.nodes_geometry)), (1, 2))
+        np.testing.assert_array_equal(model.face_normals, [[0, 0, 1]] * 4)
         self.assertEqual(len(pyrender.Scene.from_trimesh_scene(model).meshes), 1)
 
     def test_materials(self):

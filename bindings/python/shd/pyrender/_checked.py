@@ -151,6 +151,11 @@ def bounds_of(points):
     return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else np.zeros((2, 3))
 
 
-def corners_of(bounds):
-    """The eight corners of bounds, [8][3]."""
-    return np.array([[bounds[x, 0], bounds[y, 1], bounds[z, 2]] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+def unit(vectors):
+    """Vectors [n][3] as those of length 1; zeros stay zeros."""
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-30)
+
+
+def face_normals(corners):
+    """Unit normals of triangles [n][3][3], zeros for those without area."""
+    return unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))

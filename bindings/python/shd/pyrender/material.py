@@ -2,10 +2,9 @@
 """Materials of shd.pyrender."""
 import numpy as np
 
+from .._trimesh import material_values
 from ._checked import Checked, Shown, anything, color, number, text
 from .texture import Texture, one_of
-
-GREY = (0.3, 0.3, 0.3, 1.0)  # of meshes without a material
 
 
 def texture_of(channels):
@@ -105,25 +104,16 @@ class MetallicRoughnessMaterial(Material):
         return values
 
 
-def default_material(base=GREY):
-    """The material of meshes without one; colours of vertices multiply a white one."""
+def default_material(has_colors):
+    """The material of meshes without one; their colours multiply a white one."""
+    base = (1.0,) * 4 if has_colors else (0.3, 0.3, 0.3, 1.0)
     return MetallicRoughnessMaterial(alphaMode="BLEND", baseColorFactor=base, metallicFactor=0.2, roughnessFactor=0.8)
 
 
 def material_of(material):
-    """A material from one of trimesh, SimpleMaterial or PBRMaterial, by the names of the attributes."""
+    """A material from one of trimesh."""
     if isinstance(material, MetallicRoughnessMaterial):
         return material
-    get = lambda name, default=None: getattr(material, name, default)  # noqa: E731
-    if not hasattr(material, "baseColorTexture"):
-        kept = get("kwargs", {}) or {}
-        glossiness = float(np.ravel(kept.get("Ns", get("glossiness", 1.0) or 0.0))[0])
-        # GGX of alpha^2 = 2 / (p + 2) is as wide as Blinn's lobe (Walter et al., "Microfacet Models", 2007).
-        return MetallicRoughnessMaterial(
-            alphaMode="BLEND", baseColorFactor=get("diffuse"), baseColorTexture=get("image"),
-            roughnessFactor=(2 / (max(glossiness, 0) + 2)) ** 0.25)
-    names = ("normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor", "baseColorFactor",
-             "baseColorTexture", "metallicFactor", "roughnessFactor", "metallicRoughnessTexture", "doubleSided",
-             "alphaCutoff")
-    mode = "MASK" if get("alphaMode") == "MASK" else "BLEND"
-    return MetallicRoughnessMaterial(alphaMode=mode, **{name: get(name) for name in names})
+    values = material_values(material)
+    mode = "MASK" if values["alphaMode"] == "MASK" else "BLEND"
+    return MetallicRoughnessMaterial(**{**values, "alphaMode": mode})

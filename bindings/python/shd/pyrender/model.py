@@ -7,7 +7,7 @@ import numpy as np
 
 from .._camera import matrix
 from .._model import from_scene
-from ._checked import Boxed, bounds_of
+from ._checked import Boxed, bounds_of, face_normals, unit
 from ._stored import stored_material
 from .mesh import Primitive, context
 
@@ -52,8 +52,7 @@ class Piece:
         return self.part.mesh.positions.astype(np.float64) @ local[:3, :3].T + local[:3, 3]
 
     def normals(self):
-        turned = self.part.mesh.normals @ np.linalg.inv(self.part.local[:3, :3])
-        return turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-30)
+        return unit(self.part.mesh.normals @ np.linalg.inv(self.part.local[:3, :3]))
 
     def uv(self):
         """Texture coordinates with v upwards."""
@@ -91,9 +90,7 @@ class Model(Boxed):
     @property
     def face_normals(self):
         """Normals of the triangles [m][3]."""
-        corners = self.vertices[self.faces]
-        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        return across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+        return face_normals(self.vertices[self.faces])
 
     @property
     def bounds(self):
