@@ -177,7 +177,7 @@ def check_planted(bench):
         if found != f"legal in {ROWS} of {ROWS} with {wanted}":
             bench.failures += 1
             print(f"{name}: wanted {wanted}, found:\n{output[:3000]}")
-        # The options of each finding make as many rows legal as it says.
+        # The options of each finding make as many rows legal as its line has.
         for legal, named in re.findall(rf"legal in (\d+) of {ROWS} with (.+)", output):
             again = ["--list", "0", *arguments[:-2], *named.split(), *arguments[-2:]]
             refused = ROWS - int(legal)
