@@ -67,10 +67,10 @@ static inline shd_camera shd_camera_default(void)
 SHD_NODISCARD SHD_API shd_result shd_view_from_camera(const shd_camera *camera, shd_view *out_view);
 
 /**
- * Move a camera so that a box fills its picture, such as the bounds of a scene. The camera keeps its direction (from eye
- * to target), up, fov_y and aspect. Its target becomes the centre of the box. Its eye moves as near as the eight corners
- * allow, and 4 % further. Its planes enclose the ball around the box, which may turn about its centre. Set the aspect of
- * the picture before: an aspect of 0 counts as 1 here.
+ * Move a camera so that a box fills its picture, such as the bounds of a scene. The camera keeps its direction (from
+ * eye to target), up, fov_y and aspect. Its target becomes the centre of the box. Its eye moves as near as the eight
+ * corners allow, and 4 % further. Its planes enclose the ball around the box, which may turn about its centre. Set the
+ * aspect of the picture before: an aspect of 0 counts as 1 here.
  * @param camera      changed; unchanged on failure
  * @param bounds_min  world space, at most bounds_max
  * @param bounds_max  world space; a box may be flat, but is no point
