@@ -38,6 +38,10 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+bool ends_with(const std::string& name, const std::string& end) {
+  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
 std::string digits(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", number);

@@ -191,10 +191,6 @@ Group run_options(Options& out) {
        {"--quiet", "", flag(out.quiet), "No progress."}}};
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 void check_file(const Options& options, const std::string& output) {
   const bool exr = ends_with(output, ".exr");
   if (!exr && !ends_with(output, ".tx") && !ends_with(output, ".tif") && !ends_with(output, ".tiff")) {
