@@ -9,10 +9,11 @@ import shutil
 import struct
 import subprocess
 import sys
-import zlib
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "support")]
 from exr import Exr  # noqa: E402
+from png import read_png  # noqa: E402
 
 RENDER, FOLDER = sys.argv[1:3]
 SMALL = ("--size", "48x32", "--tessellation", "4", "--no-color")
@@ -122,23 +123,9 @@ def jpeg_pixels(path):
 
 def png_pixels(path):
     """Pixels of an RGBA PNG of 8 bits."""
-    data, at, packed = read(path), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack_from(">I4s", data, at)
-        if kind == b"IHDR":
-            width, height = struct.unpack_from(">II", data, at + 8)
-        packed += data[at + 8:at + 8 + size] if kind == b"IDAT" else b""
-        at += 12 + size
-    raw, row, last, pixels = zlib.decompress(packed), 4 * width, bytes(4 * width), []
-    for y in range(height):
-        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
-        for i in range(row):
-            a, b, c = line[i - 4] if i > 3 else 0, last[i], last[i - 4] if i > 3 else 0
-            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            line[i] = (line[i] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
-        pixels += [tuple(line[i:i + 4]) for i in range(0, row, 4)]
-        last = line
-    return pixels
+    _, _, channels, rows = read_png(path)
+    assert channels == 4, channels
+    return [tuple(row[i:i + 4]) for row in rows for i in range(0, len(row), 4)]
 
 
 # Headers of OpenEXR.
