@@ -42,7 +42,7 @@ std::string options_text(const Options& options) {
     text += "\n" + part;
   }
   for (const Attribute& attribute : options.attributes) text += "\n" + attribute.name + "=" + attribute.value;
-  return text;
+  return text + config_text(options);
 }
 
 /// A checksum of the options and of the state of the input, 16 hexadecimal digits.
