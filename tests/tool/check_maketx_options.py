@@ -299,6 +299,12 @@ def check_environments():
     refused(2, "--lightprobe holds the image in memory: --memory 9M, not 4M", "big.tif", "-o", "x.tx", "--lightprobe",
             "--linear", "--memory", "4M")
     refused(2, "exclude each other", "probe.tif", "-o", "x.tx", "--lightprobe", "--envlatl")
+    for content in ("--envlatl", "--lightprobe"):
+        for wrap in ("--wrap", "--swrap", "--twrap"):
+            for options in ((content, wrap, "periodic"), (wrap, "black", content)):
+                refused(2, "--envlatl and --lightprobe set the wraps: no --wrap, --swrap and --twrap", "probe.tif", "-o",
+                        "x.tx", "--linear", *options)
+    assert not os.path.exists("x.tx")
     refused(2, "--normal: vectors are no light", "probe.tif", "-o", "x.tx", "--normal", "--envlatl")
 
 
