@@ -38,8 +38,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-bool ends_with(const std::string& name, const std::string& end) {
-  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string digits(double number) {
