@@ -15,9 +15,10 @@ import numpy as np
 from . import _camera
 from ._camera import matrix
 from ._frame import Framebuffer, render
-from ._png import decode, encode, straight
 from ._model import from_arrays, from_scene, parts_of
 from ._objects import Context, Light, Material, counted
+from ._png import encode, straight
+from ._srgb import decode
 
 FORWARD = np.array([0.0, 0.0, -1.0])
 SHADOWED = ("directional", "spot", "point")

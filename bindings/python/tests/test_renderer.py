@@ -8,6 +8,9 @@ import numpy as np
 
 import shd
 from shd import _camera
+from shd._material import options_of
+from shd._trimesh import surface_of
+from shd.pyrender.material import material_of
 from support import Case, require_component
 from trimesh_like import (UV, ColorVisuals, Image, PBRMaterial, Scene, SimpleMaterial, TextureVisuals, Trimesh, square)
 
@@ -41,6 +44,32 @@ class Models(Renderers):
             renderer = self.renderer()
             renderer.add(square(TextureVisuals(UV, material)))
             self.check_quarters(renderer)
+
+    def test_materials_of_trimesh(self):
+        """Renderer and pyrender read the same numbers: an exponent p is a roughness of (2 / (p + 2)) ^ 1/4."""
+        for glossiness, kept, exponent in ((0.0, {}, 0), (14.0, {}, 14), (np.array([14.0]), {}, 14), (14.0, {"Ns": 30}, 30),
+                                           (None, {}, 1), (None, {"Ns": [30.0]}, 30), (-5.0, {}, 0), (14.0, None, 14)):
+            simple = SimpleMaterial(diffuse=(51, 102, 153, 255), glossiness=glossiness)
+            simple.kwargs = kept
+            want = (2 / (exponent + 2)) ** 0.25
+            self.assertAlmostEqual(options_of(simple)["roughness"], want)
+            self.assertAlmostEqual(material_of(simple).roughnessFactor, want)
+        self.assertEqual(options_of(simple)["color"].tolist(), [51, 102, 153, 255])  # codes of sRGB
+        self.assertIsNone(options_of(SimpleMaterial(IMAGE))["color"])
+        pbr = PBRMaterial(baseColorFactor=np.uint8([51, 102, 153, 255]), alphaMode="MASK", metallicRoughnessTexture=IMAGE)
+        made = options_of(pbr)
+        np.testing.assert_allclose(made["color"], (0.2, 0.4, 0.6, 1))
+        self.assertEqual((made["metallic"], made["roughness"], made["blend"], made["alpha_cutoff"]), (1, 1, "opaque", 0.5))
+        self.assertEqual([(target, channel) for target, _, _, channel in made["maps"]], [("roughness", 1), ("metallic", 2)])
+        self.assertEqual((options_of(PBRMaterial())["metallic"], material_of(PBRMaterial()).metallicFactor), (0, 1))
+
+    def test_unmarked_visuals(self):
+        """A visual without a kind is a texture if it has a material, and else has colours of vertices."""
+        textured, colored = TextureVisuals(UV, SimpleMaterial(IMAGE)), ColorVisuals(np.uint8([[0, 9, 0, 255]] * 4))
+        textured.kind = colored.kind = None
+        for visual, names in ((textured, ["uv"]), (colored, ["color"])):
+            self.assertEqual(list(surface_of(square(visual))[1]), names)
+        self.assertEqual(surface_of(square(TextureVisuals(UV[:0], SimpleMaterial())))[1], {})
 
     def test_arrays(self):
         """v of arrays is downwards."""
