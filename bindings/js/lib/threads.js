@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shd with threads: Web Workers over one shared memory. `import { load } from "shd/threads"`.
 import { Callbacks } from "./callback.js";
-import { compile, isNode } from "./instance.js";
+import { compile, isNode, processors } from "./instance.js";
 import { load as loadOneThread } from "./index.js";
 import { makeShd } from "./module.js";
 import { Executor } from "./executor.js";
@@ -34,7 +34,7 @@ export function threadImports(module, memory, known) {
 export function systemFunctions(memory) {
   const clock = (kind, address) => {  // struct timespec
     const now = performance.now(), seconds = Math.floor(now / 1000);
-    new Int32Array(memory.buffer, address, 2).set([seconds, Math.round((now - 1000 * seconds) * 1e6) % 1e9]);
+    new Int32Array(memory.buffer, address, 2).set([seconds, Math.floor((now - 1000 * seconds) * 1e6)]);
     return 0;
   };
   return {
@@ -148,14 +148,11 @@ async function startThreads(module, memory, raw, made, count) {
   return new Threads(raw, workers);
 }
 
-/** Threads of the machine. */
-const processors = () => globalThis.navigator?.hardwareConcurrency ?? 4;
-
 /**
  * Loads shd-threads.wasm with `threads` threads, the calling one included. Where memory cannot be shared, the instance
  * has one thread and is that of shd.wasm. `source` and `oneThread` are these two files, as for load() of "shd".
  */
-export async function load({ threads = processors(), source, oneThread } = {}) {
+export async function load({ threads = Math.min(processors(), MOST_THREADS), source, oneThread } = {}) {
   if (!Number.isInteger(threads) || threads < 1 || threads > MOST_THREADS) {
     refuse("threads", `${describe(threads)}, not 1..${MOST_THREADS}`);
   }

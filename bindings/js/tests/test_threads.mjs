@@ -4,10 +4,45 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { loadOneThread, loadThreads, refused, test, threads } from "./support.mjs";
 import { runPrograms } from "../examples/programs.mjs";
-import { load } from "../lib/threads.js";
+import { load, systemFunctions } from "../lib/threads.js";
 import { HEIGHT, makeScene } from "./pool_scene.mjs";
 
 const stored = readFileSync(new URL("../../programs.txt", import.meta.url), "utf8").trim().split("\n");
+
+/** Runs `body` where globals have other values; undefined removes one. */
+async function withGlobals(values, body) {
+  const kept = Object.keys(values).map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)]);
+  for (const [name, value] of Object.entries(values)) {
+    delete globalThis[name];
+    if (value !== undefined) Object.defineProperty(globalThis, name, { value, configurable: true });
+  }
+  try {
+    await body();
+  } finally {
+    for (const [name, property] of kept) {
+      delete globalThis[name];
+      if (property) Object.defineProperty(globalThis, name, property);
+    }
+  }
+}
+
+test("threads/clock", async () => {
+  const memory = { buffer: new ArrayBuffer(16) };
+  const { clock_gettime: clock } = systemFunctions(memory);
+  for (const [now, wanted] of [[0, [0, 0]], [1000, [1, 0]], [1250.5, [1, 250500000]],
+                               [1999.9999999, [1, 999999999]], [999.9999999999999, [0, 999999999]]]) {
+    await withGlobals({ performance: { now: () => now } }, () => clock(0, 8));
+    assert.deepEqual([...new Int32Array(memory.buffer, 8, 2)], wanted);
+  }
+});
+
+test("threads/processors", async () => {
+  for (const hardwareConcurrency of [1, 64, 65, 256, undefined]) {
+    await withGlobals({ navigator: { hardwareConcurrency }, SharedArrayBuffer: undefined }, async () => {
+      assert.equal((await load({ oneThread: process.env.SHD_WASM })).threadCount, 1);
+    });
+  }
+});
 
 /** A test of an instance with a number of threads; they are a part of the run with threads. */
 function withThreads(name, count, body) {
@@ -120,12 +155,8 @@ withThreads("misuse", 1, async () => {
     await assert.rejects(load({ threads: count }), new RegExp(`threads: ${text}, not 1\\.\\.64`));
   }
   await assert.rejects(load({ source: "/nowhere/shd-threads.wasm" }), /nowhere/);
-  const { SharedArrayBuffer } = globalThis;
-  delete globalThis.SharedArrayBuffer;
-  try {
+  await withGlobals({ SharedArrayBuffer: undefined }, async () => {
     const shd = await load({ threads: 4, oneThread: process.env.SHD_WASM });
     assert.deepEqual([shd.threadCount, new shd.Context().workerCount], [1, 1]);
-  } finally {
-    globalThis.SharedArrayBuffer = SharedArrayBuffer;
-  }
+  });
 });
