@@ -157,9 +157,11 @@ export function invoke(module, name, values, made = null) {
   if (RAW_ONLY.test(name)) refuse(name, "only shd.raw has it; objects have close()");
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
   // It could wait for a tile of a thread that waits for the function.
-  if (module.callbacks.loads && module.hasThreads) {
+  if (module.callbacks.loads && module.threads) {
     refuse(name, "a function that loads tiles may not call it in an instance with threads");
   }
+  const { failure } = module;
+  if (failure) throw failure;
   const rows = rowsOf(name, values);
   const mark = module.memory.mark();
   const call = new Call(module);
@@ -177,10 +179,14 @@ export function invoke(module, name, values, made = null) {
     if (entry[0] !== "shd_result") return returned;
     if (results.length === 1) return results[0][1]();
     return results.length ? Object.fromEntries(results.map(([key, read]) => [key, read()])) : undefined;
+  } catch (problem) {
+    throw module.failure ?? problem;
   } finally {
     if (!isDone || !made) for (const id of call.groups) module.callbacks.remove(id);
-    module.memory.release(mark);
-    module.flush();
+    if (!module.failure) {
+      module.memory.release(mark);
+      module.flush();
+    }
   }
 }
 

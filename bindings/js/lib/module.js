@@ -11,9 +11,9 @@ import { ShdError, refuse } from "./error.js";
 class Module {
   #defaults = new Map();
   #released = [];
-  constructor(callbacks, raw, hasThreads) {
+  constructor(callbacks, raw, threads) {
     this.callbacks = callbacks;
-    this.hasThreads = hasThreads;
+    this.threads = threads;
     this.raw = raw;
     this.memory = new Memory(raw);
     this.registry = new FinalizationRegistry((reference) => this.release(reference));
@@ -32,12 +32,17 @@ class Module {
     }
     return bytes;
   }
+  /** What has stopped a thread, or null. No function of C may follow: it could wait for a lock of that thread. */
+  get failure() {
+    return this.threads?.failure ?? null;
+  }
   /** Gives a reference back; inside a program, after the call that runs it. */
   release(reference) {
     this.#released.push(reference);
     this.flush();
   }
   flush() {
+    if (!this.#released.length || this.failure) return;
     while (!this.callbacks.depth && this.#released.length) this.#released.pop().close();
   }
 }
@@ -47,7 +52,7 @@ const TYPES = [Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array
 
 /** What load() returns. `threads` has the threads of an instance with shared memory (threads.js). */
 export function makeShd(callbacks, raw, threads = null) {
-  const module = new Module(callbacks, raw, threads !== null);
+  const module = new Module(callbacks, raw, threads);
   class Context extends ContextObject {
     constructor(desc) { super(module, threads ? threads.contextDesc(desc) : desc); }
   }

@@ -2,9 +2,9 @@
 // Threads over shared memory. The other tests run with threads, too: node run.mjs 3
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { loadOneThread, loadThreads, refused, test, threads } from "./support.mjs";
+import { grey, loadOneThread, loadThreads, refused, test, threads } from "./support.mjs";
 import { runPrograms } from "../examples/programs.mjs";
-import { load, systemFunctions } from "../lib/threads.js";
+import { load, startThreads, systemFunctions } from "../lib/threads.js";
 import { HEIGHT, makeScene } from "./pool_scene.mjs";
 
 const stored = readFileSync(new URL("../../programs.txt", import.meta.url), "utf8").trim().split("\n");
@@ -42,6 +42,43 @@ test("threads/processors", async () => {
       assert.equal((await load({ oneThread: process.env.SHD_WASM })).threadCount, 1);
     });
   }
+});
+
+test("threads/failed_start", async () => {
+  const memory = { buffer: new ArrayBuffer(16) };
+  const started = [];
+  const raw = { shd_js_start_thread: (index) => { started.push(index); return 0; }, shd_js_mailboxes: () => 0,
+                shd_js_stack_top: () => 0 };
+  // Each worker answers in one way: null for success, a text, an exception, or a failure of the worker itself.
+  for (const [bad, wanted] of [["no memory", /^Error: no memory$/], [new Error("a bug"), /^Error: a bug$/],
+                               [undefined, /^Error: no worker$/]]) {
+    const ended = [];
+    const makeWorker = async () => {
+      const index = makeWorker.count++;
+      if (index === 2 && bad === undefined) throw new Error("no worker");
+      const listeners = {};
+      return {
+        on(event, listener) { listeners[event] = listener; },
+        once(event, listener) { listeners[event] = listener; },
+        unref() {},
+        postMessage() {
+          if (index !== 2) listeners.message(null);
+          else if (bad instanceof Error) listeners.error(bad);
+          else listeners.message(bad);
+        },
+        terminate: () => ended.push(index),
+      };
+    };
+    makeWorker.count = 0;
+    const made = Array.from({ length: 4 }, () => ({}));
+    await assert.rejects(startThreads(null, memory, raw, made, 4, makeWorker), wanted);
+    assert.deepEqual(ended, bad === undefined ? [0, 1] : [0, 1, 2, 3]);
+  }
+  const refusing = { ...raw, shd_js_start_thread: () => 11 };
+  const ended = [];
+  await assert.rejects(startThreads(null, memory, refusing, [], 1, async () => ({ terminate: () => ended.push(0) })),
+                       /threads: thread 1 could not be made/);
+  assert.deepEqual(ended, [0]);
 });
 
 /** A test of an instance with a number of threads; they are a part of the run with threads. */
@@ -148,6 +185,24 @@ withThreads("programs_sample", 3, (shd, one) => {
     return framebuffer.readColor();
   };
   assert.deepEqual(draw(shd), draw(one));
+});
+
+withThreads("trap", 4, (shd) => {
+  const context = new shd.Context();
+  const framebuffer = new shd.Framebuffer(context, { width: 256, height: 256 });
+  const mesh = shd.Mesh.shape(context, { kind: "torus" });
+  const [u, r] = [shd.allocate(Float32Array, 4), shd.allocate(Float32Array, 4)];
+  const lookup = grey(shd, context).lookup(new shd.Sampler(context), { u, v: u }, { channel: [r] });
+  lookup.run();
+  shd.raw.shd_js_callback = () => 0x7fffffff;  // no function has this number
+  const material = new shd.Material(context, { model: "program", program: { fragment() {} } });
+  const draw = () => shd.render(context, { framebuffer, draws: [{ mesh, material }], camera: { eye: [0, 1, 2] } });
+  const stopped = /^Error: thread [123] has stopped \(RuntimeError: .+\); another load\(\) makes a new instance$/;
+  assert.throws(draw, stopped);
+  assert.throws(draw, stopped);
+  assert.throws(() => new shd.Context(), stopped);
+  assert.throws(() => lookup.run(), stopped);
+  lookup.close(), framebuffer.close();
 });
 
 withThreads("misuse", 1, async () => {
