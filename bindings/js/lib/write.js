@@ -14,7 +14,11 @@ const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "se
 function writeNumber(view, address, type, value, label) {
   if (typeof value === "boolean") value = Number(value);
   if (typeof value !== "number") refuse(label, `a number, not ${describe(value)}`);
-  if (type === "u64") return view.setBigUint64(address, BigInt(value), true);
+  if (type === "u64") {
+    const isWord = Number.isInteger(value) && value >= 0 && value < 2 ** 64;
+    if (!isWord) refuse(label, `${value}, not an integer of 0..${2n ** 64n - 1n}`);
+    return view.setBigUint64(address, BigInt(value), true);
+  }
   const range = RANGES.get(arrayOf(type));
   if (range && !(Number.isInteger(value) && value >= range[0] && value <= range[1])) {
     refuse(label, `${value}, not an integer of ${range[0]}..${range[1]}`);
