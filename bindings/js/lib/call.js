@@ -2,7 +2,7 @@
 // A call of the C library with JavaScript values.
 import { functions } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
-import { enumValue, writeStruct } from "./write.js";
+import { enumValue, numberOf, writeStruct } from "./write.js";
 import { readStruct } from "./read.js";
 import { rowsOf } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
@@ -113,9 +113,7 @@ class Arguments {
       case "text": return call.memory.writeText(value, key);
       case "in": return value == null ? 0 : this.structs(type, list(), key);
       case "inout": return this.inout(type, value, key);
-      default:
-        if (typeof value !== "number") refuse(key, `a number, not ${describe(value)}`);
-        return value;
+      default: return numberOf(kind, value, key);
     }
   }
   numbers(key, type, length, value) {

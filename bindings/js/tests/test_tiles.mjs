@@ -137,6 +137,9 @@ test("tiles/refused", (shd, context) => {
     refused(() => new shd.TileCache(context, { budgetBytes }),
             `desc.budgetBytes: ${budgetBytes}, not an integer of 0..18446744073709551615`);
   }
+  for (const count of [NaN, 0.5, -1, 2 ** 32]) {
+    refused(() => source.cache.loadRequested(count), `maxTiles: ${count}, not an integer of 0..4294967295`);
+  }
   refused(() => source.memory.loadTiles({ ...REGION, left: 1 }),
           "region.left: tile_region has no such field; there are layer, level, area");
 });
