@@ -168,7 +168,8 @@ function copyOf(view) {
 function pack(value, memory, buffers) {
   if (value instanceof ArrayBuffer) buffers.add(value);
   if (ArrayBuffer.isView(value)) {
-    if (value.buffer === memory.buffer) value = copyOf(value);
+    // Small Buffers of Node share one memory, which stays in the worker.
+    if (value.buffer === memory.buffer || globalThis.Buffer?.isBuffer(value)) value = copyOf(value);
     if (value.buffer instanceof ArrayBuffer) buffers.add(value.buffer);
     return value;
   }

@@ -17,7 +17,8 @@ serve((shd) => {
       const { buffer, byteOffset, byteLength } = kept.array;
       return { view: kept.array, list: [Uint8Array.of(5)], text: "text",
                data: new DataView(buffer, byteOffset, byteLength),
-               bytes: globalThis.Buffer?.from(buffer, byteOffset, byteLength) };
+               bytes: globalThis.Buffer?.from(buffer, byteOffset, byteLength),
+               small: globalThis.Buffer?.from("small") };
     },
     refuse: () => new shd.Sampler(new shd.Context(), { maxAnisotropy: 99 }),
     end() {

@@ -47,12 +47,13 @@ withPool("pool/calls", 2, async (pool) => {
   assert.equal(await pool.callOn(1, "count"), before + 1);  // the same worker
   assert.deepEqual((await pool.bands(1, "echo", "more")).map(({ rows, value }) => [rows, value]),
                    [[[0, 1], [[0, 1], "more"]]]);
-  const { view, list, text, data, bytes } = await pool.call("memory");
+  const { view, list, text, data, bytes, small } = await pool.call("memory");
   assert.deepEqual([...view, ...list[0], text], [1, 2, 3, 4, 5, "text"]);
   assert.equal(view.buffer.byteLength, 16);  // not all of the memory
   assert.deepEqual([0, 4, 8, 12].map((offset) => data.getFloat32(offset, true)), [1, 2, 3, 4]);
   assert.equal(data.buffer.byteLength, 16);
   assert.deepEqual([...new Float32Array(bytes.buffer)], [1, 2, 3, 4]);
+  assert.equal(new TextDecoder().decode(small.buffer), "small");  // not all that small Buffers share
 });
 
 withPool("pool/problems", 2, async (pool) => {
