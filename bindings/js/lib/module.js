@@ -15,7 +15,7 @@ class Module {
     this.callbacks = callbacks;
     this.threads = threads;
     this.raw = raw;
-    this.memory = new Memory(raw);
+    this.memory = new Memory(raw, () => this.failure);
     this.registry = new FinalizationRegistry((reference) => this.release(reference));
     callbacks.start(this.memory, raw);
   }
@@ -32,7 +32,7 @@ class Module {
     }
     return bytes;
   }
-  /** What has stopped a thread, or null. No function of C may follow: it could wait for a lock of that thread. */
+  /** Why threads have ended, or null. No function of C may follow: it could wait for such a thread. */
   get failure() {
     return this.threads?.failure ?? null;
   }
@@ -60,8 +60,11 @@ export function makeShd(callbacks, raw, threads = null) {
     Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
     /** Threads that contexts use, at most. */
     threadCount: threads?.count ?? 1,
-    /** Ends the threads. Later calls of an instance with threads are not possible. */
-    close() { threads?.close(); },
+    /** Ends the threads. Later calls of an instance with threads throw. */
+    close() {
+      if (callbacks.depth) refuse("close", "it may not be called inside a program");
+      threads?.close();
+    },
     get version() {
       const number = raw.shd_version();
       return [number >> 16, (number >> 8) & 255, number & 255].join(".");

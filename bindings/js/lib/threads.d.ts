@@ -6,8 +6,8 @@ type Source = string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
 
 export interface ThreadOptions {
   /**
-   * Threads, the calling one included: 1..64. The default is the number of processors, but at most 64; where that number
-   * is unknown it is 4.
+   * Threads, the calling one included: 1..64. The default is the number of processors, at most 64. It is 4
+   * where the number of processors is unknown.
    */
   threads?: number;
   /** shd-threads.wasm, by default the file beside this module. */

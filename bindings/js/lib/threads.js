@@ -138,6 +138,7 @@ class Threads {
   #raw;
   #workers;
   #stopped;
+  #closed = null;
   constructor(raw, workers) {
     this.#raw = raw;
     this.#workers = workers;
@@ -152,12 +153,14 @@ class Threads {
     const workers = Math.min(workerCount || this.count, this.count);
     return { ...others, executor: new Executor(this.#raw.shd_js_executor(), workers) };
   }
-  /** What has stopped a thread, or null. */
+  /** An error if a thread has stopped or close() has ended them, or null. */
   get failure() {
+    if (this.#closed) return this.#closed;
     const index = Atomics.load(this.#stopped, 0);
     return index ? stopOf(this.#raw.memory, this.#raw.shd_js_mailboxes(), index) : null;
   }
   close() {
+    if (this.count > 1) this.#closed ??= new Error("shd is closed: its threads have ended");
     for (const worker of this.#workers.splice(0)) worker.terminate();
   }
 }

@@ -202,7 +202,27 @@ withThreads("trap", 4, (shd) => {
   assert.throws(draw, stopped);
   assert.throws(() => new shd.Context(), stopped);
   assert.throws(() => lookup.run(), stopped);
-  lookup.close(), framebuffer.close();
+  assert.throws(() => shd.allocate(Float32Array, 4), stopped);
+  lookup.close(), framebuffer.close(), u.close(), context.close();
+});
+
+withThreads("closed", 3, (shd) => {
+  const context = new shd.Context();
+  const framebuffer = new shd.Framebuffer(context, { width: 64, height: 64 });
+  const draws = [{ mesh: shd.Mesh.shape(context, { kind: "torus" }), material: new shd.Material(context) }];
+  const draw = (more) => shd.render(context, { framebuffer, draws, camera: { eye: [0, 1, 2] }, ...more });
+  refused(() => draw({ present: () => shd.close() }), "close: it may not be called inside a program");
+  draw();
+  shd.close(), shd.close();
+  for (const call of [draw, () => framebuffer.readColor(), () => shd.allocate(Uint8Array, 1)]) {
+    assert.throws(call, /^Error: shd is closed: its threads have ended$/);
+  }
+  framebuffer.close(), context.close();
+});
+
+withThreads("closed_without_threads", 1, (shd) => {
+  shd.close();
+  assert.equal(new shd.Context().workerCount, 1);
 });
 
 withThreads("misuse", 1, async () => {
