@@ -27,6 +27,7 @@
 /// | samples.h   | the draws that the samples of pixels show               |
 /// | cryptomatte.h | mattes of objects and materials                       |
 /// | output.h    | file names and saving                                   |
+/// | check/      | another program, shd-check: check.h                     |
 /// | progress.h  | progress and the time left                              |
 /// | handles.h   | handles that release themselves                         |
 #pragma once

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command/failure.h"
+#include "image/srgb.h"
 #include "tool/check/levels.h"
 
 Sampler make_sampler(shd_context* context, const Case& judged) {
@@ -17,7 +18,6 @@ Sampler make_sampler(shd_context* context, const Case& judged) {
 
 Bounds bounds_of_lookups(shd_context* context, const shd_texture* texture, const Case& judged) {
   Bounds out;
-  if (judged.count() == 0) return out;
   const Sampler sampler = make_sampler(context, judged);
   const shd_lookups lookups = lookups_of(judged);
   shd_texels lower = shd_texels_default(), upper = shd_texels_default();
@@ -36,7 +36,7 @@ namespace {
 float curved(float bound, Curve curve) {
   if (!std::isfinite(bound)) return bound;
   const double x = static_cast<double>(bound);
-  return static_cast<float>(curve == Curve::kDecoded ? decode_srgb(x) : encode_srgb(x));
+  return static_cast<float>(curve == Curve::kDecoded ? shd::image::srgb_to_linear(x) : shd::image::linear_to_srgb(x));
 }
 
 /// Applies the curve to r, g and b, and the rounding of the results after it.
@@ -54,15 +54,14 @@ void finish(const Case& judged, float step, Bounds* bounds) {
 }  // namespace
 
 Bounds find_bounds(Textures& textures, const Case& judged) {
-  const bool by_level = judged.shift[0] != 0.0f || judged.shift[1] != 0.0f;
-  const bool stored = judged.decode == Decode::kAsStored || judged.decode == Decode::kSrgb;
-  const bool in_library = stored && judged.curve == Curve::kNone && !by_level;
+  if (judged.count() == 0) return {};
+  const bool in_library = is_stored(judged.decode) && judged.curve == Curve::kNone && !judged.is_shifted();
   if (in_library) return bounds_of_lookups(textures.context(), textures.get(judged.decode), judged);
   // The last step rounds the results, so the library must not.
   Case exact = judged;
   exact.bounds.result_bits = 0;
-  Bounds out = by_level ? bounds_by_level(textures, exact)
-                        : bounds_of_lookups(textures.context(), textures.get(judged.decode), exact);
+  Bounds out = judged.is_shifted() ? bounds_by_level(textures, exact)
+                                   : bounds_of_lookups(textures.context(), textures.get(judged.decode), exact);
   const uint32_t bits = is_unorm(textures.base()) || judged.sampler.compares ? judged.bounds.result_bits : 0;
   finish(judged, bits ? 0.5f / (std::exp2(static_cast<float>(bits)) - 1.0f) : 0.0f, &out);
   return out;

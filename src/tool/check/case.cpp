@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "command/failure.h"
+#include "command/names.h"
 
 const std::array<const char*, kInputs> kInputNames = {"u",    "v",    "w",    "dudx", "dvdx",     "dwdx",
                                                       "dudy", "dvdy", "dwdy", "lod",  "reference"};
@@ -34,7 +35,9 @@ std::vector<T> pick(const std::vector<T>& all, const std::vector<size_t>& places
 Case make_case(const Options& options, const Table& table) {
   const auto fail = [&](const std::string& text) { throw Failure(kExitInput, options.lookups + ": " + text); };
   Case out;
-  out.sampler = options.sampler, out.rules = options.rules, out.bounds = options.bounds;
+  out.sampler = options.sampler, out.rules = options.rules;
+  for (const auto& row : command::kRules) out.bounds_of_rules[row.value] = bounds_of(options, row.value);
+  out.bounds = out.bounds_of_rules[out.rules];
   out.decode = options.srgb ? Decode::kSrgb : Decode::kAsStored;
   for (const auto& column : table.columns) {
     const std::string& name = column.first;
@@ -60,7 +63,9 @@ Case make_case(const Options& options, const Table& table) {
 }
 
 Case select_rows(const Case& all, const std::vector<size_t>& places) {
-  Case out = {all.sampler, all.rules, all.bounds, all.decode, all.curve, all.shift, {}, {}, {}, {}};
+  Case out = {};
+  out.sampler = all.sampler, out.rules = all.rules, out.bounds = all.bounds, out.bounds_of_rules = all.bounds_of_rules;
+  out.decode = all.decode, out.curve = all.curve, out.shift = all.shift;
   for (size_t i = 0; i < kInputs; ++i) out.column[i] = pick(all.column[i], places);
   for (size_t c = 0; c < 4; ++c) out.result[c] = pick(all.result[c], places);
   out.layer = pick(all.layer, places);

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include <shd/shd.h>
@@ -25,6 +26,16 @@ enum class Decode {
   kAlphaToo   // sRGB, alpha too
 };
 
+/// Whether the library has textures with this decoding.
+inline bool is_stored(Decode decode) {
+  return decode == Decode::kAsStored || decode == Decode::kSrgb;
+}
+
+/// Whether a filter reads other levels than the first one.
+inline bool reads_levels(shd_filter filter) {
+  return filter != SHD_FILTER_NEAREST && filter != SHD_FILTER_BILINEAR;
+}
+
 /// A curve on r, g and b after the filter.
 enum class Curve { kNone, kDecoded, kEncoded };
 
@@ -33,6 +44,7 @@ struct Case {
   shd_sampler_desc sampler;
   shd_rules rules;
   shd_bounds_desc bounds;
+  std::map<shd_rules, shd_bounds_desc> bounds_of_rules;  // as `bounds`, for the other APIs
   Decode decode = Decode::kAsStored;
   Curve curve = Curve::kNone;
   std::array<float, 2> shift = {0, 0};             // shift of u and v, in texels of each level that is read
@@ -43,6 +55,7 @@ struct Case {
 
   size_t count() const { return row.size(); }
   bool has(Input input) const { return !column[input].empty(); }
+  bool is_shifted() const { return shift[0] != 0.0f || shift[1] != 0.0f; }
 };
 
 /// Connects columns with lookups and results. Throws Failure.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "tool/check/bounds.h"
 
@@ -78,15 +80,40 @@ void rank(std::vector<Score>* scores) {
   });
 }
 
-/// The best pairs of two subjects.
+/// Whether shd-check takes a pair in this order: a name of --assume must be one of the case that the first part
+/// changes.
+class Orders {
+ public:
+  Orders(const Textures& textures, const std::vector<Hypothesis>& all, const Case& judged) {
+    for (const Hypothesis& first : all) {
+      Case changed = judged;
+      first.change(changed);
+      std::set<std::string>& names = names_[&first];
+      for (const Hypothesis& second : hypotheses_of(changed, textures)) names.insert(assumed_name(second));
+    }
+  }
+  bool takes(const Parts& parts) const {
+    const std::string name = assumed_name(*parts[1]);
+    return name.empty() || names_.at(parts[0]).count(name) != 0;
+  }
+
+ private:
+  std::map<const Hypothesis*, std::set<std::string>> names_;  // after each first part
+};
+
+/// The best pairs of two subjects. As on the command line, rules come before numbers, and names of --assume last.
 std::vector<Score> try_pairs(Textures& textures, const std::vector<Hypothesis>& all, const Sample& few,
                              const Sample& first, const Sample& sample) {
   std::vector<Score> scores;
   const size_t passes = std::min(kFirstLegal, first.rows.count());
+  const Orders orders(textures, all, first.rows);
   for (size_t i = 0; i < all.size(); ++i) {
     for (size_t k = i + 1; k < all.size(); ++k) {
       if (all[i].subject == all[k].subject) continue;
-      const Parts parts = {&all[i], &all[k]};
+      Parts parts = {&all[i], &all[k]};
+      const bool swap = all[k].subject == "rules" || (!assumed_name(all[i]).empty() && assumed_name(all[k]).empty());
+      if (swap) std::swap(parts[0], parts[1]);
+      if (!orders.takes(parts)) continue;
       if (score_of(textures, first, parts).legal < passes) continue;
       scores.push_back(score_of(textures, few, parts));
     }
@@ -114,14 +141,13 @@ void judge_best(Textures& textures, const Sample& whole, std::vector<Score>* sco
 Finding finding_of(const Score& score) {
   Finding out = {"", "", score.legal, score.explained};
   std::string names;
-  const std::string prefix = "--assume ";
   for (const Hypothesis* part : score.parts) {
     out.text += (out.text.empty() ? "" : "; ") + part->text;
-    const bool named = part->option.compare(0, prefix.size(), prefix) == 0;
-    if (named) names += (names.empty() ? "" : ",") + part->option.substr(prefix.size());
-    if (!named) out.options += (out.options.empty() ? "" : " ") + part->option;
+    const std::string name = assumed_name(*part);
+    std::string& list = name.empty() ? out.options : names;
+    list += (list.empty() ? "" : name.empty() ? " " : ",") + (name.empty() ? part->option : name);
   }
-  if (!names.empty()) out.options += (out.options.empty() ? "" : " ") + prefix + names;
+  if (!names.empty()) out.options += (out.options.empty() ? "" : " ") + std::string("--assume ") + names;
   return out;
 }
 

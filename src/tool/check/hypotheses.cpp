@@ -12,6 +12,8 @@ using namespace command;
 
 namespace {
 
+const std::string kAssume = "--assume ";
+
 /// Collects the hypotheses of a case.
 struct List {
   const Case& base;
@@ -25,11 +27,9 @@ struct List {
   /// A hypothesis that no option but --assume has.
   void named(const std::string& subject, const std::string& name, const std::string& text,
              const std::function<void(Case&)>& change) {
-    add(subject, "--assume " + name, text, change);
+    add(subject, kAssume + name, text, change);
   }
-  bool reads_levels() const {
-    return base.sampler.filter != SHD_FILTER_NEAREST && base.sampler.filter != SHD_FILTER_BILINEAR;
-  }
+  bool reads_levels() const { return ::reads_levels(base.sampler.filter); }
   bool has_derivatives() const { return base.has(kDudx) || base.has(kDvdx) || base.has(kDudy) || base.has(kDvdy); }
   bool uses_derivatives() const { return reads_levels() && has_derivatives() && !base.has(kLod); }
 };
@@ -174,12 +174,8 @@ void add_colors(List& list) {
 }
 
 void add_filters(List& list) {
-  const std::vector<shd_filter> bounded = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                           SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_NEAREST_MIP_LINEAR,
-                                           SHD_FILTER_ANISOTROPIC};
-  for (const auto& row : names_of(shd_filter_name)) {
-    if (row.value == list.base.sampler.filter || std::find(bounded.begin(), bounded.end(), row.value) == bounded.end())
-      continue;
+  for (const auto& row : filters_with_bounds()) {
+    if (row.value == list.base.sampler.filter) continue;
     list.add("filter", "--filter " + row.name, "the filter is " + row.name,
              [value = row.value](Case& judged) { judged.sampler.filter = value; });
   }
@@ -305,14 +301,18 @@ void add_precision(List& list) {
     error("srgb-error", &shd_bounds_desc::srgb_error, 1.0f, "decoded sRGB texels are a code off");
   for (const auto& row : kRules) {
     if (row.value == list.base.rules) continue;
-    shd_bounds_desc rules = shd_bounds_desc_default();
-    check(shd_bounds_desc_from_rules(row.value, &rules), "--rules");
-    list.add("rules", "--rules " + row.name, "the rules are those of " + row.name,
-             [rules, value = row.value](Case& judged) { judged.bounds = rules, judged.rules = value; });
+    list.add("rules", "--rules " + row.name, "the rules are those of " + row.name, [value = row.value](Case& judged) {
+      judged.bounds = judged.bounds_of_rules[value], judged.rules = value;
+    });
   }
 }
 
 }  // namespace
+
+std::string assumed_name(const Hypothesis& hypothesis) {
+  const std::string& option = hypothesis.option;
+  return option.compare(0, kAssume.size(), kAssume) == 0 ? option.substr(kAssume.size()) : "";
+}
 
 std::vector<Hypothesis> hypotheses_of(const Case& judged, const Textures& textures) {
   List list = {judged, textures, {}};
@@ -330,14 +330,13 @@ std::vector<Hypothesis> hypotheses_of(const Case& judged, const Textures& textur
 }
 
 void assume(const std::vector<std::string>& names, const Textures& textures, Case& judged) {
-  const std::string prefix = "--assume ";
   for (const std::string& name : names) {
     const std::vector<Hypothesis> all = hypotheses_of(judged, textures);
     std::vector<std::string> known;
     const Hypothesis* found = nullptr;
     for (const Hypothesis& row : all) {
-      if (row.option.compare(0, prefix.size(), prefix) != 0) continue;
-      known.push_back(row.option.substr(prefix.size()));
+      if (assumed_name(row).empty()) continue;
+      known.push_back(assumed_name(row));
       if (known.back() == name) found = &row;
     }
     if (!found) command::refuse("--assume", name, "one of " + join(known) + " for this table", known);

@@ -14,6 +14,9 @@ struct Hypothesis {
   std::function<void(Case&)> change;
 };
 
+/// The name of a hypothesis for --assume; empty if another option makes its change.
+std::string assumed_name(const Hypothesis& hypothesis);
+
 /// All hypotheses that change a case, the likelier ones first, those with wider bounds last.
 std::vector<Hypothesis> hypotheses_of(const Case& judged, const Textures& textures);
 

@@ -17,8 +17,7 @@ bool blends_levels(shd_filter filter) {
 /// The legal levels of detail of each row: the bounds of a lookup in a texture of the numbers of the levels.
 Bounds legal_levels(Textures& textures, const Case& judged) {
   Case probe = judged;
-  const bool reads_levels = judged.sampler.filter != SHD_FILTER_NEAREST && judged.sampler.filter != SHD_FILTER_BILINEAR;
-  probe.sampler.filter = !reads_levels                          ? SHD_FILTER_NEAREST
+  probe.sampler.filter = !reads_levels(judged.sampler.filter)   ? SHD_FILTER_NEAREST
                          : blends_levels(judged.sampler.filter) ? SHD_FILTER_NEAREST_MIP_LINEAR
                                                                 : SHD_FILTER_NEAREST_MIP;
   probe.sampler.wrap_u = probe.sampler.wrap_v = SHD_WRAP_CLAMP;

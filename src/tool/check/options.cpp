@@ -111,12 +111,10 @@ Values any_number(T& out) {
 
 Group sampler_options(Options& out) {
   shd_sampler_desc& sampler = out.sampler;
-  const auto filters = names_of(shd_filter_name, {SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA,
-                                                  SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT});
   Values compare = initially(named(sampler.compare, names_of(shd_compare_name)), "");
   compare.read = [&sampler, read = compare.read](const std::string& text) { return sampler.compares = 1, read(text); };
   return {"Sampler",
-          {{"--filter", "NAME", named(sampler.filter, filters), "Filter of the lookups."},
+          {{"--filter", "NAME", named(sampler.filter, filters_with_bounds()), "Filter of the lookups."},
            {"--wrap", "U[,V]", wrap_values(sampler), "Wrap along u, and along v if it differs."},
            {"--border", "R,G,B,A", border_values(sampler), "Colour of the border."},
            {"--compare", "NAME", compare, "Compare reference NAME texel."},
@@ -126,11 +124,9 @@ Group sampler_options(Options& out) {
            {"--max-anisotropy", "X", any_number(sampler.max_anisotropy), "Largest ratio of anisotropic filters."}}};
 }
 
-/// Numbers that replace those of --rules, wherever it stands on the command line.
-using Changes = std::vector<std::function<void(shd_bounds_desc&)>>;
-
+/// A number that replaces that of --rules, wherever it stands on the command line.
 template <class T>
-Values bound_values(Changes& changes, T shd_bounds_desc::*field) {
+Values bound_values(BoundChanges& changes, T shd_bounds_desc::*field) {
   T number{};
   Values values = any_number(number);
   values.read = [&changes, field](const std::string& text) {
@@ -142,8 +138,9 @@ Values bound_values(Changes& changes, T shd_bounds_desc::*field) {
   return values;
 }
 
-Group bound_options(Options& out, Changes& changes) {
+Group bound_options(Options& out) {
   using Desc = shd_bounds_desc;
+  BoundChanges& changes = out.bound_changes;
   return {
       "Bounds",
       {{"--rules", "NAME", named(out.rules, kRules),
@@ -163,21 +160,29 @@ Group bound_options(Options& out, Changes& changes) {
 
 }  // namespace
 
+shd_bounds_desc bounds_of(const Options& options, shd_rules rules) {
+  shd_bounds_desc bounds = shd_bounds_desc_default();
+  check(shd_bounds_desc_from_rules(rules, &bounds), "--rules");
+  for (const auto& change : options.bound_changes) change(bounds);
+  return bounds;
+}
+
+std::vector<Name<shd_filter>> filters_with_bounds() {
+  return names_of(shd_filter_name, {SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA,
+                                    SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT});
+}
+
 bool read_options(int argc, const char* const* argv, Options& out) {
-  Changes changes;
-  const Program program = {
-      "shd-check",
-      "judge the texture lookups of any implementation",
-      "[options] TEXTURE LOOKUPS",
-      kDescription,
-      {file_options(out), diagnosis_options(out), sampler_options(out), bound_options(out, changes)},
-      kSections};
+  const Program program = {"shd-check",
+                           "judge the texture lookups of any implementation",
+                           "[options] TEXTURE LOOKUPS",
+                           kDescription,
+                           {file_options(out), diagnosis_options(out), sampler_options(out), bound_options(out)},
+                           kSections};
   std::vector<std::string> files;
   if (!parse(program, argc, argv, files)) return false;
   refuse_if(files.size() != 2, "two files are needed, TEXTURE and LOOKUPS");
   out.texture = files[0];
   out.lookups = files[1];
-  check(shd_bounds_desc_from_rules(out.rules, &out.bounds), "--rules");
-  for (const auto& change : changes) change(out.bounds);
   return true;
 }

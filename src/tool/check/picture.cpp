@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Formats of each type of channel with 1 to 4 channels.
+/// Formats of each Channel with 1 to 4 channels.
 constexpr shd_format kFormats[5][4] = {
     {SHD_FORMAT_R8, SHD_FORMAT_RG8, SHD_FORMAT_RGB8, SHD_FORMAT_RGBA8},
     {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB8_SRGB, SHD_FORMAT_RGBA8_SRGB},
@@ -25,8 +25,9 @@ constexpr shd_format kFormats[5][4] = {
 shd_format format_of(const std::string& path, const NpyField& type, size_t channels, bool srgb) {
   if (channels < 1 || channels > 4) throw Failure(kExitInput, path + ": channels are not 1..4");
   if (type.size == 8 || !type.name.empty()) throw Failure(kExitInput, path + ": texels are not |u1, <u2, <f2 or <f4");
-  const int row = type.kind == 'u' ? (type.size == 1 ? srgb : 2) : type.size == 2 ? 3 : 4;
-  return kFormats[row][channels - 1];
+  const Channel codes = srgb ? Channel::kSrgb : Channel::kCode;
+  if (type.kind == 'u') return format_with(type.size == 1 ? codes : Channel::kU16, channels);
+  return format_with(type.size == 2 ? Channel::kHalf : Channel::kFloat, channels);
 }
 
 Picture npy_picture(const std::string& path, const std::string& bytes, bool srgb) {
@@ -81,6 +82,10 @@ Kind kind_of(shd_format format) {
 }
 
 }  // namespace
+
+shd_format format_with(Channel type, size_t channels) {
+  return kFormats[static_cast<int>(type)][channels - 1];
+}
 
 Picture read_picture(shd_context* context, const std::string& path, bool srgb) {
   const std::string bytes = read_file(path);

@@ -7,6 +7,12 @@
 
 #include "tool/check/options.h"
 
+/// Types of channels.
+enum class Channel { kCode, kSrgb, kU16, kHalf, kFloat };
+
+/// The format of 1 to 4 channels of a type.
+shd_format format_with(Channel type, size_t channels);
+
 /// Layers of packed texels in memory.
 struct Picture {
   shd_format format;

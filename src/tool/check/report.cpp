@@ -14,9 +14,7 @@ double number(float value) {
 }
 
 void print_taps(Textures& textures, const Case& judged, size_t place) {
-  const bool stored = judged.decode == Decode::kAsStored || judged.decode == Decode::kSrgb;
-  const bool moved = judged.shift[0] != 0.0f || judged.shift[1] != 0.0f;
-  if (!stored || moved) return;  // a lookup that the library cannot make
+  if (!is_stored(judged.decode) || judged.is_shifted()) return;  // a lookup that the library cannot make
   std::vector<shd_tap> taps(4096);
   shd_explanation explanation = shd_explanation_default();
   explanation.taps = taps.data();

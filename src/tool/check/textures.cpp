@@ -6,31 +6,22 @@
 #include <cstring>
 
 #include "command/failure.h"
-
-double decode_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double encode_srgb(double linear) {
-  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
+#include "image/srgb.h"
 
 namespace {
 
-constexpr shd_format kCodes[] = {SHD_FORMAT_R8, SHD_FORMAT_RG8, SHD_FORMAT_RGB8, SHD_FORMAT_RGBA8};
-constexpr shd_format kSrgb[] = {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB8_SRGB, SHD_FORMAT_RGBA8_SRGB};
-constexpr shd_format kFloats[] = {SHD_FORMAT_R32F, SHD_FORMAT_RG32F, SHD_FORMAT_RGB32F, SHD_FORMAT_RGBA32F};
+using shd::image::srgb_to_linear;
 
 float number_of(uint8_t code, size_t channel, Decode decode) {
   const double x = code / 255.0;
   if (decode == Decode::kPower && channel < 3) return static_cast<float>(std::pow(x, 2.2));
-  if (decode == Decode::kTwice && channel < 3) return static_cast<float>(decode_srgb(decode_srgb(x)));
-  return static_cast<float>(channel < 3 || decode == Decode::kAlphaToo ? decode_srgb(x) : x);
+  if (decode == Decode::kTwice && channel < 3) return static_cast<float>(srgb_to_linear(srgb_to_linear(x)));
+  return static_cast<float>(channel < 3 || decode == Decode::kAlphaToo ? srgb_to_linear(x) : x);
 }
 
 Picture with_floats(const Picture& from, Decode decode) {
   const size_t channels = channels_of(from);
-  Picture out = {kFloats[channels - 1], from.width, from.height, from.layers, {}};
+  Picture out = {format_with(Channel::kFloat, channels), from.width, from.height, from.layers, {}};
   out.texels.resize(from.texels.size() * sizeof(float));
   for (size_t i = 0; i < from.texels.size(); ++i) {
     const float value = number_of(from.texels[i], i % channels, decode);
@@ -94,9 +85,11 @@ Pictures Textures::decoded(Decode decode) const {
   if (!has_codes(out.base)) return out;
   const auto change = [decode](Picture& picture) {
     if (!has_codes(picture)) return;
-    const bool stored = decode == Decode::kAsStored || decode == Decode::kSrgb;
-    if (stored) picture.format = (decode == Decode::kSrgb ? kSrgb : kCodes)[channels_of(picture) - 1];
-    if (!stored) picture = with_floats(picture, decode);
+    if (!is_stored(decode)) {
+      picture = with_floats(picture, decode);
+    } else {
+      picture.format = format_with(decode == Decode::kSrgb ? Channel::kSrgb : Channel::kCode, channels_of(picture));
+    }
   };
   change(out.base);
   for (Picture& level : out.levels) change(level);

@@ -32,7 +32,3 @@ class Textures {
   std::map<Decode, Texture> made_;
   Texture numbers_;
 };
-
-/// The curve of sRGB (IEC 61966-2-1) and its inverse, for all numbers.
-double decode_srgb(double encoded);
-double encode_srgb(double linear);
