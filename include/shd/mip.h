@@ -142,14 +142,14 @@ static inline shd_normals_desc shd_normals_desc_default(void)
 /**
  * Make the normal map of a height map (Blinn, "Simulation of Wrinkled Surfaces", 1978).
  *
- * A texel is the unit vector along (-scale hx, scale hy, 1), with the slopes hx towards growing u and hy towards growing
- * v. So x points to the right in the image, y up and z out of it, as in glTF 2.0 and as SHD_SLOT_NORMAL reads it.
- * Integer channels hold (n + 1) / 2; a fourth channel is 1. The result is computed in double and rounded once.
+ * A texel is the unit vector along (-scale hx, scale hy, 1), with the slopes hx towards growing u and hy towards
+ * growing v. So x points to the right in the image, y up and z out of it, as in glTF 2.0 and as SHD_SLOT_NORMAL reads
+ * it. Integer channels hold (n + 1) / 2; a fourth channel is 1. The result is computed in double and rounded once.
  * @param heights  the first channel of any format that is not compressed; numbers, so _SRGB formats are not decoded.
  *                 Heights that are not finite count as 0. At most 2^28 pixels; borrowed for the call
  * @param desc     borrowed for the call; NULL = all defaults
- * @param out      three or four channels, the width and height of `heights`. Pixels are written; they are unspecified if
- *                 the executor fails. They must not overlap `heights` (checked)
+ * @param out      three or four channels, the width and height of `heights`. Pixels are written; they are unspecified
+ *                 if the executor fails. They must not overlap `heights` (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_mip_build_normals(shd_context *context, const shd_image *heights,
