@@ -1524,6 +1524,14 @@ inline shd_view view_from_camera(const shd_camera* camera) {
   return made;
 }
 
+/// Move a camera so that a box fills its picture, such as the bounds of a scene. The camera keeps its direction (from
+/// eye to target), up, fov_y and aspect. Its target becomes the centre of the box. Its eye moves as near as the eight
+/// corners allow, and 4 % further. Its planes enclose the ball around the box, which may turn about its centre. Set the
+/// aspect of the picture before: an aspect of 0 counts as 1 here. See shd_camera_frame_box().
+inline void camera_frame_box(shd_camera* camera, const float* bounds_min, const float* bounds_max) {
+  check(shd_camera_frame_box(camera, bounds_min, bounds_max));
+}
+
 /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
 /// the pictures have the same bits as without skipping. A texture in tiles loads each tile of its base level once; a
 /// tile that cannot be loaded fails the call. See shd_volume_create().
