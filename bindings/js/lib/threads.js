@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shd with threads: Web Workers over one shared memory. `import { load } from "shd/threads"`.
 import { Callbacks } from "./callback.js";
-import { compile, isNode, processors } from "./instance.js";
+import { absentFunction, compile, isNode, processors, tempWord } from "./instance.js";
 import { load as loadOneThread } from "./index.js";
 import { makeShd } from "./module.js";
 import { Executor } from "./executor.js";
@@ -19,13 +19,16 @@ const WAITING = 1, ANSWERED = 2;
 export const hasThreads = () => typeof SharedArrayBuffer === "function"
   && (isNode() || globalThis.crossOriginIsolated === true);
 
+const OF_FILES = /^(__syscall|fd_|environ_)/;
+
 /** The functions that a module with threads imports; the others of Emscripten are never called. */
 export function threadImports(module, memory, known) {
   const imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     imports[from] ??= {};
     if (kind !== "function") continue;
-    imports[from][name] = known[name] ?? (() => { throw new Error(`shd-threads.wasm called ${name}`); });
+    imports[from][name] = known[name]
+      ?? (OF_FILES.test(name) ? absentFunction(name) : () => { throw new Error(`shd-threads.wasm called ${name}`); });
   }
   imports.env.memory = memory;
   return imports;
@@ -55,7 +58,7 @@ export function systemFunctions(memory) {
     emscripten_check_blocking_allowed() {},
     clock_gettime: clock, __clock_gettime: clock,
     _emscripten_default_pthread_stack_size: () => 2 * 1024 * 1024,
-    setTempRet0() {},
+    ...tempWord(),
   };
 }
 
