@@ -25,9 +25,13 @@ export async function compile(source) {
 }
 
 const NO_FUNCTION = 52;  // ENOSYS of WASI
+const OF_FILES = /^(__syscall|fd_|environ_)/;
 
-/** A function of the system that WebAssembly has not, such as those of files: it answers that it is absent. */
-export const absentFunction = (name) => (name.startsWith("__syscall") ? () => -NO_FUNCTION : () => NO_FUNCTION);
+/** A function of the system for files, which answers that it is absent; undefined for other names. */
+export function absentFunction(name) {
+  if (!OF_FILES.test(name)) return undefined;
+  return name.startsWith("__syscall") ? () => -NO_FUNCTION : () => NO_FUNCTION;
+}
 
 /** The word that longjmp() of Emscripten leaves for its caller. */
 export function tempWord() {

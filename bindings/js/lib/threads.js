@@ -19,16 +19,14 @@ const WAITING = 1, ANSWERED = 2;
 export const hasThreads = () => typeof SharedArrayBuffer === "function"
   && (isNode() || globalThis.crossOriginIsolated === true);
 
-const OF_FILES = /^(__syscall|fd_|environ_)/;
-
 /** The functions that a module with threads imports; the others of Emscripten are never called. */
 export function threadImports(module, memory, known) {
   const imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     imports[from] ??= {};
     if (kind !== "function") continue;
-    imports[from][name] = known[name]
-      ?? (OF_FILES.test(name) ? absentFunction(name) : () => { throw new Error(`shd-threads.wasm called ${name}`); });
+    imports[from][name] = known[name] ?? absentFunction(name)
+      ?? (() => { throw new Error(`shd-threads.wasm called ${name}`); });
   }
   imports.env.memory = memory;
   return imports;
