@@ -240,6 +240,10 @@ struct mip_desc : shd_mip_desc {
   mip_desc() noexcept : shd_mip_desc(shd_mip_desc_default()) {}
   mip_desc(const shd_mip_desc& values) noexcept : shd_mip_desc(values) {}
 };
+struct normals_desc : shd_normals_desc {
+  normals_desc() noexcept : shd_normals_desc(shd_normals_desc_default()) {}
+  normals_desc(const shd_normals_desc& values) noexcept : shd_normals_desc(values) {}
+};
 struct occlusion_desc : shd_occlusion_desc {
   occlusion_desc() noexcept : shd_occlusion_desc(shd_occlusion_desc_default()) {}
   occlusion_desc(const shd_occlusion_desc& values) noexcept : shd_occlusion_desc(values) {}
@@ -1120,6 +1124,15 @@ inline void mip_build(
     size_t level_count,
     const shd_image* levels) {
   check(shd_mip_build(context_, base, desc, level_count, levels));
+}
+
+/// Make the normal map of a height map (Blinn, "Simulation of Wrinkled Surfaces", 1978). See shd_mip_build_normals().
+inline void mip_build_normals(
+    shd_context* context_,
+    const shd_image* heights,
+    const shd_normals_desc* desc,
+    const shd_image* out_) {
+  check(shd_mip_build_normals(context_, heights, desc, out_));
 }
 
 /// Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals. See

@@ -111,6 +111,7 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_TILE_CACHE_STATS = 74,    /**< shd_tile_cache_stats */
     SHD_DESC_KIND_TILE_FILE_DESC = 75,      /**< shd_tile_file_desc, of shd/tile_file.h */
     SHD_DESC_KIND_TILE_FILE_INFO = 76,      /**< shd_tile_file_info, of shd/tile_file.h */
+    SHD_DESC_KIND_NORMALS_DESC = 77,        /**< shd_normals_desc */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -83,4 +83,5 @@
   ROW(TILE_CACHE_DESC, shd_tile_cache_desc, struct_size, budget_bytes, 16)          \
   ROW(TILE_CACHE_STATS, shd_tile_cache_stats, struct_size, wait_count, 96)          \
   ROW(TILE_FILE_DESC, shd_tile_file_desc, cache, fill, 40)                          \
-  ROW(TILE_FILE_INFO, shd_tile_file_info, file_count, tile_height, 40)
+  ROW(TILE_FILE_INFO, shd_tile_file_info, file_count, tile_height, 40)              \
+  ROW(NORMALS_DESC, shd_normals_desc, scale, wrap_v, 20)
