@@ -4,6 +4,7 @@
 
     generate.py                  write lib/api.js, lib/api.d.ts and callbacks.c
     generate.py --asserts FILE   write C code that asserts each size and offset of lib/api.js, for a 32-bit compiler
+    generate.py --functions PART print the functions of a part of the module, `core` or `models`
 
 lib/api.js has the layout of the structs in WebAssembly, whose pointers and size_t have four bytes (layout.py),
 lib/api.d.ts their types for TypeScript (types.py), and callbacks.c the functions of C that call JavaScript.
@@ -44,7 +45,7 @@ def javascript(api):
 def c_callbacks(api):
     """Functions that JavaScript implements, and their addresses."""
     lines = [HEAD.format("Functions that C calls and JavaScript implements.").rstrip(), "// clang-format off",
-             "#include <shd/extension.h>", "#include <shd/shd.h>", ""]
+             "#include <shd/extension.h>", "#include <shd/scene.h>", "#include <shd/shd.h>", ""]
     for entry in api.callbacks.values():
         name = layout.short(entry["name"]).replace(".", "_")
         parameters = ", ".join(api.c_parameter(p) for p in entry["parameters"])
@@ -59,7 +60,7 @@ def c_callbacks(api):
 
 
 def asserts(api):
-    lines = ["#include <stdalign.h>", "#include <stddef.h>", "#include <shd/shd.h>", ""]
+    lines = ["#include <stdalign.h>", "#include <stddef.h>", "#include <shd/scene.h>", "#include <shd/shd.h>", ""]
     for struct in api.structs.values():
         name = struct["name"]
         lines.append(f"_Static_assert(sizeof({name}) == {struct['size']}, \"{name}\");")
@@ -74,7 +75,12 @@ def asserts(api):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--asserts", type=pathlib.Path)
+    parser.add_argument("--functions", choices=layout.LIBRARIES)
     arguments = parser.parse_args()
+    if arguments.functions:
+        rows = generated.description()["functions"]
+        print("\n".join(f["name"] for f in rows if layout.part_of(f) == arguments.functions))
+        return
     api = layout.Api(generated.description())
     if arguments.asserts:
         arguments.asserts.write_text(asserts(api), encoding="utf-8")

@@ -10,6 +10,7 @@ A type is packed into a word that lib/layout.js reads:
     function:fragment_fn              the address of a function
     text handle:mesh handles:light    pointers to text, to an object, to addresses of objects
     data:f32 list:draw numbers:cubic  pointers to numbers, to structs, to constants
+    bytes size                        parameters: the bytes of a file, and their number
     address                           any other pointer
 """
 import re
@@ -20,7 +21,15 @@ NUMBERS = {"float": "f32", "double": "f64", "size_t": "u32", "int32_t": "i32", "
            "uint16_t": "u16", "uint32_t": "u32", "uint64_t": "u64", "char": "u8"}
 # Lengths of numbers that functions read or write through a pointer.
 LENGTHS = {"matrix": 16, "a": 16, "b": 16, "out_matrix": 16, "out_3x3": 9, "rotation": 4, "rectangle": 4}
-VECTORS = {"eye", "target", "up", "translation", "scale", "point", "direction", "out_point", "out_direction"}
+VECTORS = {"bounds_min", "bounds_max", "eye", "target", "up", "translation", "scale", "point", "direction", "out_point",
+           "out_direction"}
+
+# Parts of the module: the library, and the readers of images and models, whose files are bytes in memory.
+LIBRARIES = {"core": {"shd"}, "models": {"shd_io", "shd_scene"}}
+# Structs and fields for files on disk, for a process of its own, and for OpenVDB.
+NEED_FILES = {"shd_save_desc", "shd_file_attribute", "shd_file_channel", "shd_ktx2_desc", "shd_stack_desc",
+              "shd_vdb_desc", "shd_vdb_info"}
+FIELDS_OF_FILES = {"worker_path"}
 
 
 def short(name):
@@ -37,21 +46,34 @@ def base_of(text):
     return re.sub(r"const|\*", "", text).split("(")[0].strip()
 
 
+def part_of(function):
+    """The part of the module that has a function, or None."""
+    if any(p["name"] == "path" for p in function["parameters"]):
+        return None
+    return next((part for part, libraries in LIBRARIES.items() if function.get("library") in libraries), None)
+
+
 class Api:
-    """The parts of shd.json that libshd has, laid out for 32-bit addresses."""
+    """The parts of shd.json that the module has, laid out for 32-bit addresses."""
 
     def __init__(self, table):
-        headers = {h["name"] for h in table["headers"] if h["library"] == "shd"}
+        libraries = set.union(*LIBRARIES.values())
+        headers = {h["name"] for h in table["headers"] if h["library"] in libraries and h["name"] != "tile_file"}
         keep = lambda entries: {e["name"]: e for e in entries if e["header"] in headers}
         self.typedefs, self.enums = keep(table["typedefs"]), keep(table["enums"])
         self.structs, self.handles = keep(table["structs"]), keep(table["handles"])
         self.callbacks = keep(table["callbacks"])
-        self.functions = {f["name"]: f for f in table["functions"] if f.get("library") == "shd"}
+        self.functions = {f["name"]: f for f in table["functions"] if part_of(f)}
         kinds = {c["name"]: c["value"] for c in self.enums["shd_desc_kind"]["constants"]}
         self.bits = {t["name"]: t["bits_of"] for t in self.typedefs.values() if "bits_of" in t}
         for struct in self.structs.values():
             struct["kind"] = kinds.get(struct.get("desc_kind"), 0)
             self.lay_out(struct)
+        for name in NEED_FILES:
+            del self.structs[name]
+        for struct in self.structs.values():
+            struct["fields"] = [f for f in struct["fields"]
+                                if base_of(f["type"]) not in NEED_FILES and f["name"] not in FIELDS_OF_FILES]
 
     def size_and_alignment(self, text):
         text = text.removeprefix("const ")
@@ -153,11 +175,17 @@ class Api:
         """Result and parameters. Parameters are in: a word, out: a word and a length, or both: a struct to be read."""
         result = entry["result"]
         return [result if result in ("void", "shd_result") else self.packed(result),
-                [[camel(re.sub("^out_", "", p["name"])), *self.packed_parameter(p)] for p in entry["parameters"]]]
+                [[camel(re.sub("^out_", "", p["name"])), *self.packed_parameter(p, entry["parameters"])]
+                 for p in entry["parameters"]]]
 
-    def packed_parameter(self, parameter):
+    def packed_parameter(self, parameter, parameters):
         name, text = parameter["name"], parameter["type"]
         base = base_of(text)
+        is_file = lambda p: p["name"] == "bytes" and p["type"] == "const void *" and p.get("length") == ["size"]
+        if is_file(parameter):
+            return ["bytes"]
+        if name == "size" and any(is_file(p) for p in parameters):
+            return ["size"]
         if text.endswith("**"):
             return [f"new:{short(base)}"]
         if "(*" in text or text in self.callbacks:

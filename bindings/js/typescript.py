@@ -9,10 +9,10 @@ HEAD = """// SPDX-License-Identifier: MIT
 // Types of descs, enums and functions. Written by generate.py; do not edit.
 import type { Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, Texture, Volume, Context, Column,
               OutColumn, Columns, OutColumns, Numbers, Pixels, Fragments, Radiance, Vertices, VertexOutputs, Rays,
-              PresentTile, Tile, TileCache, Flags } from "./index.js";
+              PresentTile, Tile, TileCache, Find, Flags } from "./index.js";
 """
 # Structs that the library writes: every field is there.
-WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step)$")
+WRITTEN = re.compile(r"_(info|stats)$|^shd_(view|plane_view|tap|blend_step|scene_instance)$")
 SKIPPED = re.compile(r"^shd_([fu]\d+_(in|out)|fragments|radiance|vertices|vertex_outputs|rays|present_tile|tile)$")
 # Required in C, but not always.
 OPTIONAL = {("shd_texture_desc", "texels")}  # textures in tiles have none
@@ -20,6 +20,7 @@ FUNCTIONS = {"fragment_fn": "(fragments: Fragments, out: Radiance) => void",
              "vertex_fn": "(vertices: Vertices, out: VertexOutputs) => void",
              "slot_fn": "(fragments: Fragments, out: (Float32Array | null)[]) => void",
              "trace_fn": "(rays: Rays, blocked: Uint32Array) => void",
+             "scene_desc.find": "Find",
              "load_tiles_fn": "(tiles: Tile[]) => void",
              "tile_source.release": "() => void",
              "log.write": "(level: LogLevel, message: string) => void",
@@ -62,7 +63,7 @@ class Types:
             return f"{pascal(rest)} | ({FUNCTIONS[alone[rest]]})" if rest in alone else pascal(rest)
         if kind == "list":
             # an image may be Pixels; several descs are an array
-            one = pascal(rest)
+            one = f"Partial<{pascal(rest)}>" if rest.endswith("_info") else pascal(rest)
             if re.match(r"[fu]\d+_(in|out)$", rest):
                 return "OutColumn[]" if rest.endswith("out") else "Column[]"
             return f"{one} | {one}[]" if field.get("rows") or field["name"].endswith("s") else one

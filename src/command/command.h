@@ -4,8 +4,8 @@
 ///
 /// Input:      the options of a program, declared once: name, value, variable, text.
 /// Output:     variables set from the command line; --help, the manual page and the completion of bash.
-/// Invariants: uses only the public headers of shd. An error is a Failure with a sentence for the user and an exit
-///             code.
+/// Invariants: uses only the public headers of shd, and core/number.h. An error is a Failure with a sentence for the
+///             user and an exit code.
 ///             CLI11 splits the command line, and only parse.cpp includes it.
 ///
 /// | file      | contents                                                          |

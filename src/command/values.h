@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command/program.h"
+#include "core/number.h"
 
 namespace command {
 
@@ -44,13 +45,17 @@ std::string digits(double number);
 /// Reads a whole text as one number. Returns false for any other text, and for numbers that are not finite.
 template <class T>
 bool read_number(const std::string& text, T& out) {
-  const char* const begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-');
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, out);
   if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(out)) return false;
+    double value = 0;
+    if (!shd::core::to_number(text, &value)) return false;
+    out = static_cast<T>(value);
+    return std::isfinite(out);
+  } else {
+    const char* const begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-');
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(begin, end, out);
+    return error == std::errc() && stop == end;
   }
-  return error == std::errc() && stop == end;
 }
 
 /// Numbers with a separator between them, or none if the text is another.

@@ -20,6 +20,7 @@
 /// | enum_names.h    | the table of the names of enums                                   |
 /// | sized_structs.h | the table of the structs that carry their size                    |
 /// | regular_file.h  | opening of regular files                                          |
+/// | number.h        | texts to numbers                                                  |
 /// | desc_size.h     | smallest sizes of the structs that carry their size               |
 /// | read_desc.h     | sized structs of the caller, in and out                           |
 /// | allocator.h     | the host's allocator; Array, Objects and Buffer, which own memory |

@@ -6,9 +6,10 @@
 /// Output:     Bitmap, rows from the top in one of libshd's formats: RGBA, or one channel of volumes; whole files.
 /// Invariants: only abi/ calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; a build has one of the
-///             rooms oiio/ and small/; decoders are given memory, and open files only by oiio/tiles.cpp, whose files
-///             are trusted; files are opened by core/regular_file.h and file/write_file.cpp alone; only the worker sets
-///             the process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
+///             rooms oiio/ and small/, and one for WebAssembly has neither worker/ nor server/; decoders are given
+///             memory, and open files only by oiio/tiles.cpp, whose files are trusted; files are opened by
+///             core/regular_file.h and file/write_file.cpp alone; only the worker sets the process-wide attributes of
+///             OpenImageIO; what a child of the worker sends is untrusted.
 ///
 /// Rooms, each of which includes its own files and those of the rooms before it:
 /// file bitmap check container codec oiio small vdb worker load server maketx abi
@@ -58,7 +59,7 @@
 /// | worker/link.h               | the worker of this process: started, connected, replaced             |
 /// | worker/call.h               | one job of the worker; run.h: one job of a module                    |
 /// | load/load.h                 | the pipeline: sniff, scrub, check, decode                            |
-/// | load/isolate.h              | the pipeline in a child of the worker                                |
+/// | load/isolate.h              | the pipeline in a child of the worker, or in this process            |
 /// | server/job.h                | the worker: the server (serve.cpp) and its children                  |
 /// | server/module.h             | a child that runs a module                                           |
 /// | server/memory.h             | memory of these children                                             |

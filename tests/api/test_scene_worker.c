@@ -118,15 +118,28 @@ static void test_one_scene(void **state)
     }
 }
 
-/* A model in memory reads no file of the disk: its textures and materials are warnings. */
+static void count_warning(shd_log_level level, const char *message, void *count)
+{
+    if (level == SHD_LOG_LEVEL_WARNING && *message) ++*(size_t *)count;
+}
+
+/* A model in memory reads no file of the disk: its textures and materials are warnings, which are logged, too. */
 static void test_memory_alone(void **state)
 {
     shd_scene *scene = NULL;
+    shd_context *context = NULL;
+    shd_context_desc desc = shd_context_desc_default();
+    size_t logged = 0;
     (void)state;
-    shd_assert_ok(shd_scene_load_memory(g_context, k_triangle_obj, strlen(k_triangle_obj), "tri.obj", NULL, &scene));
+    desc.log.write = count_warning;
+    desc.log.user_data = &logged;
+    shd_assert_ok(shd_context_create(&desc, &context));
+    shd_assert_ok(shd_scene_load_memory(context, k_triangle_obj, strlen(k_triangle_obj), "tri.obj", NULL, &scene));
     assert_int_equal(info_of(scene).texture_count, 0);
     assert_true(info_of(scene).warning_count > 0);
+    assert_int_equal(info_of(scene).warning_count, logged);
     shd_scene_release(scene);
+    shd_context_release(context);
     shd_assert_result("null", shd_scene_load_memory(g_context, NULL, 1, "x", NULL, &scene), SHD_ERROR_INVALID_ARGUMENT,
                       "bytes: NULL");
 }

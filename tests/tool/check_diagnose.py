@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Plants bugs in tables of lookups, and checks that shd-check --diagnose names each bug first.
 
-    check_diagnose.py SHD_CHECK LOOKUP_TABLE FOLDER PAGE
+    check_diagnose.py SHD_CHECK LOOKUP_TABLE FOLDER PAGE [COMMAND...]
 
-PAGE is docs/diagnose.md, whose examples are run.
+PAGE is docs/diagnose.md, whose examples are run. COMMAND is another shd-check, which must print the same;
+exit code 77: its last word is no file.
 LOOKUP_TABLE is a texture unit in doubles that shares no code with the library.
 """
 import csv
@@ -119,8 +120,8 @@ PLANTED = {
 
 
 class Bench:
-    def __init__(self, program, table, folder):
-        self.program, self.table, self.folder = program, table, folder
+    def __init__(self, program, table, folder, other):
+        self.programs, self.table, self.folder = [[program]] + ([other] if other else []), table, folder
         self.failures, self.count = 0, 0
 
     def make(self, name, unit, change=None, rows=ROWS):
@@ -142,9 +143,15 @@ class Bench:
                 levels[0], path]
 
     def run(self, arguments):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, timeout=120,
-                              check=False)
-        return done.returncode, done.stdout + done.stderr
+        results = []
+        for program in self.programs:
+            done = subprocess.run([*program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
+                                  timeout=120, check=False)
+            results.append((done.returncode, done.stdout + done.stderr))
+        if results[0] != results[-1]:
+            self.failures += 1
+            print(f"{arguments}: exit {results[0][0]} and {results[-1][0]}:\n{results[0][1]}and:\n{results[-1][1]}")
+        return results[0]
 
     def expect(self, name, arguments, code, *texts):
         self.count += 1
@@ -303,23 +310,29 @@ def check_reports(bench):
 
 def check_page(bench, page):
     """Runs each command of the page, a line that begins with "$ ", and compares the lines that follow it."""
-    tools = {"shd-check": bench.program, "lookup_table": bench.table}
     commands = 0
     for block in page.read_text().split("```")[1::2]:
         for part in ("\n" + block).split("\n$ ")[1:]:
             command, _, wanted = part.replace("\\\n", " ").partition("\n")
             words = command.split()
-            done = subprocess.run([tools[words[0]], *words[1:]], cwd=bench.folder, capture_output=True, text=True,
-                                  timeout=60, check=False)
+            output = ""
+            if words[0] == "lookup_table":
+                subprocess.run([bench.table, *words[1:]], cwd=bench.folder, check=True, timeout=60)
+            else:
+                output = bench.run(words[1:])[1]
             commands += 1
-            if (done.stdout + done.stderr).strip() != wanted.strip():
+            if output.strip() != wanted.strip():
                 bench.failures += 1
-                print(f"{page.name}: {command} prints:\n{done.stdout}{done.stderr}")
+                print(f"{page.name}: {command} prints:\n{output}")
     assert commands >= 6, commands
 
 
 def main():
-    bench = Bench(*map(lambda path: pathlib.Path(path).resolve(), sys.argv[1:4]))
+    other = sys.argv[5:]
+    if other and not pathlib.Path(other[-1]).exists():
+        print(f"skipped: there is no {other[-1]} (examples/apps/webgpu-check/README.md)")
+        return 77
+    bench = Bench(*map(lambda path: pathlib.Path(path).resolve(), sys.argv[1:4]), other)
     bench.folder.mkdir(parents=True, exist_ok=True)
     check_planted(bench)
     check_right(bench)

@@ -3,6 +3,7 @@
 import { functions } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
 import { enumValue, numberOf, writeStruct } from "./write.js";
+import { placeBytes } from "./column.js";
 import { readStruct } from "./read.js";
 import { rowsOf } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
@@ -103,6 +104,7 @@ class Arguments {
   }
   argument(key, kind, type, length, queue) {
     const { call } = this;
+    if (kind === "size") return this.size;
     const value = queue.shift();
     const list = () => (Array.isArray(value) ? value : [value]);
     call.isOut = WRITTEN.has(key);
@@ -113,6 +115,11 @@ class Arguments {
       case "text": return call.memory.writeText(value, key);
       case "in": return value == null ? 0 : this.structs(type, list(), key);
       case "inout": return this.inout(type, value, key);
+      case "bytes": {
+        const placed = placeBytes(call, value, key);
+        this.size = placed.size;
+        return placed.address;
+      }
       default: return numberOf(kind, value, key);
     }
   }
@@ -158,6 +165,7 @@ export function invoke(module, name, values, made = null) {
   if (module.callbacks.loads && module.threads) {
     refuse(name, "a function that loads tiles may not call it in an instance with threads");
   }
+  if (!module.raw[name]) throw new ShdError("unsupported", `${name}: this build of shd.wasm reads no files`);
   const { failure } = module;
   if (failure) throw failure;
   const rows = rowsOf(name, values);

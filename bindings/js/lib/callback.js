@@ -3,9 +3,10 @@
 import { callbacks as table } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
 import { readStruct } from "./read.js";
-import { ShdError } from "./error.js";
+import { bytesOf } from "./column.js";
+import { ShdError, describe } from "./error.js";
 
-const CANCELLED = 8, FAILED = 9;
+const NOT_FOUND = 4, CANCELLED = 8, FAILED = 9;
 const LENGTHS = { objectToWorld: 16, worldToView: 16, viewToClip: 16, eye: 3 };
 const POINTERS = { attribute: "attributeCount", varying: "varyingCount" };
 
@@ -127,6 +128,18 @@ export class Callbacks {
     if (kind === "data" && rows !== undefined) return memory.array(arrayOf(rest), word >>> 0, rows);
     return word;
   }
+  /** Gives C the bytes of a file, which stay until the call that asked for them returns. */
+  #find(find, name, outBytes, outSize) {
+    const answer = find(name), memory = this.#memory;
+    if (answer === null || answer === undefined) return NOT_FOUND;
+    const bytes = bytesOf(answer);
+    if (!bytes) throw new TypeError(`scene.find: bytes or null for "${name}", not ${describe(answer)}`);
+    const address = memory.scratch(bytes.length || 1);
+    new Uint8Array(memory.buffer, address, bytes.length).set(bytes);
+    memory.view.setUint32(outBytes, address, true);
+    memory.view.setUint32(outSize, bytes.length, true);
+    return 0;
+  }
   #run(name, result, parameters, words, id) {
     const isVoid = result === "void";
     if (this.failure && name !== "log.write") return isVoid ? undefined : FAILED;
@@ -139,6 +152,7 @@ export class Callbacks {
         const isRest = parameter[0] === "userData" || (name === "load_tiles_fn" && parameter[0] === "count");
         if (!isRest) values.push(this.#argument(name, parameter, words[i], values, words[i + 1]));
       });
+      if (name === "scene_desc.find") return this.#find(this.#groups.get(id)[name], ...values);
       const returned = this.#groups.get(id)[name](...values);
       if (isVoid) return undefined;
       return name === "progress.report" && returned === false ? CANCELLED : 0;

@@ -99,6 +99,20 @@ export function writeColumns(call, address, field, value, label) {
   return length;
 }
 
+/** The bytes of a file as an array, or null if a value has none. */
+export function bytesOf(value) {
+  if (value instanceof Allocation) value = value.array;
+  if (value instanceof ArrayBuffer) return new Uint8Array(value);
+  return ArrayBuffer.isView(value) ? new Uint8Array(value.buffer, value.byteOffset, value.byteLength) : null;
+}
+
+/** The address and size of the bytes of a file. */
+export function placeBytes(call, value, label) {
+  const bytes = bytesOf(value) ?? refuse(label, `a Uint8Array or an ArrayBuffer, not ${describe(value)}`);
+  call.label = label;
+  return { address: place(call, bytes, false, true) || call.allocate(1), size: bytes.length };
+}
+
 /** The address and length of numbers or bytes. `void *` takes any typed array. */
 export function placeData(call, value, word, label) {
   const allocation = value instanceof Allocation ? value : null;

@@ -4,7 +4,8 @@ import { invoke } from "./call.js";
 import { SharedObject } from "./object.js";
 import { refuse } from "./error.js";
 
-const PIXELS = {
+/** Arrays of the formats of pixels, and their channels. */
+export const PIXELS = {
   rgba8: [Uint8ClampedArray, 4], rgba8_srgb: [Uint8ClampedArray, 4], rgba16: [Uint16Array, 4],
   rgba16f: [Uint16Array, 4], rgba32f: [Float32Array, 4],
 };

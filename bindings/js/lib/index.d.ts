@@ -63,6 +63,51 @@ export interface Context extends SharedObject {
   trim(): void;
 }
 
+/** The bytes of a file. */
+export type FileBytes = Uint8Array | ArrayBuffer | ArrayBufferView | Allocation;
+/** Files of a model by their names, or a function that answers a name. It cannot wait for a promise. */
+export type Find = ((name: string) => FileBytes | null | undefined) | Map<string, FileBytes>
+  | { [name: string]: FileBytes };
+
+/** The pixels of an image file, without conversion. */
+export interface Bitmap extends SharedObject {
+  readonly format: "rgba8_srgb" | "rgba8" | "rgba16" | "rgba16f" | "rgba32f";
+  readonly width: number;
+  readonly height: number;
+  readonly info: api.BitmapInfo;
+  /** The colour space of the pixels, such as "sRGB". */
+  readonly colorSpace: string;
+  /** A copy of the pixels, [height][width][4]: Uint8ClampedArray, Uint16Array or Float32Array, as `format` states. */
+  readPixels(): Bytes | Halves | Floats;
+}
+
+/** Options of a model, and its name, for formats without a mark of their own. */
+export interface SceneOptions extends api.SceneDesc { name?: string }
+
+/** The contents of a model file. Its meshes, materials, textures and lights close with it. */
+export interface Scene extends SharedObject {
+  readonly info: api.SceneInfo;
+  /** Parts of the file that were left out or changed, one text each. */
+  readonly warnings: string[];
+  /** The box around all instances, its centre, and half of its diagonal. */
+  readonly bounds: { min: number[]; max: number[]; center: number[]; radius: number };
+  readonly meshes: Mesh[];
+  readonly materials: Material[];
+  readonly textures: Texture[];
+  readonly lights: Light[];
+  readonly cameras: (api.Camera & { eye: number[]; target: number[]; up: number[] })[];
+  readonly instances: (api.SceneInstance & { objectToWorld: number[] })[];
+  /** The instances as draws of a frame. */
+  readonly draws: api.Draw[];
+  /** Sets the draws and lights of a frame to those of the file, and returns it. */
+  fillRender<T extends object>(frame: T): T & { draws: api.Draw[]; lights: Light[] };
+  names(part: api.ScenePart): string[];
+  /** The first and the last key of an animation [s]. */
+  animationTimes(index: number): [number, number];
+  /** A scene of the file at a time of an animation, given by its number or its name. */
+  pose(animation: number | string, seconds: number): Scene;
+}
+
 export interface Texture extends SharedObject {
   readonly info: api.TextureInfo;
   /** Filtered values of lookups, as columns r, g, b and a. */
@@ -229,7 +274,12 @@ export interface Shd {
   /** Ends the threads. Later calls of an instance with threads throw. */
   close(): void;
   readonly Context: { new (desc?: api.ContextDesc): Context };
-  readonly Texture: Constructor<Texture, api.TextureDesc>;
+  readonly Texture: Constructor<Texture, api.TextureDesc> & {
+    /** A texture of an image file, or of a KTX2 or DDS file as it is stored. */
+    load(context: Context, bytes: FileBytes, desc?: api.LoadDesc): Texture;
+  };
+  readonly Bitmap: { new (context: Context, bytes: FileBytes, desc?: api.LoadDesc): Bitmap };
+  readonly Scene: { new (context: Context, bytes: FileBytes, options?: SceneOptions): Scene };
   readonly Sampler: Constructor<Sampler, api.SamplerDesc>;
   readonly Mesh: Constructor<Mesh, api.MeshDesc> & {
     shape(context: Context, desc: api.ShapeDesc, flags?: Flags<api.MeshFlag> | number): Mesh;

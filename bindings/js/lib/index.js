@@ -11,5 +11,7 @@ export async function load(source) {
 }
 
 export { Environment, Light, Material, Mesh, Sampler, Shadow, Texture, TileCache, Volume } from "./objects.js";
+export { Bitmap } from "./bitmap.js";
 export { Framebuffer } from "./framebuffer.js";
+export { Scene } from "./scene.js";
 export { ShdError } from "./error.js";

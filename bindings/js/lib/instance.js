@@ -24,10 +24,25 @@ export async function compile(source) {
   return source instanceof WebAssembly.Module ? source : WebAssembly.compile(await readBytes(source));
 }
 
+const NO_FUNCTION = 52;  // ENOSYS of WASI
+const OF_FILES = /^(__syscall|fd_|environ_)/;
+
+/** A function of the system for files, which answers that it is absent; undefined for other names. */
+export function absentFunction(name) {
+  if (!OF_FILES.test(name)) return undefined;
+  return name.startsWith("__syscall") ? () => -NO_FUNCTION : () => NO_FUNCTION;
+}
+
+/** The word that longjmp() of Emscripten leaves for its caller. */
+export function tempWord() {
+  let word = 0;
+  return { setTempRet0(value) { word = value; }, getTempRet0: () => word };
+}
+
 /** Clocks and the end of the process, which the C library takes from its system. */
 function systemImports(memoryOf) {
   return {
-    env: { emscripten_notify_memory_growth() {} },
+    env: { emscripten_notify_memory_growth() {}, ...tempWord() },
     wasi_snapshot_preview1: {
       proc_exit(code) {
         throw new Error(`shd.wasm stopped with code ${code}`);
@@ -44,8 +59,10 @@ function systemImports(memoryOf) {
 /** Compiles and starts shd.wasm. `callbacks` has the functions that C calls. */
 export async function instantiate(source, callbacks) {
   let exports;
+  const module = await compile(source);
   const imports = { ...systemImports(() => exports.memory), shd: callbacks };
-  ({ exports } = await WebAssembly.instantiate(await compile(source), imports));
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) imports[from][name] ??= absentFunction(name);
+  ({ exports } = await WebAssembly.instantiate(module, imports));
   exports._initialize();
   return exports;
 }

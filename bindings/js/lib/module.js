@@ -4,7 +4,9 @@ import { invoke } from "./call.js";
 import { Allocation, Memory } from "./memory.js";
 import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture,
     TileCache, Volume } from "./objects.js";
+import { Bitmap } from "./bitmap.js";
 import { Framebuffer } from "./framebuffer.js";
+import { Scene } from "./scene.js";
 import { ShdError, refuse } from "./error.js";
 
 /** One instance of the library with its own memory. Objects of two instances cannot be mixed. */
@@ -57,7 +59,8 @@ export function makeShd(callbacks, raw, threads = null) {
     constructor(desc) { super(module, threads ? threads.contextDesc(desc) : desc); }
   }
   const shd = {
-    Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
+    Bitmap, Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Scene, Shadow, ShdError, Texture,
+    TileCache, Volume,
     /** Threads that contexts use, at most. */
     threadCount: threads?.count ?? 1,
     /** Ends the threads. Later calls of an instance with threads throw. */

@@ -9,6 +9,10 @@ class Reference {
     Object.assign(this, { module, kind, handle, keep, groups, pinned, users: 1 });
     for (const other of keep) other.users += 1;
   }
+  /** Ends functions that only the call that made the object used. */
+  endFunctions() {
+    for (const id of this.groups.splice(0)) this.module.callbacks.remove(id);
+  }
   /** Gives the object back. C keeps it as long as other objects of C need it. */
   close() {
     this.module.raw[`shd_${this.kind}_release`](this.handle);
@@ -26,11 +30,13 @@ class Reference {
 /** Base of the objects. close() gives the memory back; so does the garbage collector, at an unknown time. */
 export class SharedObject {
   #reference = null;
+  /** `create` is the function of C that makes the object, or the address of one that gets another reference. */
   constructor(module, kind, create, values) {
     Object.defineProperty(this, "module", { value: module });  // consoles do not print it
     this.kind = kind;
-    let made;
-    const handle = invoke(module, create, values, (call) => { made = call; });
+    let made = { keep: [], groups: [], pinned: [] }, handle = create;
+    if (typeof create === "string") handle = invoke(module, create, values, (call) => { made = call; });
+    else module.raw[`shd_${kind}_retain`](handle);
     this.#reference = new Reference(module, kind, handle, made);
     module.registry.register(this, this.#reference, this);
   }

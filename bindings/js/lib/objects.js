@@ -8,7 +8,7 @@ import { refuse } from "./error.js";
 const call = (object, name, ...values) => invoke(object.module, name, [object, ...values]);
 
 /** The module of the context that an object is made in. */
-function moduleOf(context) {
+export function moduleOf(context) {
   if (context?.kind !== "context") refuse("context", "the first argument is a Context");
   return context.module;
 }
@@ -25,6 +25,8 @@ const CHANNELS = 4;
 
 export class Texture extends SharedObject {
   constructor(context, desc) { super(moduleOf(context), "texture", "shd_texture_create", [context, desc]); }
+  /** A texture of an image file, or of a KTX2 or DDS file as it is stored. Options are the fields of LoadDesc. */
+  static load(context, bytes, desc = {}) { return new LoadedTexture(context, bytes, desc); }
   get info() { return call(this, "shd_texture_get_info"); }
   /** Filtered values of lookups: `out.channel` has r, g, b and a. Without `out` new arrays are made. */
   sample(sampler, lookups, out = null) {
@@ -108,8 +110,19 @@ class TessellatedMesh extends SharedObject {
     super(moduleOf(context), "mesh", "shd_mesh_tessellate", [context, mesh, desc]);
   }
 }
-// Their methods are those of other meshes; only their constructors differ.
+class LoadedTexture extends SharedObject {
+  constructor(context, bytes, desc) {
+    super(moduleOf(context), "texture", "shd_texture_load_memory", [context, bytes, desc]);
+  }
+}
+// Their methods are those of other meshes and textures; only their constructors differ.
 for (const made of [ShapeMesh, TessellatedMesh]) Object.setPrototypeOf(made.prototype, Mesh.prototype);
+Object.setPrototypeOf(LoadedTexture.prototype, Texture.prototype);
+
+/** Another reference to an object of C, such as a mesh of a scene. */
+export function borrow(type, module, kind, handle) {
+  return Object.setPrototypeOf(new SharedObject(module, kind, handle), type.prototype);
+}
 
 export class Material extends SharedObject {
   constructor(context, desc = {}) { super(moduleOf(context), "material", "shd_material_create", [context, desc]); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shd with threads: Web Workers over one shared memory. `import { load } from "shd/threads"`.
 import { Callbacks } from "./callback.js";
-import { compile, isNode, processors } from "./instance.js";
+import { absentFunction, compile, isNode, processors, tempWord } from "./instance.js";
 import { load as loadOneThread } from "./index.js";
 import { makeShd } from "./module.js";
 import { Executor } from "./executor.js";
@@ -25,7 +25,8 @@ export function threadImports(module, memory, known) {
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     imports[from] ??= {};
     if (kind !== "function") continue;
-    imports[from][name] = known[name] ?? (() => { throw new Error(`shd-threads.wasm called ${name}`); });
+    imports[from][name] = known[name] ?? absentFunction(name)
+      ?? (() => { throw new Error(`shd-threads.wasm called ${name}`); });
   }
   imports.env.memory = memory;
   return imports;
@@ -55,7 +56,7 @@ export function systemFunctions(memory) {
     emscripten_check_blocking_allowed() {},
     clock_gettime: clock, __clock_gettime: clock,
     _emscripten_default_pthread_stack_size: () => 2 * 1024 * 1024,
-    setTempRet0() {},
+    ...tempWord(),
   };
 }
 

@@ -137,6 +137,7 @@ function writeField(call, state, field, value, label) {
     case "handle":
       return memory.view.setUint32(address, call.handle(value, field.type, label), true);
     case "function":
+      if (field.type === "scene_desc.find") value = finderOf(value);
       if (typeof value !== "function") refuse(label, `a function, not ${describe(value)}`);
       state.functions[field.type] = value;
       return memory.view.setUint32(address, call.module.callbacks.address(field.type), true);
@@ -145,12 +146,18 @@ function writeField(call, state, field, value, label) {
     case "address":
       return writeNumber(memory.view, address, "u32", value, label);
     default:
-      if (field.type.endsWith("_stats")) return writeStats(call, address, field, value);
+      if (/_(stats|info)$/.test(field.type)) return writeStats(call, address, field, value);
       return memory.view.setUint32(address, writeList(call, field, value, label, state), true);
   }
 }
 
-/** Statistics: an object that gets their values after the call. */
+/** The function that answers names of files from a Map or an object. */
+function finderOf(value) {
+  if (value instanceof Map) return (name) => value.get(name);
+  return isPlain(value) ? (name) => (Object.hasOwn(value, name) ? value[name] : null) : value;
+}
+
+/** Statistics or properties: an object that gets their values after the call. */
 function writeStats(call, address, field, value) {
   const where = call.default(field.type);
   call.memory.view.setUint32(address, where, true);

@@ -39,6 +39,20 @@ const flags = new shd.Framebuffer(context, { width: 1, height: 1, aovs: ["uv", "
 new shd.Texture(context, { format: "r8", width: 1, height: 1, texels: new Uint8Array(1), tables: texture.info.tables });
 const doubles = new Float64Array(9);
 new shd.Mesh(context, { position: doubles, normal: { data: doubles, stride: 3 }, indices: Int32Array.of(0, 1, 2) });
+const bytes = new Uint8Array(await (await fetch("model.glb")).arrayBuffer());
+const scene = new shd.Scene(context, bytes, {
+  name: "model.glb", find: (name) => (name === "wood.png" ? bytes : null), flags: "require_textures", timeLimit: 5,
+  sampler: { filter: "ewa" }, texture: { tables: "mipmap", maxPixels: 1 << 24 },
+});
+const box: number = scene.bounds.radius + scene.info.triangleCount + scene.cameras[0].eye[0]
+  + scene.pose("walk", 1.5).lights.length + scene.instances[0].objectToWorld[12];
+shd.render(context, { ...scene.fillRender({ framebuffer }), camera: { eye: [0, 0, box] } });
+console.log(scene.warnings[0].length, scene.names("material")[0], scene.draws[0].mesh === scene.meshes[0]);
+const picture = new shd.Bitmap(context, bytes.buffer, { formats: "png|jpeg" });
+const loaded: Texture = shd.Texture.load(context, picture.readPixels(), { tables: "mipmap", info: {} });
+console.log(picture.width, picture.colorSpace, picture.info.fileFormat, loaded.info.levelCount);
+new shd.Scene(context, bytes, { find: new Map([["a.bin", bytes]]) });
+new shd.Scene(context, bytes, { find: { "a.bin": bytes.buffer } });
 {
   using sampler = new shd.Sampler(context);
   using pool = new Pool<{ draw(rows: [number, number], angle: number): Uint8ClampedArray }>(() => new Worker("w.js"));

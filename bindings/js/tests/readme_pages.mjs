@@ -104,13 +104,22 @@ async function drawWhole() {
   return Uint8Array.from(start(await load(process.env.SHD_WASM)).draw([0, 480], 0.5));
 }
 
+/** Pages of programs that draw, by name: a text in the program, and the picture of Node. */
+const drawn = [["first", "texture.sample(", () => runHere(find("texture.sample("))], ["three", "GLTFLoader", drawModel],
+               ["pool", "new Pool(", drawWhole]];
+if (readFileSync(process.env.SHD_WASM).includes("shd_scene_load_memory")) {
+  const fetch = async () => ({ arrayBuffer: () => makeModel() });
+  drawn.push(["scene", "new shd.Scene(", () => runHere(find("new shd.Scene("), { fetch })]);
+} else {
+  console.log("the program with shd.Scene was not run: the module reads no files");
+}
+
 try {
   const colours = (pixels) => new Set(new Uint32Array(pixels.buffer)).size;
-  for (const [name, text, expected] of [["first", "texture.sample(", runHere(find("texture.sample("))],
-                                        ["three", "GLTFLoader", drawModel()], ["pool", "new Pool(", drawWhole()]]) {
+  for (const [name, text, draw] of drawn) {
     const { pixels } = await runThere(find(text), name);
     assert(colours(pixels) > 50, `${name}: ${colours(pixels)} colours`);
-    assert.equal(hashOf(pixels), hashOf(await expected), name);
+    assert.equal(hashOf(pixels), hashOf(await draw()), name);
   }
   assert.equal((await runThere(find('"shd/threads"'), "threads")).threadCount, 4);
   console.log(`${programs.length} programs of README.md run`);

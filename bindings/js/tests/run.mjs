@@ -7,6 +7,7 @@ import "./test_objects.mjs";
 import "./test_pool.mjs";
 import "./test_random.mjs";
 import "./test_render.mjs";
+import "./test_scene.mjs";
 import "./test_threads.mjs";
 import "./test_tiles.mjs";
 

@@ -12,6 +12,9 @@ const file = threads ? process.env.SHD_WASM_THREADS ?? new URL("../lib/shd-threa
                      : process.env.SHD_WASM ?? new URL("../lib/shd.wasm", import.meta.url);
 const module = await WebAssembly.compile(await readFile(file));
 
+/** Whether the module was built with the libraries of libraries.sh. */
+export const readsFiles = WebAssembly.Module.exports(module).some(({ name }) => name === "shd_scene_load_memory");
+
 /** A new instance of shd.wasm. */
 export const loadOneThread = () => loadOne(process.env.SHD_WASM);
 /** A new instance with a number of threads. */

@@ -24,3 +24,6 @@ const pool = new Pool<Functions>(() => new Worker("worker.js"));
 await pool.call("drow", [0, 1], 2);                                                    // TS2345
 await pool.bands(100, "draw", "2");                                                    // TS2345
 const text: string = await pool.call("draw", [0, 1], 2);                               // TS2322
+new shd.Scene(context, "model.glb");                                                   // TS2345
+new shd.Scene(context, texels, { find: async () => texels });                          // TS2322
+new shd.Scene(context, texels, { maxTriangle: 5 });                                    // TS2561

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The texture unit of a WebGPU device: a compute shader makes one lookup per invocation.
 
-import { MAX_ANISOTROPY } from "./judge.js";
+export const MAX_ANISOTROPY = 8;
 
 /** The adapter's device, or null with a reason. */
 export async function openDevice() {
@@ -34,13 +34,28 @@ function makeTexture(device, { format, width, height, levels }) {
 const FILTERS = {
   nearest: { magFilter: "nearest", minFilter: "nearest", lodMaxClamp: 0 },
   bilinear: { magFilter: "linear", minFilter: "linear", lodMaxClamp: 0 },
-  nearest_mip: { magFilter: "nearest", minFilter: "nearest", mipmapFilter: "nearest" },
-  bilinear_mip: { magFilter: "linear", minFilter: "linear", mipmapFilter: "nearest" },
+  "nearest-mip": { magFilter: "nearest", minFilter: "nearest", mipmapFilter: "nearest" },
+  "bilinear-mip": { magFilter: "linear", minFilter: "linear", mipmapFilter: "nearest" },
   trilinear: { magFilter: "linear", minFilter: "linear", mipmapFilter: "linear" },
   anisotropic: { magFilter: "linear", minFilter: "linear", mipmapFilter: "linear", maxAnisotropy: MAX_ANISOTROPY },
 };
 
-const shaderOf = (expression) => `
+/**
+ * Faults that a unit can have, to see how shd-check explains them: other settings of the sampler, other coordinates, or
+ * other results.
+ */
+export const FAULTS = {
+  "clamp": { sampler: { addressModeU: "clamp-to-edge", addressModeV: "clamp-to-edge" } },
+  "nearest": { sampler: { magFilter: "nearest", minFilter: "nearest", maxAnisotropy: 1 } },
+  "half-texel": { lookup: "q.uv += 0.5 / vec2f(textureDimensions(image));" },
+  "flip-v": { lookup: "q.uv.y = 1 - q.uv.y; q.dx.y = -q.dx.y; q.dy.y = -q.dy.y;" },
+  "coarse": { lookup: "q.dx *= 2; q.dy *= 2; q.lod += 1;" },
+  "bgra": { result: "c = c.bgra;" },
+  "srgb-twice": { result: "c = vec4f(select(pow((c.rgb + 0.055) / 1.055, vec3f(2.4)), c.rgb / 12.92, "
+    + "c.rgb <= vec3f(0.04045)), c.a);" },
+};
+
+const shaderOf = (expression, { lookup = "", result = "" }) => `
   struct Lookup { uv: vec2f, dx: vec2f, dy: vec2f, lod: f32, unused: f32 }
   @group(0) @binding(0) var image: texture_2d<f32>;
   @group(0) @binding(1) var unit: sampler;
@@ -48,8 +63,11 @@ const shaderOf = (expression) => `
   @group(0) @binding(3) var<storage, read_write> results: array<vec4f>;
   @compute @workgroup_size(${WORKGROUP}) fn main(@builtin(global_invocation_id) id: vec3u) {
     if (id.x >= arrayLength(&lookups)) { return; }
-    let q = lookups[id.x];
-    results[id.x] = ${expression};
+    var q = lookups[id.x];
+    ${lookup}
+    var c = ${expression};
+    ${result}
+    results[id.x] = c;
   }`;
 
 /** Numbers of a lookup in the buffer of the shader. */
@@ -57,16 +75,17 @@ const STRIDE = 8;
 
 /**
  * The columns r, g, b and a of lookups { u, v, dudx, dvdx, dudy, dvdy, lod }, Float32Array each; lod replaces the
- * derivatives if it is there.
+ * derivatives if it is there. `fault` is one of FAULTS or undefined.
  */
-export async function sampleOnDevice(device, image, { filter, wrap }, lookups) {
+export async function sampleOnDevice(device, image, { filter, wrap, fault }, lookups) {
   const count = lookups.u.length;
   const rows = new Float32Array(STRIDE * count);
   const columns = [lookups.u, lookups.v, lookups.dudx, lookups.dvdx, lookups.dudy, lookups.dvdy, lookups.lod];
   columns.forEach((column, c) => column?.forEach((value, i) => { rows[STRIDE * i + c] = value; }));
   const texture = makeTexture(device, image);
   const modes = { addressModeU: MODES[wrap[0]], addressModeV: MODES[wrap[1]] };
-  const sampler = device.createSampler({ ...FILTERS[filter], ...modes });
+  const changes = FAULTS[fault] ?? {};
+  const sampler = device.createSampler({ ...FILTERS[filter], ...modes, ...changes.sampler });
   const { STORAGE, COPY_DST, COPY_SRC, MAP_READ } = GPUBufferUsage;
   const input = device.createBuffer({ size: rows.byteLength, usage: STORAGE | COPY_DST });
   const output = device.createBuffer({ size: 16 * count, usage: STORAGE | COPY_SRC });
@@ -75,7 +94,7 @@ export async function sampleOnDevice(device, image, { filter, wrap }, lookups) {
   const expression = lookups.lod ? "textureSampleLevel(image, unit, q.uv, q.lod)"
     : "textureSampleGrad(image, unit, q.uv, q.dx, q.dy)";
   device.pushErrorScope("validation");
-  const module = device.createShaderModule({ code: shaderOf(expression) });
+  const module = device.createShaderModule({ code: shaderOf(expression, changes) });
   const pipeline = device.createComputePipeline({ layout: "auto", compute: { module, entryPoint: "main" } });
   const resources = [texture.createView(), sampler, { buffer: input }, { buffer: output }];
   const group = device.createBindGroup({ layout: pipeline.getBindGroupLayout(0),

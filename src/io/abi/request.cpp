@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "io/abi/common.h"
 #include "io/file/printable.h"
@@ -107,21 +106,9 @@ io::Bitmap load_input(shd_context* context, const Input& input, const LoadReques
   const bool image = request.options.parts <= io::Parts::kSlices;
   // The header of bytes in memory is checked before a copy or a worker costs anything.
   if (input.bytes && image) io::accept(input.bytes, input.size, request.options);
-  if (!in_process(request)) {
-    const io::Source source = {input.bytes ? -1 : input.file.file.fd, input.bytes, input.size};
-    return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
-  }
-  if (input.bytes && !image) {  // only decoders of images write into the bytes
-    return io::load(const_cast<unsigned char*>(input.bytes), input.size, request.options, memory, deadline, nullptr);
-  }
-  io::Buffer bytes;
-  if (input.bytes) {
-    bytes = io::Buffer(memory, input.size);
-    std::memcpy(bytes.data(), input.bytes, input.size);
-  } else {
-    bytes = io::read_bytes(input.file.file.fd, input.size, memory);
-  }
-  return io::load(bytes.data(), bytes.size(), request.options, memory, deadline, nullptr);
+  const io::Source source = {input.bytes ? -1 : input.file.file.fd, input.bytes, input.size};
+  return in_process(request) ? io::load_in_process(source, request.options, memory, deadline)
+                             : io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
 }
 
 }  // namespace shd::extension

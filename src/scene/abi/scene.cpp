@@ -245,8 +245,9 @@ shd_result shd_scene_load_memory(shd_context* context, const void* bytes, size_t
     require_context(context);
     if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
     if (size == 0) refuse(SHD_ERROR_CORRUPT, "size: 0 bytes are no model");
-    create_handle(context, load_memory(context, bytes, size, name ? name : "", read_scene_desc(context, desc)),
-                  out_scene);
+    std::unique_ptr<Body> body = load_memory(context, bytes, size, name ? name : "", read_scene_desc(context, desc));
+    log_warnings(context, *body, 0);
+    create_handle(context, std::move(body), out_scene);
     return SHD_OK;
   });
 }

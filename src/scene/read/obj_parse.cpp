@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/number.h"
 #include "scene/read/obj.h"
 #include "scene/read/text_lines.h"
 #include "scene/text.h"
@@ -146,7 +147,7 @@ bool parse_group(Parser& parser, std::string_view rest) {
     parser.group = kNoGroup;
   } else if (rest == "on") {
     parser.group = 1;
-  } else if (to_number(rest, &number) && number >= 0 && number < 4e9) {
+  } else if (core::to_number(rest, &number) && number >= 0 && number < 4e9) {
     parser.group = static_cast<uint32_t>(number);
   } else {
     return false;

@@ -2,8 +2,8 @@
 #include "scene/read/text_lines.h"
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
+
+#include "core/number.h"
 
 namespace shd::scene {
 namespace {
@@ -108,27 +108,9 @@ std::string_view take_word(std::string_view* rest) {
   return word;
 }
 
-bool to_number(std::string_view word, double* out) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  if (word.empty() || word.front() == '+') return false;
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size()) return false;
-  if (error == std::errc::result_out_of_range) {
-    const size_t exponent = word.find_first_of("eE");
-    const bool small = exponent != std::string_view::npos ? word.substr(exponent + 1, 1) == "-"
-                                                          : word.find_first_of("123456789") > word.find('.');
-    value = small ? 0 : std::numeric_limits<double>::infinity();
-  } else if (error != std::errc()) {
-    return false;
-  }
-  *out = value;
-  return true;
-}
-
 bool take_number(std::string_view* rest, double* out) {
   std::string_view after = *rest;
-  if (!to_number(take_word(&after), out)) return false;
+  if (!core::to_number(take_word(&after), out)) return false;
   *rest = after;
   return true;
 }

@@ -47,10 +47,6 @@ std::string_view without_comment(std::string_view statement);
 /// Takes the first word off `rest`, and the blanks behind it; empty if there is none.
 std::string_view take_word(std::string_view* rest);
 
-/// The number that a whole word is, in the syntax of strtod() in the C locale without hexadecimals; infinite if it is
-/// too large. False if the word is no number.
-bool to_number(std::string_view word, double* out);
-
 /// Takes a word off `rest` if it is a number.
 bool take_number(std::string_view* rest, double* out);
 

@@ -22,4 +22,5 @@
 /// | hypotheses.h    | other implementations, and other meanings of columns                  |
 /// | diagnose.h      | the hypotheses that explain most refused rows                         |
 /// | report.h        | texts of a verdict; report_file.cpp: CSV and JSON                     |
+/// | module.mjs      | the program in WebAssembly, for pages and Node                        |
 #pragma once

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tool/check/npy.h"
 
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 
@@ -79,8 +80,9 @@ std::vector<size_t> shape_of(const std::string& path, const std::string& header)
   if (text.find_first_not_of("0123456789, ") != std::string::npos) refuse(path, "the header of .npy has no shape");
   std::vector<size_t> shape;
   for (const std::string& size : split(text)) {
-    if (size.size() > 12) refuse(path, "the shape is too large");
-    if (!size.empty()) shape.push_back(std::stoull(size));
+    if (size.empty()) continue;
+    const auto read = std::from_chars(size.data(), size.data() + size.size(), shape.emplace_back());
+    if (read.ec != std::errc()) refuse(path, "the shape is too large");
   }
   return shape;
 }

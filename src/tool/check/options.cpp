@@ -82,7 +82,7 @@ Group file_options(Options& out) {
            {"--no-mipmap", "", flag(out.mipmap, false), "Level 0 alone."},
            {"--report", "FILE", report_values(out.report),
             "Verdicts as a table of all lookups (.csv), or of the illegal ones with the diagnosis (.json)."},
-           {"--list", "N", number(out.list, 0, 1e15), "Most illegal lookups to describe, the farthest first."}}};
+           {"--list", "N", number(out.list, 0, 1e9), "Most illegal lookups to describe, the farthest first."}}};
 }
 
 Values name_values(std::vector<std::string>& names) {

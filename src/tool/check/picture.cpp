@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
+#ifdef SHD_CHECK_WITH_IO
 #include <shd/io.h>
+#endif
 
 #include "command/failure.h"
 #include "image/half.h"
@@ -49,6 +51,7 @@ Picture npy_picture(const std::string& path, const std::string& bytes, bool srgb
   return out;
 }
 
+#ifdef SHD_CHECK_WITH_IO
 Picture file_picture(shd_context* context, const std::string& path, bool srgb) {
   shd_load_desc desc = shd_load_desc_default();
   desc.encoding = srgb ? SHD_COLOR_ENCODING_SRGB : SHD_COLOR_ENCODING_DATA;
@@ -65,6 +68,11 @@ Picture file_picture(shd_context* context, const std::string& path, bool srgb) {
   shd_bitmap_release(bitmap);
   return out;
 }
+#else
+Picture file_picture(shd_context*, const std::string& path, bool) {
+  throw Failure(kExitInput, path + ": not a .npy array; this shd-check reads no image files");
+}
+#endif
 
 /// Row and column of kFormats; a row of 5 for other formats.
 struct Kind {

@@ -2,11 +2,11 @@
 #include "tool/check/table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 
 #include "command/failure.h"
+#include "core/number.h"
 #include "core/regular_file.h"
 
 std::string read_file(const std::string& path) {
@@ -51,9 +51,7 @@ void add_columns(const std::string& path, const std::vector<std::string>& names,
 
 float number_of(const std::string& path, size_t line, const std::string& text) {
   double value = 0;
-  const char* const begin = text.data() + (!text.empty() && text[0] == '+');
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-  if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+  if (!shd::core::to_number(text, &value)) {
     throw Failure(kExitInput, path + ": line " + std::to_string(line) + ": \"" + text + "\" is not a number");
   }
   return static_cast<float>(value);
