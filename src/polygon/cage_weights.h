@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "core/simd_target.h"
+#include "polygon/cage.h"
+
+namespace shd::polygon {
+
+/// Points whose weights are computed together.
+constexpr size_t kBlock = 8;
+
+/// Points of a cage in its normalised coordinates, finite, and what their weights depend on.
+struct CagePoints {
+  alignas(64) double x[kBlock], y[kBlock], z[kBlock];
+  /// MEAN_VALUE, written: number of the triangle that the point lies on, whose barycentric coordinates are then the
+  /// weights; otherwise -1.
+  alignas(64) double triangle[kBlock];
+  /// Written: MEAN_VALUE: the sum of the weights before the division, which is positive inside. WACHSPRESS: the least
+  /// distance to the planes of the faces, which is negative outside.
+  alignas(64) double depth[kBlock];
+};
+
+/// Doubles of working memory that the kernels need.
+size_t scratch_size(const Cage& cage, shd_barycentric kind);
+
+/// Sets the weights of the points of a block; the sum of each point's weights is 1. The bits do not depend on the other
+/// points. |error| <= 1e-7 for points that are not beside the surface, and within two sides of the bounding box.
+/// @param scratch  [scratch_size()], aligned
+/// @param weights  [vertex][kBlock], aligned
+void mean_value_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
+                        double* weights);
+/// Sets weights as mean_value_weights() does, for WACHSPRESS. Points outside have weights of clamped distances.
+void wachspress_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
+                        double* weights);
+
+/// Sums of weights[vertex] values[vertex], in the order of the vertices.
+/// @param values  [value_count][vertex_count]
+/// @param out     [value_count][kBlock], aligned
+void blend_values(const Cage& cage, const core::SimdTarget& simd, const double* weights, const double* values,
+                  size_t value_count, double* out);
+
+}  // namespace shd::polygon
