@@ -231,8 +231,8 @@ static shd_result render(shd_context *context, int tile, const shd_draw *draws, 
     shd_result result;
     fd.width = TILE, fd.height = HEIGHT, fd.sample_count = 8;
     result = shd_framebuffer_create(context, &fd, &framebuffer);
-    camera.eye[0] = 2.0f, camera.eye[1] = 4.5f, camera.eye[2] = 10.0f;
-    camera.target[0] = 0.3f, camera.target[1] = 1.5f;
+    camera.eye[0] = 3.0f, camera.eye[1] = 6.0f, camera.eye[2] = 15.0f;
+    camera.target[0] = 0.5f, camera.target[1] = 1.7f;
     camera.fov_y = 0.6f;
     rd.framebuffer = framebuffer;
     rd.camera = &camera;
@@ -263,6 +263,7 @@ static int draw_half(shd_context *context, int moved, const struct cage *cage, s
     draws[0].mesh = mesh, draws[0].material = wood;
     draws[1].mesh = edges, draws[1].material = lines;
     draws[1].fill = SHD_FILL_LINES;
+    draws[1].crease_cosine = 1.0f; /* flat edges, too */
     good = good && render(context, moved, draws, lights) == SHD_OK;
     shd_mesh_release(mesh);
     shd_mesh_release(edges);

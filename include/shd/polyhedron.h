@@ -26,15 +26,18 @@
  * Faces of WACHSPRESS are the largest flat parts of the surface: a cube of 12 triangles has 6 faces. Vertices may lie
  * 2^-21 of half the longest side of the bounding box beside the plane of their face.
  *
- * Results are computed in double and rounded once, with the same bits on every SIMD target, for every number of workers
- * and every split of a batch. Inside, the sum of the exact b_i v_i differs from x by at most 1e-9 of the longest side
- * of the bounding box.
+ * Results have the same bits on every SIMD target, for every number of workers and every split of a batch. WACHSPRESS
+ * is computed in double and rounded once. MEAN_VALUE is computed in float where this is sufficient, otherwise in
+ * double. The weights differ from the exact ones by at most 4e-6, and the point that they reproduce differs from x by
+ * at most 2.4e-7 of the longest side of the bounding box along each axis. Floats are sufficient for points inside that
+ * are not close to the plane of a triangle, within about 2^-9 of half the longest side, or to an edge.
  *
  * Defined for all inputs: points that are not finite count as 0 in that coordinate. Points outside have the weights of
  * the nearest point of the surface with WACHSPRESS. The formula of MEAN_VALUE holds in the whole space; its weights
- * grow with the distance, and points farther from the centre of the bounding box than 2^12 times its longest side count
- * as the point at this distance in their direction. With MEAN_VALUE, points closer to a triangle or an edge than 2^-26
- * of the distance to the farthest of its vertices count as points of it.
+ * grow with the distance. Points farther from the centre of the bounding box than 2^8 times its longest side count as
+ * the point at this distance in their direction. With MEAN_VALUE, points closer to an edge than 2^-26 of the distance
+ * to its farther vertex count as points of the edge, and points closer to a triangle than 2^-26 of the distance to its
+ * nearest edge as points of the triangle.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; a polyhedron never changes, so concurrent reads are allowed. Batches

@@ -25,7 +25,7 @@ using polygon::kBlock;
 
 constexpr core::ObjectType kPolyhedronType = core::ObjectType::kPolyhedron;
 /// Points farther from the centre than this times the longest side are moved to there.
-constexpr double kFarthest = 0x1p12;
+constexpr double kFarthest = 0x1p8;
 /// Points of convex polyhedra that are closer to a plane count as points of the surface.
 constexpr double kOnSurface = 0x1p-40;
 
@@ -105,15 +105,21 @@ struct PointTask {
   const core::SimdTarget& simd;
   const Polyhedron& body;
   core::Array<double> scratch, weights;  // weights: [vertex][kBlock]
-  CagePoints points;
+  CagePoints points, pending;            // the next points; points that floats are not precise enough for
+  size_t index[kBlock], pending_index[kBlock];
+  size_t outside = 0, nonfinite = 0;
 
   PointTask(const core::Context& context, const Polyhedron& polyhedron)
       : simd(context.simd),
         body(polyhedron),
         scratch(context.allocator, polygon::scratch_size(polyhedron.cage, polyhedron.kind)),
         weights(context.allocator, polyhedron.cage.vertex_count * kBlock),
-        points() {}
+        points(),
+        pending() {}
 };
+
+/// Number of a point whose weights are not wanted.
+constexpr size_t kNoPoint = SIZE_MAX;
 
 /// Puts a point into a block. Returns whether it is finite.
 bool put_point(const polygon::Cage& cage, const shd_polyhedron_points& points, size_t index, size_t lane,
@@ -134,54 +140,93 @@ bool put_point(const polygon::Cage& cage, const shd_polyhedron_points& points, s
   return is_finite;
 }
 
+/// Fills the block of a task with points from `first` on. Lanes after the last point are copies of it.
+void put_points(const shd_polyhedron_points& points, size_t first, size_t end, PointTask* task) {
+  task->points.count = std::min(kBlock, end - first);
+  for (size_t lane = 0; lane < kBlock; ++lane) {
+    const bool is_wanted = lane < task->points.count;
+    const size_t index = is_wanted ? first + lane : end - 1;
+    const bool is_finite = put_point(task->body.cage, points, index, lane, &task->points);
+    task->nonfinite += is_wanted && !is_finite;
+    task->index[lane] = is_wanted ? index : kNoPoint;
+  }
+}
+
 /// Moves a point outside to the nearest point of the surface.
 void move_to_surface(const polygon::Cage& cage, size_t lane, CagePoints* points) {
   const double from[3] = {points->x[lane], points->y[lane], points->z[lane]};
   const polygon::SurfacePoint nearest = nearest_on_cage(cage, from);
   double to[3] = {};
   for (size_t i = 0; i < 3; ++i) {
-    const double* vertex = cage.position.data() + 3 * size_t{cage.triangle[nearest.triangle].vertex[i]};
+    const double* vertex = cage.doubles.position.data() + 3 * size_t{cage.triangle[nearest.triangle].vertex[i]};
     for (size_t c = 0; c < 3; ++c) to[c] += nearest.weight[i] * vertex[c];
   }
   points->x[lane] = to[0], points->y[lane] = to[1], points->z[lane] = to[2];
 }
 
-/// Sets Wachspress coordinates of a block. Returns the number of the first `count` points that are outside.
-size_t find_wachspress(PointTask* task, size_t count) {
+/// Sets Wachspress coordinates of the block of a task.
+void find_wachspress(PointTask* task) {
   const polygon::Cage& cage = task->body.cage;
   wachspress_weights(cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
-  size_t outside = 0;
-  bool moved = false;
-  for (size_t lane = 0; lane < kBlock; ++lane) {
+  bool has_moved = false;
+  for (size_t lane = 0; lane < task->points.count; ++lane) {
     if (!(task->points.depth[lane] < -kOnSurface)) continue;
-    outside += lane < count;
+    ++task->outside;
     move_to_surface(cage, lane, &task->points);
-    moved = true;
+    has_moved = true;
   }
-  if (moved) wachspress_weights(cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
-  return outside;
+  if (has_moved) wachspress_weights(cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
 }
 
-/// Sets mean value coordinates of a block. Returns the number of the first `count` points that are outside.
-size_t find_mean_value(PointTask* task, size_t count) {
+/// Sets mean value coordinates of the points that wait, in doubles.
+void find_pending(PointTask* task) {
   const polygon::Cage& cage = task->body.cage;
-  mean_value_weights(cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
-  size_t outside = 0;
-  for (size_t lane = 0; lane < count; ++lane) {
-    if (task->points.triangle[lane] < 0.0) {
-      outside += task->points.depth[lane] < 0.0;
+  CagePoints& points = task->pending;
+  mean_value_weights(cage, task->simd, task->scratch.data(), &points, task->weights.data());
+  for (size_t lane = 0; lane < points.count; ++lane) {
+    if (points.triangle[lane] < 0.0) {
+      task->outside += points.depth[lane] < 0.0;
       continue;
     }
-    const auto triangle = static_cast<uint32_t>(task->points.triangle[lane]);
-    const double point[3] = {task->points.x[lane], task->points.y[lane], task->points.z[lane]};
+    const auto triangle = static_cast<uint32_t>(points.triangle[lane]);
+    const double point[3] = {points.x[lane], points.y[lane], points.z[lane]};
     const polygon::SurfacePoint on = nearest_on_triangle(cage, triangle, point);
     for (size_t v = 0; v < cage.vertex_count; ++v) task->weights[v * kBlock + lane] = 0.0;
     for (size_t i = 0; i < 3; ++i) task->weights[cage.triangle[triangle].vertex[i] * kBlock + lane] = on.weight[i];
   }
-  return outside;
 }
 
-/// Calls emit(first, count, weights) for all points, in blocks, on the executor of a context.
+/// Computes the points that wait, and hands them out.
+template <class Emit>
+void flush_pending(PointTask* task, const Emit& emit) {
+  if (task->pending.count == 0) return;
+  find_pending(task);
+  emit(task->pending_index, task->pending.count, task->weights.data());
+  task->pending.count = 0;
+}
+
+/// Computes mean value coordinates of the block of a task, in floats; other points wait.
+template <class Emit>
+void run_mean_value(PointTask* task, const Emit& emit) {
+  const CagePoints& points = task->points;
+  fast_mean_value_weights(task->body.cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
+  size_t doubtful[kBlock];
+  for (size_t lane = 0; lane < points.count; ++lane) {
+    doubtful[lane] = points.depth[lane] < 0.0 ? task->index[lane] : kNoPoint;
+    if (doubtful[lane] != kNoPoint) task->index[lane] = kNoPoint;
+  }
+  emit(task->index, points.count, task->weights.data());
+  for (size_t lane = 0; lane < points.count; ++lane) {
+    if (doubtful[lane] == kNoPoint) continue;
+    CagePoints& to = task->pending;
+    to.x[to.count] = points.x[lane], to.y[to.count] = points.y[lane], to.z[to.count] = points.z[lane];
+    task->pending_index[to.count++] = doubtful[lane];
+    if (to.count == kBlock) flush_pending(task, emit);
+  }
+}
+
+/// Calls emit(index, count, weights) until all points had their turn, in blocks, on the executor of a context: point
+/// index[lane] has the weights of a lane, unless it is kNoPoint.
 template <class Emit>
 void run_points(const core::Context& context, const Polyhedron& body, const shd_polyhedron_points& points,
                 PointCounts* counts, const Emit& emit) {
@@ -189,28 +234,34 @@ void run_points(const core::Context& context, const Polyhedron& body, const shd_
   const size_t least = std::max(kTaskPairs / body.cage.triangle_count, points.count / kMostTasks + 1);
   const size_t size = (least + kBlock - 1) / kBlock * kBlock;
   const auto tasks = static_cast<uint32_t>(points.count / size + (points.count % size != 0));
-  core::parallel_for(context, tasks, [&](uint32_t index, uint32_t) {
+  core::parallel_for(context, tasks, [&](uint32_t number, uint32_t) {
     PointTask task(context, body);
-    const size_t end = std::min(points.count, (index + size_t{1}) * size);
-    size_t outside = 0, nonfinite = 0;
-    for (size_t first = index * size; first < end; first += kBlock) {
-      const size_t count = std::min(kBlock, end - first);
-      for (size_t lane = 0; lane < kBlock; ++lane) {
-        const bool is_finite = put_point(body.cage, points, first + std::min(lane, count - 1), lane, &task.points);
-        nonfinite += lane < count && !is_finite;
+    const size_t end = std::min(points.count, (number + size_t{1}) * size);
+    for (size_t first = number * size; first < end; first += kBlock) {
+      put_points(points, first, end, &task);
+      if (body.kind == SHD_BARYCENTRIC_WACHSPRESS) {
+        find_wachspress(&task);
+        emit(task.index, task.points.count, task.weights.data());
+      } else {
+        run_mean_value(&task, emit);
       }
-      outside +=
-          body.kind == SHD_BARYCENTRIC_WACHSPRESS ? find_wachspress(&task, count) : find_mean_value(&task, count);
-      emit(first, count, task.weights.data());
     }
-    counts->outside.fetch_add(outside, std::memory_order_relaxed);
-    counts->nonfinite.fetch_add(nonfinite, std::memory_order_relaxed);
+    flush_pending(&task, emit);
+    counts->outside.fetch_add(task.outside, std::memory_order_relaxed);
+    counts->nonfinite.fetch_add(task.nonfinite, std::memory_order_relaxed);
   });
 }
 
 float to_float(double value) {
   constexpr double kLargest = double{std::numeric_limits<float>::max()};
   return static_cast<float>(std::min(std::max(value, -kLargest), kLargest));
+}
+
+/// Stores the results of the lanes of a block that are wanted.
+void store_block(const size_t* index, size_t count, const double* from, const shd_f32_out& to) {
+  for (size_t lane = 0; lane < count; ++lane) {
+    if (index[lane] != kNoPoint) data::store(to, index[lane], to_float(from[lane]));
+  }
 }
 
 /// Checks the columns of points and results.
@@ -307,10 +358,9 @@ shd_result shd_polyhedron_evaluate(const shd_polyhedron* polyhedron, const shd_p
     SHD_TRY(read_desc("weights", out, false, &weights));
     SHD_TRY(check_weights(owner, in, weights, body->cage.vertex_count));
     PointCounts counts;
-    run_points(owner, *body, in, &counts, [&](size_t first, size_t count, const double* block) {
+    run_points(owner, *body, in, &counts, [&](const size_t* index, size_t count, const double* block) {
       for (size_t v = 0; v < body->cage.vertex_count; ++v) {
-        if (!weights.weight[v].data) continue;
-        for (size_t i = 0; i < count; ++i) data::store(weights.weight[v], first + i, to_float(block[v * kBlock + i]));
+        if (weights.weight[v].data) store_block(index, count, block + v * kBlock, weights.weight[v]);
       }
     });
     weights.outside_count = counts.outside.load(std::memory_order_relaxed);
@@ -333,12 +383,10 @@ shd_result shd_polyhedron_interpolate(const shd_polyhedron* polyhedron, const sh
     core::Array<double> vertex_values;
     SHD_TRY(read_values(owner, in, values, body->cage.vertex_count, &vertex_values));
     PointCounts counts;
-    run_points(owner, *body, in, &counts, [&](size_t first, size_t count, const double* block) {
+    run_points(owner, *body, in, &counts, [&](const size_t* index, size_t count, const double* block) {
       alignas(64) double sums[SHD_MAX_POLYHEDRON_VALUES * kBlock];
       blend_values(body->cage, owner.simd, block, vertex_values.data(), values.value_count, sums);
-      for (size_t k = 0; k < values.value_count; ++k) {
-        for (size_t i = 0; i < count; ++i) data::store(values.value[k], first + i, to_float(sums[k * kBlock + i]));
-      }
+      for (size_t k = 0; k < values.value_count; ++k) store_block(index, count, sums + k * kBlock, values.value[k]);
     });
     values.outside_count = counts.outside.load(std::memory_order_relaxed);
     values.nonfinite_count = counts.nonfinite.load(std::memory_order_relaxed);

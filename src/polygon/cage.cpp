@@ -27,7 +27,7 @@ Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 Vec at(const Cage& cage, uint32_t vertex) {
-  const double* p = cage.position.data() + 3 * size_t{vertex};
+  const double* p = cage.doubles.position.data() + 3 * size_t{vertex};
   return {p[0], p[1], p[2]};
 }
 
@@ -51,7 +51,7 @@ void normalise(const shd_polyhedron_desc& desc, Cage* cage) {
   for (size_t i = 0; i < desc.vertex_count; ++i) {
     for (int c = 0; c < 3; ++c) {
       const double value = double{data::load(desc.position[c], i)};
-      cage->position[3 * i + static_cast<size_t>(c)] = (value - cage->center[c]) * cage->scale;
+      cage->doubles.position[3 * i + static_cast<size_t>(c)] = (value - cage->center[c]) * cage->scale;
     }
   }
 }
@@ -93,6 +93,32 @@ struct Side {
   bool is_rising;  // runs from low to high
 };
 
+/// Numbers the edges in the order in which triangles use them first. Until then their numbers are those of their pair
+/// of sides.
+void number_edges(const core::Allocator& allocator, const core::Array<Side>& sides, Cage* cage) {
+  cage->edge_count = static_cast<uint32_t>(sides.size() / 2);
+  cage->edge = core::Array<CageEdge>(allocator, cage->edge_count);
+  cage->doubles.along = core::Array<double>(allocator, 3 * size_t{cage->edge_count});
+  cage->doubles.sign = core::Array<double>(allocator, 3 * size_t{cage->triangle_count});
+  core::Array<uint32_t> numbers(allocator, cage->edge_count);
+  std::fill(numbers.begin(), numbers.end(), cage->edge_count);
+  uint32_t next = 0;
+  for (uint32_t t = 0; t < cage->triangle_count; ++t) {
+    CageTriangle& triangle = cage->triangle[t];
+    for (uint32_t i = 0; i < 3; ++i) {
+      uint32_t& number = numbers[triangle.edge[i]];
+      cage->doubles.sign[3 * size_t{t} + i] = number == cage->edge_count ? 1.0 : -1.0;
+      if (number == cage->edge_count) {
+        const Side& side = sides[2 * size_t{triangle.edge[i]}];
+        number = next++;
+        cage->edge[number] = side.is_rising ? CageEdge{side.low, side.high, t} : CageEdge{side.high, side.low, t};
+      }
+      triangle.edge[i] = number;
+    }
+    triangle.edge_end = next;
+  }
+}
+
 /// Pairs the sides of triangles to edges.
 CageFlaw connect(const core::Allocator& allocator, Cage* cage) {
   const uint32_t count = 3 * cage->triangle_count;
@@ -111,21 +137,15 @@ CageFlaw connect(const core::Allocator& allocator, Cage* cage) {
     if (end - k != 2) return {CageFlaw::kOpen, sides[k].low, sides[k].high, end - k};
     k = end;
   }
-  cage->edge_count = count / 2;
-  cage->edge = core::Array<CageEdge>(allocator, cage->edge_count);
-  cage->along = core::Array<double>(allocator, 3 * size_t{cage->edge_count});
-  for (uint32_t e = 0; e < cage->edge_count; ++e) {
-    const Side &first = sides[2 * e], &second = sides[2 * e + 1];
+  for (uint32_t k = 0; k < count; k += 2) {
+    const Side &first = sides[k], &second = sides[k + 1];
     if (first.is_rising == second.is_rising) return {CageFlaw::kTurned, first.low, first.high, 0};
-    cage->edge[e] = first.is_rising ? CageEdge{first.low, first.high, first.triangle}
-                                    : CageEdge{first.high, first.low, first.triangle};
     CageTriangle &a = cage->triangle[first.triangle], &b = cage->triangle[second.triangle];
-    a.edge[first.corner] = b.edge[second.corner] = e;
+    a.edge[first.corner] = b.edge[second.corner] = k / 2;
     a.neighbor[first.corner] = second.triangle;
     b.neighbor[second.corner] = first.triangle;
-    a.sign[first.corner] = 1.0;
-    b.sign[second.corner] = -1.0;
   }
+  number_edges(allocator, sides, cage);
   return {CageFlaw::kNone, 0, 0, 0};
 }
 
@@ -148,17 +168,24 @@ void turn_outward(Cage* cage) {
 void measure(const core::Allocator& allocator, Cage* cage) {
   for (uint32_t e = 0; e < cage->edge_count; ++e) {
     const Vec along = at(*cage, cage->edge[e].to) - at(*cage, cage->edge[e].from);
-    double* to = &cage->along[3 * size_t{e}];
+    double* to = &cage->doubles.along[3 * size_t{e}];
     to[0] = along.x, to[1] = along.y, to[2] = along.z;
   }
-  cage->normal = core::Array<double>(allocator, 4 * size_t{cage->triangle_count});
+  cage->doubles.normal = core::Array<double>(allocator, 4 * size_t{cage->triangle_count});
   for (uint32_t t = 0; t < cage->triangle_count; ++t) {
     const uint32_t(&v)[3] = cage->triangle[t].vertex;
     const Vec a = at(*cage, v[0]), area = cross(at(*cage, v[1]) - a, at(*cage, v[2]) - a);
     const double inverse = 1.0 / std::sqrt(dot(area, area));
-    double* to = &cage->normal[4 * size_t{t}];
+    double* to = &cage->doubles.normal[4 * size_t{t}];
     to[0] = area.x * inverse, to[1] = area.y * inverse, to[2] = area.z * inverse, to[3] = inverse;
   }
+}
+
+/// Rounds a table to floats.
+core::Array<float> to_floats(const core::Allocator& allocator, const core::Array<double>& from) {
+  core::Array<float> out(allocator, from.size());
+  for (size_t i = 0; i < from.size(); ++i) out[i] = static_cast<float>(from[i]);
+  return out;
 }
 
 }  // namespace
@@ -167,7 +194,7 @@ CageFlaw make_cage(const core::Allocator& allocator, const shd_polyhedron_desc& 
   cage->vertex_count = static_cast<uint32_t>(desc.vertex_count);
   cage->triangle_count = static_cast<uint32_t>(desc.index_count / 3);
   cage->plane_count = 0;
-  cage->position = core::Array<double>(allocator, 3 * size_t{cage->vertex_count});
+  cage->doubles.position = core::Array<double>(allocator, 3 * size_t{cage->vertex_count});
   cage->triangle = core::Array<CageTriangle>(allocator, cage->triangle_count);
   normalise(desc, cage);
   CageFlaw flaw = read_triangles(desc, cage);
@@ -179,6 +206,11 @@ CageFlaw make_cage(const core::Allocator& allocator, const shd_polyhedron_desc& 
   if (flaw.kind != CageFlaw::kNone) return flaw;
   if (!(std::fabs(enclosed) > kFlat)) return {CageFlaw::kFlat, 0, 0, 0};
   measure(allocator, cage);
+  const CageTables<double>& from = cage->doubles;
+  cage->floats.position = to_floats(allocator, from.position);
+  cage->floats.along = to_floats(allocator, from.along);
+  cage->floats.normal = to_floats(allocator, from.normal);
+  cage->floats.sign = to_floats(allocator, from.sign);
   return {CageFlaw::kNone, 0, 0, 0};
 }
 
@@ -186,7 +218,7 @@ SurfacePoint nearest_on_triangle(const Cage& cage, uint32_t triangle, const doub
   const uint32_t(&v)[3] = cage.triangle[triangle].vertex;
   const Vec x = {point[0], point[1], point[2]};
   const Vec s[3] = {at(cage, v[0]) - x, at(cage, v[1]) - x, at(cage, v[2]) - x};
-  const double* n = &cage.normal[4 * size_t{triangle}];
+  const double* n = &cage.doubles.normal[4 * size_t{triangle}];
   const Vec normal = {n[0], n[1], n[2]};
   double area[3], sum = 0.0;
   bool is_inside = true;
@@ -221,7 +253,7 @@ SurfacePoint nearest_on_cage(const Cage& cage, const double (&point)[3]) {
     for (size_t c = 0; c < 3; ++c) {
       double apart = -point[c];
       for (size_t i = 0; i < 3; ++i) {
-        apart += found.weight[i] * cage.position[3 * size_t{cage.triangle[t].vertex[i]} + c];
+        apart += found.weight[i] * cage.doubles.position[3 * size_t{cage.triangle[t].vertex[i]} + c];
       }
       squared += apart * apart;
     }

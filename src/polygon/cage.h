@@ -21,8 +21,17 @@ struct CageTriangle {
   uint32_t vertex[3];
   uint32_t edge[3];      // opposite to vertex i
   uint32_t neighbor[3];  // triangle across edge i
+  uint32_t edge_end;     // number after the last edge of this triangle and those before
   uint32_t plane;        // its face
-  double sign[3];        // 1 if edge i runs in the direction of the triangle, otherwise -1
+};
+
+/// Numbers that kernels read.
+template <class T>
+struct CageTables {
+  core::Array<T> position;  // [vertex][3]
+  core::Array<T> along;     // [edge][3] from `from` to `to`
+  core::Array<T> normal;    // [triangle][4] outward, unit, and 1 / twice the area
+  core::Array<T> sign;      // [triangle][3] 1 if edge i runs in the direction of the triangle, otherwise -1
 };
 
 /// A closed triangle mesh in normalised coordinates: (position - center) * scale lies in [-1, 1].
@@ -32,11 +41,10 @@ struct Cage {
   double scale;    // a power of two
   double longest;  // side of the bounding box, in (1, 2]
 
-  core::Array<double> position;  // [vertex][3]
-  core::Array<CageEdge> edge;    // [edge_count]
-  core::Array<double> along;     // [edge][3] from `from` to `to`
+  core::Array<CageEdge> edge;
   core::Array<CageTriangle> triangle;
-  core::Array<double> normal;  // [triangle][4] outward, unit, and 1 / twice the area
+  CageTables<double> doubles;
+  CageTables<float> floats;  // the same numbers, rounded
 
   // Faces of convex cages: the largest flat parts.
   core::Array<double> plane;        // [plane_count][4] outward unit normal, and its product with points of the plane

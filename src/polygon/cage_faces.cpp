@@ -12,13 +12,13 @@ constexpr double kCoplanar = 0x1p-21;
 
 /// Distance of a vertex from a plane, positive outside.
 double distance(const Cage& cage, const double* plane, uint32_t vertex) {
-  const double* p = cage.position.data() + 3 * size_t{vertex};
+  const double* p = cage.doubles.position.data() + 3 * size_t{vertex};
   return plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] - plane[3];
 }
 
 /// The plane of one triangle.
 void triangle_plane(const Cage& cage, uint32_t t, double* out) {
-  std::copy_n(&cage.normal[4 * size_t{t}], 3, out);
+  std::copy_n(&cage.doubles.normal[4 * size_t{t}], 3, out);
   out[3] = 0.0;
   out[3] = distance(cage, out, cage.triangle[t].vertex[0]);
 }
@@ -66,7 +66,7 @@ void fit_planes(const core::Allocator& allocator, Cage* cage) {
   cage->plane.fill_zero();
   area.fill_zero();
   for (uint32_t t = 0; t < cage->triangle_count; ++t) {
-    const double* normal = &cage->normal[4 * size_t{t}];
+    const double* normal = &cage->doubles.normal[4 * size_t{t}];
     for (size_t c = 0; c < 3; ++c) cage->plane[4 * size_t{cage->triangle[t].plane} + c] += normal[c] / normal[3];
   }
   for (uint32_t p = 0; p < cage->plane_count; ++p) {
@@ -79,7 +79,7 @@ void fit_planes(const core::Allocator& allocator, Cage* cage) {
     double plane[4];
     std::copy_n(&cage->plane[4 * size_t{p}], 3, plane);
     plane[3] = 0.0;
-    const double twice = 1.0 / cage->normal[4 * size_t{t} + 3];
+    const double twice = 1.0 / cage->doubles.normal[4 * size_t{t} + 3];
     area[p] += twice;
     for (const uint32_t v : cage->triangle[t].vertex)
       cage->plane[4 * size_t{p} + 3] += distance(*cage, plane, v) * twice / 3.0;

@@ -14,163 +14,262 @@ namespace shd::polygon::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-using D = hn::CappedTag<double, kBlock>;
-using V = hn::Vec<D>;
-
 /// Points closer to an edge or a triangle than this part of the distance to its farthest vertex lie on it.
 constexpr double kOn = 0x1p-26;
 /// Distances to planes of convex cages are at least this, so that weights are finite.
 constexpr double kLeastHeight = 0x1p-60;
+/// Floats are not precise enough for points closer to the plane of a triangle, or in whose view an edge has a cosine
+/// below this, or whose weights reproduce the point with a larger error.
+constexpr float kDoubtfulHeight = 0x1p-9f, kDoubtfulCosine = -0.875f;
+constexpr double kDoubtfulError = 0x1p-22;
 
 /// Columns of a vertex and of an edge in the working memory, each of one vector.
 enum VertexColumn { kX, kY, kZ, kSquare, kInverse, kVertexColumns };
 enum EdgeColumn { kNormalX, kNormalY, kNormalZ, kFactor, kEdgeColumns };
 
+template <class V>
 struct Vector3 {
   V x, y, z;
 };
-HWY_INLINE V DotOf(const Vector3& a, const Vector3& b) {
+template <class V>
+HWY_INLINE V DotOf(const Vector3<V>& a, const Vector3<V>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-HWY_INLINE Vector3 SetVector(D d, const double* from) {
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> SetVector(D d, const hn::TFromD<D>* from) {
   return {hn::Set(d, from[0]), hn::Set(d, from[1]), hn::Set(d, from[2])};
 }
-HWY_INLINE Vector3 LoadVector(D d, const double* from) {
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> LoadVector(D d, const hn::TFromD<D>* from) {
   const size_t lanes = hn::Lanes(d);
   return {hn::Load(d, from), hn::Load(d, from + lanes), hn::Load(d, from + 2 * lanes)};
 }
 
-/// angle / sin(angle) / cos(angle / 2) of half an angle whose cosine is h, 0 < h <= 1, is angle / sin(angle) of the
-/// whole angle. The first quotient is a polynomial of h - 1/2 through its values at Chebyshev nodes: relative error
-/// 4e-17 before rounding.
-HWY_INLINE V AngleBySine(D d, V h) {
-  constexpr double kCoefficients[] = {0.00012117305831116538,  -0.00018609092229782463, 0.00012708400889953493,
-                                      -0.00019625532058336834, 0.00039306909718902606,  -0.00060800516043310229,
-                                      0.00091421022126976236,  -0.0014207449636114548,  0.0022193303562364495,
-                                      -0.0034690259433040753,  0.005441843341071648,    -0.0085755268197732986,
-                                      0.013586867141375918,    -0.021671674846850369,   0.034865535274291133,
-                                      -0.056733710715744772,   0.093786063598660549,    -0.1586971753802888,
-                                      0.27893276820819266,     -0.52720028256256834,    1.2091995761561452};
-  const V y = h - hn::Set(d, 0.5);
-  V p = hn::Set(d, kCoefficients[0]);
-  for (size_t i = 1; i < sizeof kCoefficients / sizeof kCoefficients[0]; ++i) p = p * y + hn::Set(d, kCoefficients[i]);
-  return p / h;
+/// The sum of c[i] y^i for i = 0..2, in the order that the compiler may interleave with other terms.
+template <class D, class V>
+HWY_INLINE V Quadratic(D d, V y, V square, hn::TFromD<D> a, hn::TFromD<D> b, hn::TFromD<D> c) {
+  return (hn::Set(d, a) + hn::Set(d, b) * y) + hn::Set(d, c) * square;
 }
 
-/// Working memory, and the result so far.
+/// angle / sin(angle) of an angle in 0..pi / 2 by its cosine: a polynomial of cosine - 1/2 through its values at
+/// Chebyshev nodes. Relative error before rounding: 4e-17 in doubles, 1.3e-8 in floats.
+template <class D, class V>
+HWY_INLINE V AngleBySine(D d, V cosine) {
+  const V y = cosine - hn::Set(d, hn::TFromD<D>(0.5)), y2 = y * y, y3 = y2 * y;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    const V p = hn::Set(d, 0.017641020f) + hn::Set(d, -0.011162824f) * y;
+    const V high = Quadratic(d, y, y2, -0.056788334f, 0.033929990f, -0.021074422f) + p * y3;
+    const V middle = Quadratic(d, y, y2, 0.27893007f, -0.15869545f, 0.093871614f) + high * y3;
+    return (hn::Set(d, 1.2091996f) + hn::Set(d, -0.52720029f) * y) + middle * y2;
+  } else {
+    V p = Quadratic(d, y, y2, -0.00019625532058336834, 0.00012708400889953493, -0.00018609092229782463) +
+          hn::Set(d, 0.00012117305831116538) * y3;
+    p = Quadratic(d, y, y2, 0.00091421022126976236, -0.00060800516043310229, 0.00039306909718902606) + p * y3;
+    p = Quadratic(d, y, y2, -0.0034690259433040753, 0.0022193303562364495, -0.0014207449636114548) + p * y3;
+    p = Quadratic(d, y, y2, 0.013586867141375918, -0.0085755268197732986, 0.005441843341071648) + p * y3;
+    p = Quadratic(d, y, y2, -0.056733710715744772, 0.034865535274291133, -0.021671674846850369) + p * y3;
+    p = Quadratic(d, y, y2, 0.27893276820819266, -0.1586971753802888, 0.093786063598660549) + p * y3;
+    return (hn::Set(d, 1.2091995761561452) + hn::Set(d, -0.52720028256256834) * y) + p * y2;
+  }
+}
+
+/// Working memory, and the result so far, of one vector of points.
+template <class D>
 struct MeanValue {
+  using T = hn::TFromD<D>;
+  using V = hn::Vec<D>;
+
   const Cage& cage;
-  double* vertex;   // [vertex][kVertexColumns][lanes]
-  double* edge;     // [edge][kEdgeColumns][lanes]
-  double* weights;  // [vertex][kBlock], from the first lane on
-  V triangle;       // that the point lies on, or -1
+  const CageTables<T>& tables;
+  T* vertex;   // [vertex][kVertexColumns][lanes]
+  T* edge;     // [edge][kEdgeColumns][lanes]
+  T* weights;  // [vertex][kBlock], from the first lane on
+  V triangle;  // doubles: that the point lies on, or -1
+  V reach;     // square of the distance to the farthest vertex
+  V nearest;   // square of the distance to the nearest vertex
+  V height;    // floats: least distance to the plane of a triangle; 0 if the angle of an edge is doubtful
 };
 
 /// Vectors from the points to the vertices, and their lengths.
-HWY_INLINE void FindVertices(D d, const MeanValue& m, const Vector3& point) {
+template <class D, class V>
+HWY_INLINE void FindVertices(D d, MeanValue<D>* m, const Vector3<V>& point) {
+  using T = hn::TFromD<D>;
   const size_t lanes = hn::Lanes(d);
-  for (uint32_t i = 0; i < m.cage.vertex_count; ++i) {
-    const Vector3 at = SetVector(d, m.cage.position.data() + 3 * size_t{i});
-    const Vector3 s = {at.x - point.x, at.y - point.y, at.z - point.z};
+  for (uint32_t i = 0; i < m->cage.vertex_count; ++i) {
+    const Vector3<V> at = SetVector(d, m->tables.position.data() + 3 * size_t{i});
+    const Vector3<V> s = {at.x - point.x, at.y - point.y, at.z - point.z};
     const V square = DotOf(s, s);
-    double* to = m.vertex + size_t{i} * kVertexColumns * lanes;
+    T* to = m->vertex + size_t{i} * kVertexColumns * lanes;
     hn::Store(s.x, d, to + kX * lanes);
     hn::Store(s.y, d, to + kY * lanes);
     hn::Store(s.z, d, to + kZ * lanes);
     hn::Store(square, d, to + kSquare * lanes);
-    hn::Store(hn::Set(d, 1.0) / hn::Sqrt(hn::Max(square, hn::Set(d, 0x1p-200))), d, to + kInverse * lanes);
-    hn::Store(hn::Zero(d), d, m.weights + size_t{i} * kBlock);
+    const V length = hn::Sqrt(hn::Max(square, hn::Set(d, T(0x1p-100))));
+    hn::Store(hn::Set(d, T(1)) / length, d, to + kInverse * lanes);
+    hn::Store(hn::Zero(d), d, m->weights + size_t{i} * kBlock);
+    m->reach = hn::Max(m->reach, square);
+    m->nearest = hn::Min(m->nearest, square);
   }
 }
 
-/// Normals s_a x s_b of the planes of the edges and the points, and angle(s_a, s_b) / |s_a x s_b|. Their product is
-/// twice the part of an edge in the integral over a spherical triangle.
-HWY_INLINE void FindEdges(D d, MeanValue* m) {
-  const size_t lanes = hn::Lanes(d);
-  const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), on = hn::Set(d, kOn * kOn), zero = hn::Zero(d);
-  for (uint32_t e = 0; e < m->cage.edge_count; ++e) {
-    const double* a = m->vertex + size_t{m->cage.edge[e].from} * kVertexColumns * lanes;
-    const double* b = m->vertex + size_t{m->cage.edge[e].to} * kVertexColumns * lanes;
-    const Vector3 s = LoadVector(d, a), t = LoadVector(d, b);
-    const Vector3 along = SetVector(d, m->cage.along.data() + 3 * size_t{e});
-    const Vector3 normal = {s.y * along.z - s.z * along.y, s.z * along.x - s.x * along.z,
-                            s.x * along.y - s.y * along.x};
-    const V product = DotOf(s, t), crossed = DotOf(normal, normal);
-    const V a_square = hn::Load(d, a + kSquare * lanes), b_square = hn::Load(d, b + kSquare * lanes);
-    const V inverse = hn::Load(d, a + kInverse * lanes) * hn::Load(d, b + kInverse * lanes);
-    const V cosine = product * inverse;
-    // 1 + cosine without cancellation at obtuse angles.
-    const V sum = hn::IfThenElse(hn::Lt(cosine, zero), crossed * (inverse * inverse) / (one - cosine), one + cosine);
-    const V h = hn::Sqrt(hn::Max(sum * half, hn::Set(d, 0x1p-200)));
-    double* to = m->edge + size_t{e} * kEdgeColumns * lanes;
-    hn::Store(normal.x, d, to + kNormalX * lanes);
-    hn::Store(normal.y, d, to + kNormalY * lanes);
-    hn::Store(normal.z, d, to + kNormalZ * lanes);
-    hn::Store(AngleBySine(d, h) * inverse, d, to + kFactor * lanes);
+/// angle / sin(angle) of obtuse angles, from the angle of half the size.
+template <class D, class V>
+HWY_INLINE V ObtuseBySine(D d, V cosine, V crossed, V inverse) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1));
+  // 1 + cosine without cancellation.
+  const V sum = crossed * (inverse * inverse) / (one - cosine);
+  const V h = hn::Sqrt(hn::Min(hn::Max(sum * hn::Set(d, T(0.5)), hn::Set(d, T(0x1p-100))), one));
+  return AngleBySine(d, h) / h;
+}
 
-    const V far = hn::Max(a_square, b_square), near = hn::Min(a_square, b_square);
-    const V squared_length = DotOf(along, along);
-    const auto beside = hn::And(hn::Le(product, zero), hn::Le(crossed, on * squared_length * far));
-    const auto hit = hn::Or(beside, hn::Le(near, on * far));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, hit))) {
-      m->triangle = hn::IfThenElse(hit, hn::Set(d, static_cast<double>(m->cage.edge[e].triangle)), m->triangle);
+/// Notes the points that lie on an edge.
+template <class D, class V>
+HWY_INLINE void FindPointsOnEdge(D d, MeanValue<D>* m, uint32_t e, V product, V crossed) {
+  const size_t lanes = hn::Lanes(d);
+  const CageEdge& edge = m->cage.edge[e];
+  const V on = hn::Set(d, kOn * kOn);
+  const V a = hn::Load(d, m->vertex + (size_t{edge.from} * kVertexColumns + kSquare) * lanes);
+  const V b = hn::Load(d, m->vertex + (size_t{edge.to} * kVertexColumns + kSquare) * lanes);
+  const Vector3<V> along = SetVector(d, m->tables.along.data() + 3 * size_t{e});
+  const V far = hn::Max(a, b), near = hn::Min(a, b);
+  const auto beside = hn::And(hn::Le(product, hn::Zero(d)), hn::Le(crossed, on * DotOf(along, along) * far));
+  const auto hit = hn::Or(beside, hn::Le(near, on * far));
+  m->triangle = hn::IfThenElse(hit, hn::Set(d, static_cast<double>(edge.triangle)), m->triangle);
+}
+
+/// Normal s_a x s_b of the plane of an edge and the points, and angle(s_a, s_b) / |s_a x s_b|. Their product is twice
+/// the part of the edge in the integral over a spherical triangle.
+/// @param is_near_vertex  points may lie on the edge near one of its ends, from where they see it at any angle
+template <class D>
+HWY_INLINE void FindEdge(D d, MeanValue<D>* m, uint32_t e, bool is_near_vertex) {
+  using T = hn::TFromD<D>;
+  using V = hn::Vec<D>;
+  const size_t lanes = hn::Lanes(d);
+  const T* a = m->vertex + size_t{m->cage.edge[e].from} * kVertexColumns * lanes;
+  const T* b = m->vertex + size_t{m->cage.edge[e].to} * kVertexColumns * lanes;
+  const Vector3<V> s = LoadVector(d, a), t = LoadVector(d, b);
+  const Vector3<V> along = SetVector(d, m->tables.along.data() + 3 * size_t{e});
+  const Vector3<V> normal = {s.y * along.z - s.z * along.y, s.z * along.x - s.x * along.z,
+                             s.x * along.y - s.y * along.x};
+  const V product = DotOf(s, t);
+  const V inverse = hn::Load(d, a + kInverse * lanes) * hn::Load(d, b + kInverse * lanes);
+  const V cosine = product * inverse;
+  V quotient = AngleBySine(d, cosine);
+  const auto obtuse = hn::Lt(cosine, hn::Zero(d));
+  if (HWY_UNLIKELY(is_near_vertex || !hn::AllFalse(d, obtuse))) {
+    const V crossed = DotOf(normal, normal);
+    quotient = hn::IfThenElse(obtuse, ObtuseBySine(d, cosine, crossed, inverse), quotient);
+    if constexpr (sizeof(T) == sizeof(double)) {
+      FindPointsOnEdge(d, m, e, product, crossed);
+    } else {
+      m->height = hn::IfThenZeroElse(hn::Lt(cosine, hn::Set(d, kDoubtfulCosine)), m->height);
     }
   }
+  T* to = m->edge + size_t{e} * kEdgeColumns * lanes;
+  hn::Store(normal.x, d, to + kNormalX * lanes);
+  hn::Store(normal.y, d, to + kNormalY * lanes);
+  hn::Store(normal.z, d, to + kNormalZ * lanes);
+  hn::Store(quotient * inverse, d, to + kFactor * lanes);
 }
 
-/// Twice the integral of the normal over the part of the unit sphere that a triangle covers.
-HWY_INLINE Vector3 Integral(D d, const CageTriangle& triangle, const Vector3 (&normal)[3],
-                            const double* const (&edge)[3]) {
+/// Square of the distance to an edge.
+template <class D, class V>
+HWY_INLINE V SquareToEdge(D d, const MeanValue<D>& m, uint32_t e, const Vector3<V>& normal) {
   const size_t lanes = hn::Lanes(d);
-  const V f = hn::Load(d, edge[0] + kFactor * lanes) * hn::Set(d, triangle.sign[0]);
-  const V g = hn::Load(d, edge[1] + kFactor * lanes) * hn::Set(d, triangle.sign[1]);
-  const V h = hn::Load(d, edge[2] + kFactor * lanes) * hn::Set(d, triangle.sign[2]);
-  return {f * normal[0].x + g * normal[1].x + h * normal[2].x, f * normal[0].y + g * normal[1].y + h * normal[2].y,
-          f * normal[0].z + g * normal[1].z + h * normal[2].z};
+  const hn::TFromD<D>* a = m.vertex + size_t{m.cage.edge[e].from} * kVertexColumns * lanes;
+  const hn::TFromD<D>* b = m.vertex + size_t{m.cage.edge[e].to} * kVertexColumns * lanes;
+  const Vector3<V> along = SetVector(d, m.tables.along.data() + 3 * size_t{e});
+  const V product = DotOf(LoadVector(d, a), LoadVector(d, b));
+  const V to_ends = hn::Min(hn::Load(d, a + kSquare * lanes), hn::Load(d, b + kSquare * lanes));
+  return hn::IfThenElse(hn::Le(product, to_ends), DotOf(normal, normal) / DotOf(along, along), to_ends);
+}
+
+/// Much closer to the plane of a triangle than to its edges, rounding would decide. A point of the triangle is noted.
+/// Weights of other points are nearly 0, and become 0. Returns the corrected scale of the weights.
+template <class D, class V>
+HWY_INLINE V CorrectBesidePlane(D d, MeanValue<D>* m, uint32_t t, const Vector3<V> (&normal)[3], V height, V scale) {
+  const CageTriangle& triangle = m->cage.triangle[t];
+  const Vector3<V> face = SetVector(d, m->tables.normal.data() + 4 * size_t{t});
+  V nearest = m->reach;
+  for (size_t i = 0; i < 3; ++i) nearest = hn::Min(nearest, SquareToEdge(d, *m, triangle.edge[i], normal[i]));
+  const auto beside = hn::Le(height * height, hn::Set(d, kOn * kOn) * nearest);
+  auto hit = beside;
+  for (size_t i = 0; i < 3; ++i) {
+    hit = hn::And(hit, hn::Gt(DotOf(face, normal[i]) * hn::Set(d, m->tables.sign[3 * size_t{t} + i]), hn::Zero(d)));
+  }
+  m->triangle = hn::IfThenElse(hit, hn::Set(d, static_cast<double>(t)), m->triangle);
+  return hn::IfThenZeroElse(beside, scale);
 }
 
 /// Adds the weights of the vertices of a triangle.
-HWY_INLINE void AddTriangle(D d, MeanValue* m, uint32_t t) {
+template <class D>
+HWY_INLINE void AddTriangle(D d, MeanValue<D>* m, uint32_t t, hn::Vec<D> beside) {
+  using T = hn::TFromD<D>;
+  using V = hn::Vec<D>;
   const size_t lanes = hn::Lanes(d);
   const CageTriangle& triangle = m->cage.triangle[t];
-  const double *edge[3], *vertex[3];
-  Vector3 normal[3];
-  for (size_t i = 0; i < 3; ++i) {
-    edge[i] = m->edge + size_t{triangle.edge[i]} * kEdgeColumns * lanes;
-    vertex[i] = m->vertex + size_t{triangle.vertex[i]} * kVertexColumns * lanes;
-    normal[i] = LoadVector(d, edge[i]);
-  }
-  const Vector3 integral = Integral(d, triangle, normal, edge);
-  const double* plane = m->cage.normal.data() + 4 * size_t{t};
-  const Vector3 face = SetVector(d, plane);
-  const V height = DotOf(face, LoadVector(d, vertex[0]));
+  const T* sign = m->tables.sign.data() + 3 * size_t{t};
+  const T* edge[3];
+  for (size_t i = 0; i < 3; ++i) edge[i] = m->edge + size_t{triangle.edge[i]} * kEdgeColumns * lanes;
+  const Vector3<V> normal[3] = {LoadVector(d, edge[0]), LoadVector(d, edge[1]), LoadVector(d, edge[2])};
+  const V signs[3] = {hn::Set(d, sign[0]), hn::Set(d, sign[1]), hn::Set(d, sign[2])};
+  const V f = hn::Load(d, edge[0] + kFactor * lanes) * signs[0];
+  const V g = hn::Load(d, edge[1] + kFactor * lanes) * signs[1];
+  const V h = hn::Load(d, edge[2] + kFactor * lanes) * signs[2];
+  // Twice the integral of the normal over the part of the unit sphere that the triangle covers.
+  const Vector3<V> integral = {f * normal[0].x + g * normal[1].x + h * normal[2].x,
+                               f * normal[0].y + g * normal[1].y + h * normal[2].y,
+                               f * normal[0].z + g * normal[1].z + h * normal[2].z};
+  const T* plane = m->tables.normal.data() + 4 * size_t{t};
+  const V height =
+      DotOf(SetVector(d, plane), LoadVector(d, m->vertex + size_t{triangle.vertex[0]} * kVertexColumns * lanes));
   V scale = hn::Set(d, plane[3]) / height;
-
-  // Beside the plane, rounding would decide. A point of the triangle is noted; otherwise the weights are nearly 0.
-  const V square = height * height;
-  const V far = hn::Max(hn::Max(hn::Load(d, vertex[0] + kSquare * lanes), hn::Load(d, vertex[1] + kSquare * lanes)),
-                        hn::Load(d, vertex[2] + kSquare * lanes));
-  const auto beside = hn::Le(square, hn::Set(d, kOn * kOn) * far);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, beside))) {
-    auto hit = beside;
-    for (size_t i = 0; i < 3; ++i) {
-      hit = hn::And(hit, hn::Gt(DotOf(face, normal[i]) * hn::Set(d, triangle.sign[i]), hn::Zero(d)));
+  if constexpr (sizeof(T) == sizeof(double)) {
+    if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Le(height * height, beside)))) {
+      scale = CorrectBesidePlane(d, m, t, normal, height, scale);
     }
-    m->triangle = hn::IfThenElse(hit, hn::Set(d, static_cast<double>(t)), m->triangle);
-    scale = hn::IfThenElse(beside, hn::Zero(d), scale);
+  } else {
+    m->height = hn::Min(m->height, hn::Abs(height));
   }
-  const Vector3 scaled = {integral.x * scale, integral.y * scale, integral.z * scale};
-  for (size_t i = 0; i < 3; ++i) {
-    double* to = m->weights + size_t{triangle.vertex[i]} * kBlock;
-    hn::Store(hn::Load(d, to) + DotOf(normal[i], scaled) * hn::Set(d, triangle.sign[i]), d, to);
-  }
+  const Vector3<V> scaled = {integral.x * scale, integral.y * scale, integral.z * scale};
+  const auto add = [&](size_t i) {
+    T* to = m->weights + size_t{triangle.vertex[i]} * kBlock;
+    hn::Store(hn::Load(d, to) + DotOf(normal[i], scaled) * signs[i], d, to);
+  };
+  add(0), add(1), add(2);
 }
 
+/// Computes weights before the division by their sum. Returns what else is known of the points.
+template <class D>
+HWY_INLINE MeanValue<D> AddTriangles(D d, const Cage& cage, const CageTables<hn::TFromD<D>>& tables,
+                                     hn::TFromD<D>* scratch, const Vector3<hn::Vec<D>>& point, hn::TFromD<D>* weights) {
+  using T = hn::TFromD<D>;
+  const auto zero = hn::Zero(d), far = hn::Set(d, T(0x1p60));
+  MeanValue<D> m = {cage,    tables,
+                    scratch, scratch + size_t{cage.vertex_count} * kVertexColumns * hn::Lanes(d),
+                    weights, hn::Set(d, T(-1)),
+                    zero,    far,
+                    far};
+  FindVertices(d, &m, point);
+  const auto beside = m.reach * hn::Set(d, T(kOn * kOn));
+  const bool is_near_vertex = sizeof(T) == sizeof(double) && !hn::AllFalse(d, hn::Le(m.nearest, beside));
+  uint32_t e = 0;
+  for (uint32_t t = 0; t < cage.triangle_count; ++t) {
+    for (; e < cage.triangle[t].edge_end; ++e) FindEdge(d, &m, e, is_near_vertex);
+    AddTriangle(d, &m, t, beside);
+  }
+  return m;
+}
+
+using Doubles = hn::CappedTag<double, kVectorDoubles>;
+using Floats = hn::CappedTag<float, kBlock>;
+
 /// Divides the weights by their sum. Returns the sum.
-HWY_INLINE V Normalise(D d, uint32_t count, double* weights) {
-  V sum = hn::Zero(d);
+HWY_INLINE hn::Vec<Doubles> Normalise(Doubles d, uint32_t count, double* weights) {
+  auto sum = hn::Zero(d);
   for (uint32_t i = 0; i < count; ++i) sum = sum + hn::Load(d, weights + size_t{i} * kBlock);
-  const V inverse = hn::Set(d, 1.0) / sum;
+  const auto inverse = hn::Set(d, 1.0) / sum;
   for (uint32_t i = 0; i < count; ++i) {
     double* to = weights + size_t{i} * kBlock;
     hn::Store(hn::Load(d, to) * inverse, d, to);
@@ -181,38 +280,78 @@ HWY_INLINE V Normalise(D d, uint32_t count, double* weights) {
 }  // namespace
 
 void MeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, double* weights) {
-  const D d;
-  const size_t lanes = hn::Lanes(d);
-  for (size_t i = 0; i < kBlock; i += lanes) {
-    MeanValue m = {cage, scratch, scratch + size_t{cage.vertex_count} * kVertexColumns * lanes, weights + i,
-                   hn::Set(d, -1.0)};
-    FindVertices(d, m, {hn::Load(d, points->x + i), hn::Load(d, points->y + i), hn::Load(d, points->z + i)});
-    FindEdges(d, &m);
-    for (uint32_t t = 0; t < cage.triangle_count; ++t) AddTriangle(d, &m, t);
-    hn::Store(Normalise(d, cage.vertex_count, m.weights), d, points->depth + i);
+  const Doubles d;
+  for (size_t i = 0; i < points->count; i += hn::Lanes(d)) {
+    const Vector3<hn::Vec<Doubles>> point = {hn::Load(d, points->x + i), hn::Load(d, points->y + i),
+                                             hn::Load(d, points->z + i)};
+    const auto m = AddTriangles(d, cage, cage.doubles, scratch, point, weights + i);
+    hn::Store(Normalise(d, cage.vertex_count, weights + i), d, points->depth + i);
     hn::Store(m.triangle, d, points->triangle + i);
   }
 }
 
+void FastMeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, double* weights) {
+  const Floats d;
+  const Doubles dd;
+  const hn::Rebind<float, Doubles> half;
+  float* const small = reinterpret_cast<float*>(scratch);
+  float* const sums =
+      small + (cage.vertex_count * size_t{kVertexColumns} + cage.edge_count * size_t{kEdgeColumns}) * kBlock;
+  alignas(64) float at[3][kBlock], height[kBlock];
+  for (size_t i = 0; i < kBlock; ++i) {
+    at[0][i] = static_cast<float>(points->x[i]);
+    at[1][i] = static_cast<float>(points->y[i]);
+    at[2][i] = static_cast<float>(points->z[i]);
+  }
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+    const Vector3<hn::Vec<Floats>> point = {hn::Load(d, at[0] + i), hn::Load(d, at[1] + i), hn::Load(d, at[2] + i)};
+    hn::Store(AddTriangles(d, cage, cage.floats, small, point, sums + i).height, d, height + i);
+  }
+  // The rest in doubles: the sum, and the error of the point that the weights reproduce.
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(dd)) {
+    const auto x = hn::Load(dd, points->x + i), y = hn::Load(dd, points->y + i), z = hn::Load(dd, points->z + i);
+    auto sum = hn::Zero(dd), dx = sum, dy = sum, dz = sum;
+    for (uint32_t v = 0; v < cage.vertex_count; ++v) {
+      const double* position = cage.doubles.position.data() + 3 * size_t{v};
+      const auto weight = hn::PromoteTo(dd, hn::Load(half, sums + size_t{v} * kBlock + i));
+      hn::Store(weight, dd, weights + size_t{v} * kBlock + i);
+      sum = sum + weight;
+      dx = dx + weight * (hn::Set(dd, position[0]) - x);
+      dy = dy + weight * (hn::Set(dd, position[1]) - y);
+      dz = dz + weight * (hn::Set(dd, position[2]) - z);
+    }
+    const auto inverse = hn::Set(dd, 1.0) / sum;
+    for (uint32_t v = 0; v < cage.vertex_count; ++v) {
+      double* to = weights + size_t{v} * kBlock + i;
+      hn::Store(hn::Load(dd, to) * inverse, dd, to);
+    }
+    const auto error = hn::Max(hn::Abs(dx), hn::Max(hn::Abs(dy), hn::Abs(dz)));
+    const auto tall = hn::Gt(hn::PromoteTo(dd, hn::Load(half, height + i)), hn::Set(dd, double{kDoubtfulHeight}));
+    const auto good = hn::And(tall, hn::Le(error, sum * hn::Set(dd, kDoubtfulError)));
+    hn::Store(hn::IfThenElse(good, sum, hn::Set(dd, -1.0)), dd, points->depth + i);
+  }
+}
+
 void WachspressBlock(const Cage& cage, double* scratch, CagePoints* points, double* weights) {
-  const D d;
+  const Doubles d;
   const size_t lanes = hn::Lanes(d);
   for (size_t i = 0; i < kBlock; i += lanes) {
-    const Vector3 point = {hn::Load(d, points->x + i), hn::Load(d, points->y + i), hn::Load(d, points->z + i)};
-    V least = hn::Set(d, 8.0);
+    const Vector3<hn::Vec<Doubles>> point = {hn::Load(d, points->x + i), hn::Load(d, points->y + i),
+                                             hn::Load(d, points->z + i)};
+    auto least = hn::Set(d, 8.0);
     for (uint32_t p = 0; p < cage.plane_count; ++p) {
       const double* plane = cage.plane.data() + 4 * size_t{p};
-      const V height = hn::Set(d, plane[3]) - DotOf(SetVector(d, plane), point);
+      const auto height = hn::Set(d, plane[3]) - DotOf(SetVector(d, plane), point);
       least = hn::Min(least, height);
       hn::Store(hn::Set(d, 1.0) / hn::Max(height, hn::Set(d, kLeastHeight)), d, scratch + p * lanes);
     }
     hn::Store(least, d, points->depth + i);
     for (uint32_t v = 0; v < cage.vertex_count; ++v) {
       const uint32_t first = cage.fan_start[v], end = cage.fan_start[v + 1];
-      V sum = hn::Zero(d);
+      auto sum = hn::Zero(d);
       for (uint32_t j = first + 1; j + 1 < end; ++j) {
-        const V own = hn::Load(d, scratch + cage.fan_plane[j] * lanes);
-        const V next = hn::Load(d, scratch + cage.fan_plane[j + 1] * lanes);
+        const auto own = hn::Load(d, scratch + cage.fan_plane[j] * lanes);
+        const auto next = hn::Load(d, scratch + cage.fan_plane[j + 1] * lanes);
         sum = sum + hn::Set(d, cage.fan_volume[j]) * (own * next);
       }
       hn::Store(sum * hn::Load(d, scratch + cage.fan_plane[first] * lanes), d, weights + size_t{v} * kBlock + i);
@@ -222,11 +361,11 @@ void WachspressBlock(const Cage& cage, double* scratch, CagePoints* points, doub
 }
 
 void BlendBlock(const Cage& cage, const double* weights, const double* values, size_t value_count, double* out) {
-  const D d;
+  const Doubles d;
   for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
     for (size_t k = 0; k < value_count; ++k) {
       const double* value = values + k * cage.vertex_count;
-      V sum = hn::Zero(d);
+      auto sum = hn::Zero(d);
       for (uint32_t v = 0; v < cage.vertex_count; ++v) {
         sum = sum + hn::Load(d, weights + size_t{v} * kBlock + i) * hn::Set(d, value[v]);
       }
@@ -242,18 +381,24 @@ HWY_AFTER_NAMESPACE();
 namespace shd::polygon {
 
 HWY_EXPORT(MeanValueBlock);
+HWY_EXPORT(FastMeanValueBlock);
 HWY_EXPORT(WachspressBlock);
 HWY_EXPORT(BlendBlock);
 
 size_t scratch_size(const Cage& cage, shd_barycentric kind) {
   if (kind == SHD_BARYCENTRIC_WACHSPRESS) return size_t{cage.plane_count} * kBlock;
-  constexpr size_t kVertexDoubles = 5 * kBlock, kEdgeDoubles = 4 * kBlock;
-  return cage.vertex_count * kVertexDoubles + cage.edge_count * kEdgeDoubles;
+  // Columns of vertices and edges, and the sums of floats.
+  return (cage.vertex_count * size_t{6} + cage.edge_count * size_t{4}) * kVectorDoubles;
 }
 
 void mean_value_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
                         double* weights) {
   SHD_DISPATCH(MeanValueBlock, simd)(cage, scratch, points, weights);
+}
+
+void fast_mean_value_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
+                             double* weights) {
+  SHD_DISPATCH(FastMeanValueBlock, simd)(cage, scratch, points, weights);
 }
 
 void wachspress_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,

