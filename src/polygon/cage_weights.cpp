@@ -20,7 +20,7 @@ constexpr double kOn = 0x1p-26;
 constexpr double kLeastHeight = 0x1p-60;
 /// Floats are not precise enough for points closer to the plane of a triangle, or in whose view an edge has a cosine
 /// below this, or whose weights reproduce the point with a larger error.
-constexpr float kDoubtfulHeight = 0x1p-9f, kDoubtfulCosine = -0.875f;
+constexpr float kDoubtfulHeight = 0x1p-9f, kDoubtfulCosine = -0.97f;
 constexpr double kDoubtfulError = 0x1p-22;
 
 /// Columns of a vertex and of an edge in the working memory, each of one vector.

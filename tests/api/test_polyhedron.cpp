@@ -300,7 +300,7 @@ void test_cube(void **)
 /// Far away, sums of weights are 1 and reproduce the point, as far as floats can; beyond the limit, the point there.
 void test_far(void **)
 {
-    const Cage cage = ball(6, 7, 0.0);
+    const Cage cage = octahedron();  // in a box of 2 x 2 x 2 around 0
     const Polyhedron p(g_context, cage, SHD_BARYCENTRIC_MEAN_VALUE);
     for (const double distance : {3.0, 10.0, 100.0, 500.0, 1e6, 1e20, 3e38}) {
         const PolyhedronPoint direction = {0.48, -0.6, 0.64};
