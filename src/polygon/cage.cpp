@@ -93,29 +93,38 @@ struct Side {
   bool is_rising;  // runs from low to high
 };
 
-/// Numbers the edges in the order in which triangles use them first. Until then their numbers are those of their pair
-/// of sides.
-void number_edges(const core::Allocator& allocator, const core::Array<Side>& sides, Cage* cage) {
-  cage->edge_count = static_cast<uint32_t>(sides.size() / 2);
+/// Turns a triangle by its corners.
+void turn_corners(uint32_t by, CageTriangle* triangle) {
+  for (uint32_t(*part)[3] : {&triangle->vertex, &triangle->edge, &triangle->neighbor}) {
+    std::rotate(*part, *part + by, *part + 3);
+  }
+}
+
+/// Numbers the edges in the order in which triangles use them first, and turns triangles so that their new edges come
+/// first. Until then the numbers of edges are those of their pairs of sides.
+void number_edges(const core::Allocator& allocator, Cage* cage) {
   cage->edge = core::Array<CageEdge>(allocator, cage->edge_count);
-  cage->doubles.along = core::Array<double>(allocator, 3 * size_t{cage->edge_count});
-  cage->doubles.sign = core::Array<double>(allocator, 3 * size_t{cage->triangle_count});
   core::Array<uint32_t> numbers(allocator, cage->edge_count);
-  std::fill(numbers.begin(), numbers.end(), cage->edge_count);
+  const uint32_t none = cage->edge_count;
+  std::fill(numbers.begin(), numbers.end(), none);
   uint32_t next = 0;
   for (uint32_t t = 0; t < cage->triangle_count; ++t) {
     CageTriangle& triangle = cage->triangle[t];
+    const auto is_new = [&](uint32_t i) { return numbers[triangle.edge[i]] == none; };
+    triangle.new_edges = uint32_t{is_new(0)} + is_new(1) + is_new(2);
     for (uint32_t i = 0; i < 3; ++i) {
-      uint32_t& number = numbers[triangle.edge[i]];
-      cage->doubles.sign[3 * size_t{t} + i] = number == cage->edge_count ? 1.0 : -1.0;
-      if (number == cage->edge_count) {
-        const Side& side = sides[2 * size_t{triangle.edge[i]}];
-        number = next++;
-        cage->edge[number] = side.is_rising ? CageEdge{side.low, side.high, t} : CageEdge{side.high, side.low, t};
+      if (is_new(i) && (triangle.new_edges == 3 || !is_new((i + 2) % 3))) {
+        turn_corners(i, &triangle);
+        break;
       }
-      triangle.edge[i] = number;
     }
-    triangle.edge_end = next;
+    for (uint32_t i = 0; i < 3; ++i) {
+      if (is_new(i)) {
+        cage->edge[next] = {triangle.vertex[(i + 1) % 3], triangle.vertex[(i + 2) % 3], t};
+        numbers[triangle.edge[i]] = next++;
+      }
+      triangle.edge[i] = numbers[triangle.edge[i]];
+    }
   }
 }
 
@@ -145,7 +154,8 @@ CageFlaw connect(const core::Allocator& allocator, Cage* cage) {
     a.neighbor[first.corner] = second.triangle;
     b.neighbor[second.corner] = first.triangle;
   }
-  number_edges(allocator, sides, cage);
+  cage->edge_count = count / 2;
+  number_edges(allocator, cage);
   return {CageFlaw::kNone, 0, 0, 0};
 }
 
@@ -166,6 +176,7 @@ void turn_outward(Cage* cage) {
 }
 
 void measure(const core::Allocator& allocator, Cage* cage) {
+  cage->doubles.along = core::Array<double>(allocator, 3 * size_t{cage->edge_count});
   for (uint32_t e = 0; e < cage->edge_count; ++e) {
     const Vec along = at(*cage, cage->edge[e].to) - at(*cage, cage->edge[e].from);
     double* to = &cage->doubles.along[3 * size_t{e}];
@@ -210,7 +221,6 @@ CageFlaw make_cage(const core::Allocator& allocator, const shd_polyhedron_desc& 
   cage->floats.position = to_floats(allocator, from.position);
   cage->floats.along = to_floats(allocator, from.along);
   cage->floats.normal = to_floats(allocator, from.normal);
-  cage->floats.sign = to_floats(allocator, from.sign);
   return {CageFlaw::kNone, 0, 0, 0};
 }
 

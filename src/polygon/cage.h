@@ -21,7 +21,7 @@ struct CageTriangle {
   uint32_t vertex[3];
   uint32_t edge[3];      // opposite to vertex i
   uint32_t neighbor[3];  // triangle across edge i
-  uint32_t edge_end;     // number after the last edge of this triangle and those before
+  uint32_t new_edges;    // 0..3 of the edges, the first ones, are in no triangle before
   uint32_t plane;        // its face
 };
 
@@ -31,7 +31,6 @@ struct CageTables {
   core::Array<T> position;  // [vertex][3]
   core::Array<T> along;     // [edge][3] from `from` to `to`
   core::Array<T> normal;    // [triangle][4] outward, unit, and 1 / twice the area
-  core::Array<T> sign;      // [triangle][3] 1 if edge i runs in the direction of the triangle, otherwise -1
 };
 
 /// A closed triangle mesh in normalised coordinates: (position - center) * scale lies in [-1, 1].

@@ -103,7 +103,7 @@ HWY_INLINE void FindVertices(D d, MeanValue<D>* m, const Vector3<V>& point) {
     hn::Store(s.x, d, to + kX * lanes);
     hn::Store(s.y, d, to + kY * lanes);
     hn::Store(s.z, d, to + kZ * lanes);
-    hn::Store(square, d, to + kSquare * lanes);
+    if constexpr (sizeof(T) == sizeof(double)) hn::Store(square, d, to + kSquare * lanes);
     const V length = hn::Sqrt(hn::Max(square, hn::Set(d, T(0x1p-100))));
     hn::Store(hn::Set(d, T(1)) / length, d, to + kInverse * lanes);
     hn::Store(hn::Zero(d), d, m->weights + size_t{i} * kBlock);
@@ -140,9 +140,16 @@ HWY_INLINE void FindPointsOnEdge(D d, MeanValue<D>* m, uint32_t e, V product, V 
 
 /// Normal s_a x s_b of the plane of an edge and the points, and angle(s_a, s_b) / |s_a x s_b|. Their product is twice
 /// the part of the edge in the integral over a spherical triangle.
+template <class V>
+struct EdgePart {
+  Vector3<V> normal;
+  V factor;
+};
+
+/// Computes the part of an edge in its first triangle, and stores the one in its second triangle.
 /// @param is_near_vertex  points may lie on the edge near one of its ends, from where they see it at any angle
 template <class D>
-HWY_INLINE void FindEdge(D d, MeanValue<D>* m, uint32_t e, bool is_near_vertex) {
+HWY_INLINE EdgePart<hn::Vec<D>> FindEdge(D d, MeanValue<D>* m, uint32_t e, bool is_near_vertex) {
   using T = hn::TFromD<D>;
   using V = hn::Vec<D>;
   const size_t lanes = hn::Lanes(d);
@@ -167,10 +174,20 @@ HWY_INLINE void FindEdge(D d, MeanValue<D>* m, uint32_t e, bool is_near_vertex) 
     }
   }
   T* to = m->edge + size_t{e} * kEdgeColumns * lanes;
-  hn::Store(normal.x, d, to + kNormalX * lanes);
-  hn::Store(normal.y, d, to + kNormalY * lanes);
-  hn::Store(normal.z, d, to + kNormalZ * lanes);
-  hn::Store(quotient * inverse, d, to + kFactor * lanes);
+  const V factor = quotient * inverse;
+  hn::Store(hn::Neg(normal.x), d, to + kNormalX * lanes);
+  hn::Store(hn::Neg(normal.y), d, to + kNormalY * lanes);
+  hn::Store(hn::Neg(normal.z), d, to + kNormalZ * lanes);
+  hn::Store(factor, d, to + kFactor * lanes);
+  return {normal, factor};
+}
+
+/// The part of an edge in a triangle.
+template <bool kIsNew, class D>
+HWY_INLINE EdgePart<hn::Vec<D>> EdgeOf(D d, MeanValue<D>* m, uint32_t e, bool is_near_vertex) {
+  if constexpr (kIsNew) return FindEdge(d, m, e, is_near_vertex);
+  const hn::TFromD<D>* from = m->edge + size_t{e} * kEdgeColumns * hn::Lanes(d);
+  return {LoadVector(d, from), hn::Load(d, from + kFactor * hn::Lanes(d))};
 }
 
 /// Square of the distance to an edge.
@@ -188,46 +205,40 @@ HWY_INLINE V SquareToEdge(D d, const MeanValue<D>& m, uint32_t e, const Vector3<
 /// Much closer to the plane of a triangle than to its edges, rounding would decide. A point of the triangle is noted.
 /// Weights of other points are nearly 0, and become 0. Returns the corrected scale of the weights.
 template <class D, class V>
-HWY_INLINE V CorrectBesidePlane(D d, MeanValue<D>* m, uint32_t t, const Vector3<V> (&normal)[3], V height, V scale) {
+HWY_INLINE V CorrectBesidePlane(D d, MeanValue<D>* m, uint32_t t, const EdgePart<V> (&part)[3], V height, V scale) {
   const CageTriangle& triangle = m->cage.triangle[t];
   const Vector3<V> face = SetVector(d, m->tables.normal.data() + 4 * size_t{t});
   V nearest = m->reach;
-  for (size_t i = 0; i < 3; ++i) nearest = hn::Min(nearest, SquareToEdge(d, *m, triangle.edge[i], normal[i]));
+  for (size_t i = 0; i < 3; ++i) nearest = hn::Min(nearest, SquareToEdge(d, *m, triangle.edge[i], part[i].normal));
   const auto beside = hn::Le(height * height, hn::Set(d, kOn * kOn) * nearest);
   auto hit = beside;
   for (size_t i = 0; i < 3; ++i) {
-    hit = hn::And(hit, hn::Gt(DotOf(face, normal[i]) * hn::Set(d, m->tables.sign[3 * size_t{t} + i]), hn::Zero(d)));
+    hit = hn::And(hit, hn::Gt(DotOf(face, part[i].normal), hn::Zero(d)));
   }
   m->triangle = hn::IfThenElse(hit, hn::Set(d, static_cast<double>(t)), m->triangle);
   return hn::IfThenZeroElse(beside, scale);
 }
 
-/// Adds the weights of the vertices of a triangle.
-template <class D>
-HWY_INLINE void AddTriangle(D d, MeanValue<D>* m, uint32_t t, hn::Vec<D> beside) {
+/// Adds the weights of the vertices of a triangle whose first kNew edges are new.
+template <size_t kNew, class D>
+HWY_INLINE void AddTriangle(D d, MeanValue<D>* m, uint32_t t, bool is_near_vertex, hn::Vec<D> beside) {
   using T = hn::TFromD<D>;
   using V = hn::Vec<D>;
-  const size_t lanes = hn::Lanes(d);
   const CageTriangle& triangle = m->cage.triangle[t];
-  const T* sign = m->tables.sign.data() + 3 * size_t{t};
-  const T* edge[3];
-  for (size_t i = 0; i < 3; ++i) edge[i] = m->edge + size_t{triangle.edge[i]} * kEdgeColumns * lanes;
-  const Vector3<V> normal[3] = {LoadVector(d, edge[0]), LoadVector(d, edge[1]), LoadVector(d, edge[2])};
-  const V signs[3] = {hn::Set(d, sign[0]), hn::Set(d, sign[1]), hn::Set(d, sign[2])};
-  const V f = hn::Load(d, edge[0] + kFactor * lanes) * signs[0];
-  const V g = hn::Load(d, edge[1] + kFactor * lanes) * signs[1];
-  const V h = hn::Load(d, edge[2] + kFactor * lanes) * signs[2];
+  const EdgePart<V> part[3] = {EdgeOf<(kNew > 0)>(d, m, triangle.edge[0], is_near_vertex),
+                               EdgeOf<(kNew > 1)>(d, m, triangle.edge[1], is_near_vertex),
+                               EdgeOf<(kNew > 2)>(d, m, triangle.edge[2], is_near_vertex)};
+  const Vector3<V>&a = part[0].normal, &b = part[1].normal, &c = part[2].normal;
+  const V f = part[0].factor, g = part[1].factor, h = part[2].factor;
   // Twice the integral of the normal over the part of the unit sphere that the triangle covers.
-  const Vector3<V> integral = {f * normal[0].x + g * normal[1].x + h * normal[2].x,
-                               f * normal[0].y + g * normal[1].y + h * normal[2].y,
-                               f * normal[0].z + g * normal[1].z + h * normal[2].z};
+  const Vector3<V> integral = {f * a.x + g * b.x + h * c.x, f * a.y + g * b.y + h * c.y, f * a.z + g * b.z + h * c.z};
   const T* plane = m->tables.normal.data() + 4 * size_t{t};
-  const V height =
-      DotOf(SetVector(d, plane), LoadVector(d, m->vertex + size_t{triangle.vertex[0]} * kVertexColumns * lanes));
+  const T* corner = m->vertex + size_t{triangle.vertex[0]} * kVertexColumns * hn::Lanes(d);
+  const V height = DotOf(SetVector(d, plane), LoadVector(d, corner));
   V scale = hn::Set(d, plane[3]) / height;
   if constexpr (sizeof(T) == sizeof(double)) {
     if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Le(height * height, beside)))) {
-      scale = CorrectBesidePlane(d, m, t, normal, height, scale);
+      scale = CorrectBesidePlane(d, m, t, part, height, scale);
     }
   } else {
     m->height = hn::Min(m->height, hn::Abs(height));
@@ -235,7 +246,7 @@ HWY_INLINE void AddTriangle(D d, MeanValue<D>* m, uint32_t t, hn::Vec<D> beside)
   const Vector3<V> scaled = {integral.x * scale, integral.y * scale, integral.z * scale};
   const auto add = [&](size_t i) {
     T* to = m->weights + size_t{triangle.vertex[i]} * kBlock;
-    hn::Store(hn::Load(d, to) + DotOf(normal[i], scaled) * signs[i], d, to);
+    hn::Store(hn::Load(d, to) + DotOf(part[i].normal, scaled), d, to);
   };
   add(0), add(1), add(2);
 }
@@ -254,10 +265,13 @@ HWY_INLINE MeanValue<D> AddTriangles(D d, const Cage& cage, const CageTables<hn:
   FindVertices(d, &m, point);
   const auto beside = m.reach * hn::Set(d, T(kOn * kOn));
   const bool is_near_vertex = sizeof(T) == sizeof(double) && !hn::AllFalse(d, hn::Le(m.nearest, beside));
-  uint32_t e = 0;
   for (uint32_t t = 0; t < cage.triangle_count; ++t) {
-    for (; e < cage.triangle[t].edge_end; ++e) FindEdge(d, &m, e, is_near_vertex);
-    AddTriangle(d, &m, t, beside);
+    switch (cage.triangle[t].new_edges) {
+      case 0: AddTriangle<0>(d, &m, t, is_near_vertex, beside); break;
+      case 1: AddTriangle<1>(d, &m, t, is_near_vertex, beside); break;
+      case 2: AddTriangle<2>(d, &m, t, is_near_vertex, beside); break;
+      default: AddTriangle<3>(d, &m, t, is_near_vertex, beside); break;
+    }
   }
   return m;
 }
@@ -310,22 +324,22 @@ void FastMeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, d
   // The rest in doubles: the sum, and the error of the point that the weights reproduce.
   for (size_t i = 0; i < kBlock; i += hn::Lanes(dd)) {
     const auto x = hn::Load(dd, points->x + i), y = hn::Load(dd, points->y + i), z = hn::Load(dd, points->z + i);
-    auto sum = hn::Zero(dd), dx = sum, dy = sum, dz = sum;
+    auto sum = hn::Zero(dd), at_x = sum, at_y = sum, at_z = sum;
     for (uint32_t v = 0; v < cage.vertex_count; ++v) {
       const double* position = cage.doubles.position.data() + 3 * size_t{v};
       const auto weight = hn::PromoteTo(dd, hn::Load(half, sums + size_t{v} * kBlock + i));
       hn::Store(weight, dd, weights + size_t{v} * kBlock + i);
       sum = sum + weight;
-      dx = dx + weight * (hn::Set(dd, position[0]) - x);
-      dy = dy + weight * (hn::Set(dd, position[1]) - y);
-      dz = dz + weight * (hn::Set(dd, position[2]) - z);
+      at_x = at_x + weight * hn::Set(dd, position[0]);
+      at_y = at_y + weight * hn::Set(dd, position[1]);
+      at_z = at_z + weight * hn::Set(dd, position[2]);
     }
     const auto inverse = hn::Set(dd, 1.0) / sum;
     for (uint32_t v = 0; v < cage.vertex_count; ++v) {
       double* to = weights + size_t{v} * kBlock + i;
       hn::Store(hn::Load(dd, to) * inverse, dd, to);
     }
-    const auto error = hn::Max(hn::Abs(dx), hn::Max(hn::Abs(dy), hn::Abs(dz)));
+    const auto error = hn::Max(hn::Abs(at_x - sum * x), hn::Max(hn::Abs(at_y - sum * y), hn::Abs(at_z - sum * z)));
     const auto tall = hn::Gt(hn::PromoteTo(dd, hn::Load(half, height + i)), hn::Set(dd, double{kDoubtfulHeight}));
     const auto good = hn::And(tall, hn::Le(error, sum * hn::Set(dd, kDoubtfulError)));
     hn::Store(hn::IfThenElse(good, sum, hn::Set(dd, -1.0)), dd, points->depth + i);
