@@ -233,7 +233,7 @@ static shd_result render(shd_context *context, int tile, const shd_draw *draws, 
     result = shd_framebuffer_create(context, &fd, &framebuffer);
     camera.eye[0] = 3.0f, camera.eye[1] = 6.0f, camera.eye[2] = 15.0f;
     camera.target[0] = 0.5f, camera.target[1] = 1.7f;
-    camera.fov_y = 0.6f;
+    camera.fov_y = 0.5f;
     rd.framebuffer = framebuffer;
     rd.camera = &camera;
     rd.draws = draws, rd.draw_count = 2;

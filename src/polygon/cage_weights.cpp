@@ -377,13 +377,22 @@ void WachspressBlock(const Cage& cage, double* scratch, CagePoints* points, doub
 void BlendBlock(const Cage& cage, const double* weights, const double* values, size_t value_count, double* out) {
   const Doubles d;
   for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+    const double* from = weights + i;
+    const auto weight = [&](uint32_t v) { return hn::Load(d, from + size_t{v} * kBlock); };
     for (size_t k = 0; k < value_count; ++k) {
       const double* value = values + k * cage.vertex_count;
-      auto sum = hn::Zero(d);
-      for (uint32_t v = 0; v < cage.vertex_count; ++v) {
-        sum = sum + hn::Load(d, weights + size_t{v} * kBlock + i) * hn::Set(d, value[v]);
+      const auto term = [&](uint32_t v) { return weight(v) * hn::Set(d, value[v]); };
+      // Four sums, because each addition waits for the one before. There are at least four vertices.
+      auto a = term(0), b = term(1), c = term(2), e = term(3);
+      uint32_t v = 4;
+      for (; v + 3 < cage.vertex_count; v += 4) {
+        a = a + term(v);
+        b = b + term(v + 1);
+        c = c + term(v + 2);
+        e = e + term(v + 3);
       }
-      hn::Store(sum, d, out + k * kBlock + i);
+      for (; v < cage.vertex_count; ++v) a = a + term(v);
+      hn::Store((a + b) + (c + e), d, out + k * kBlock + i);
     }
   }
 }

@@ -42,7 +42,7 @@ void fast_mean_value_weights(const Cage& cage, const core::SimdTarget& simd, dou
 void wachspress_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
                         double* weights);
 
-/// Sums of weights[vertex] values[vertex], in the order of the vertices.
+/// Sums of weights[vertex] values[vertex], in an order that depends on the number of vertices alone.
 /// @param values  [value_count][vertex_count]
 /// @param out     [value_count][kBlock], aligned
 void blend_values(const Cage& cage, const core::SimdTarget& simd, const double* weights, const double* values,
