@@ -243,6 +243,10 @@ struct mip_desc : shd_mip_desc {
   mip_desc() noexcept : shd_mip_desc(shd_mip_desc_default()) {}
   mip_desc(const shd_mip_desc& values) noexcept : shd_mip_desc(values) {}
 };
+struct normals_desc : shd_normals_desc {
+  normals_desc() noexcept : shd_normals_desc(shd_normals_desc_default()) {}
+  normals_desc(const shd_normals_desc& values) noexcept : shd_normals_desc(values) {}
+};
 struct occlusion_desc : shd_occlusion_desc {
   occlusion_desc() noexcept : shd_occlusion_desc(shd_occlusion_desc_default()) {}
   occlusion_desc(const shd_occlusion_desc& values) noexcept : shd_occlusion_desc(values) {}
@@ -1152,6 +1156,15 @@ inline void mip_build(
   check(shd_mip_build(context_, base, desc, level_count, levels));
 }
 
+/// Make the normal map of a height map (Blinn, "Simulation of Wrinkled Surfaces", 1978). See shd_mip_build_normals().
+inline void mip_build_normals(
+    shd_context* context_,
+    const shd_image* heights,
+    const shd_normals_desc* desc,
+    const shd_image* out_) {
+  check(shd_mip_build_normals(context_, heights, desc, out_));
+}
+
 /// Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals. See
 /// shd_mip_build_moments().
 inline void mip_build_moments(
@@ -1575,6 +1588,14 @@ inline shd_view view_from_camera(const shd_camera* camera) {
   shd_view made = {};
   check(shd_view_from_camera(camera, &made));
   return made;
+}
+
+/// Move a camera so that a box fills its picture, such as the bounds of a scene. The camera keeps its direction (from
+/// eye to target), up, fov_y and aspect. Its target becomes the centre of the box. Its eye moves as near as the eight
+/// corners allow, and 4 % further. Its planes enclose the ball around the box, which may turn about its centre. Set the
+/// aspect of the picture before: an aspect of 0 counts as 1 here. See shd_camera_frame_box().
+inline void camera_frame_box(shd_camera* camera, const float* bounds_min, const float* bounds_max) {
+  check(shd_camera_frame_box(camera, bounds_min, bounds_max));
 }
 
 /// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;

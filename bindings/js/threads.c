@@ -23,6 +23,7 @@ static struct {
   _Atomic uint32_t requests; /* grows with each call in a mailbox */
   _Atomic uint32_t job;      /* changes when a job begins */
   _Atomic uint32_t busy;     /* threads that have not finished the job */
+  _Atomic uint32_t stopped;  /* index of a thread that a trap or an exception has ended, or 0; lib/threads.js sets it */
   struct mailbox mailboxes[MOST_THREADS];
 
   uint32_t thread_count; /* beside the calling thread */
@@ -68,10 +69,14 @@ static void* run_thread(void* index) {
   return NULL;
 }
 
-/** Waits for the threads, and answers their calls. */
+/**
+ * Waits for the threads, and answers their calls. If a thread has stopped, the calling thread stops, too: no destructor
+ * runs, which could wait for a lock of that thread. lib/call.js throws what has stopped it.
+ */
 static void wait_for_threads(void) {
   for (;;) {
     const uint32_t seen = atomic_load(&s_pool.signal);
+    if (atomic_load(&s_pool.stopped)) __builtin_trap();
     const uint32_t requests = atomic_load(&s_pool.requests);
     if (requests != s_pool.answered) {
       s_pool.answered = requests;

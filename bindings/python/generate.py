@@ -12,7 +12,9 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent))
+sys.path.append(str(HERE / "shd"))  # the last one: its io.py is not that of Python
 import generated
+from _words import attribute, camel, members
 
 TEMPLATES, OUTPUT = HERE / "stubs", HERE / "shd"
 HEAD = "# SPDX-License-Identifier: MIT\n# Written by generate.py from stubs/{}.in; do not edit.\n"
@@ -26,18 +28,6 @@ NUMBERS = {"float": "float", "double": "float", "size_t": "int", "int": "int",
 DICTS = ("shd_bake_stats", "shd_bitmap_info", "shd_environment_info", "shd_framebuffer_info", "shd_mesh_info",
          "shd_render_stats", "shd_scene_info", "shd_texture_info", "shd_tile_cache_stats", "shd_tile_file_info")
 SPECIAL = {"shd_log": "_Log", "shd_progress": "_Report", "shd_image": "_Image"}
-
-
-def camel(name):
-    return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
-
-
-def members(entry):
-    """Names and values of the constants of an enum, as the module has them."""
-    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", entry["name"].removeprefix("shd_")).upper() + "_"
-    for constant in entry["constants"]:
-        if not constant["name"].endswith("_MAX_ENUM"):
-            yield constant["name"].removeprefix(prefix).removeprefix("SHD_"), constant["value"]
 
 
 class Stubs:
@@ -76,9 +66,9 @@ class Stubs:
     def enum_lines(self, entry):
         kind = "IntFlag" if entry["name"] in self.bits.values() else "IntEnum"
         yield f"\nclass {camel(entry['name'])}(enum.{kind}):"
-        yield from (f"    {short if short[0].isalpha() else f'N{short}'} = {value}" for short, value in members(entry))
+        yield from (f"    {attribute(short)} = {constant['value']}" for short, constant in members(entry).items())
         if kind == "IntEnum":
-            names = ", ".join(f'"{short.lower()}"' for short, _ in members(entry))
+            names = ", ".join(f'"{short.lower()}"' for short in members(entry))
             yield f"\n{self.enum_type(entry['name'])} = Union[{camel(entry['name'])}, Literal[{names}]]"
 
     def fields(self, name, without=()):

@@ -17,10 +17,6 @@ TITLES = {"csharp": "C\\#"}  # a mark at the end of a heading needs the backslas
 LINK = re.compile(r"\[([^\]]+)\]\((?!https?:|#)([^)#]*)(#[^)]*)?\)")
 
 
-def first_sentence(text):
-    return re.split(r"(?<=[.:])\s", re.sub(r"\s+", " ", text).strip(), maxsplit=1)[0].rstrip(":")
-
-
 def read(folder, pattern):
     return [(path, path.read_text(encoding="utf-8")) for path in sorted(folder.glob(pattern))]
 
@@ -192,7 +188,7 @@ def reference_lines(name, parts, places):
         for declaration, doc, *function in rows:
             place = places.get(function[0]) if function else None
             code = f"`{declaration.replace('|', chr(92) + '|')}`"
-            yield f"| {f'[{code}]({place})' if place else code} | {reference.cell(first_sentence(doc or ''))} |"
+            yield f"| {f'[{code}]({place})' if place else code} | {reference.cell(reference.first_sentence(doc or ''))} |"
 
 
 def readme(folder, known):

@@ -37,9 +37,14 @@ def plain(doc):
     return re.sub(r"\s+", " ", doc).strip()
 
 
+def first_sentence(text):
+    """The first sentence of a text, or its first part before a colon or a semicolon."""
+    return re.split(r"(?<=[.:;])\s", re.sub(r"\s+", " ", text).strip(), maxsplit=1)[0].rstrip(":;")
+
+
 def brief(doc):
-    """The first sentence of a comment."""
-    return re.split(r"(?<=[.:;])\s", plain(doc.split("\n\n")[0]), maxsplit=1)[0].rstrip(":;")
+    """The first sentence of a comment of a header."""
+    return first_sentence(plain(doc.split("\n\n")[0]))
 
 
 def headers_by_library(description):

@@ -70,7 +70,7 @@ int main(void)
     shape.tube_radius = 0.4f;
     require(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &torus));
     shape.kind = SHD_SHAPE_PLANE;
-    shape.size[0] = shape.size[2] = 40;
+    shape.size[0] = shape.size[2] = 1000;
     require(shd_mesh_create_shape(context, &shape, SHD_MESH_NONE, &floor));
     clay = make_material(context, 0.8f, 0.25f, 0.1f, 0.4f);
     stone = make_material(context, 0.6f, 0.6f, 0.6f, 0.9f);
@@ -79,7 +79,7 @@ int main(void)
     draws[0].object_to_world[13] = 0.4f; /* up by the radius of the tube */
     draws[1].mesh = floor, draws[1].material = stone;
 
-    lights[0] = make_light(context, SHD_LIGHT_KIND_AMBIENT, 0.2f, 0.25f, 0.35f); /* the sky */
+    lights[0] = make_light(context, SHD_LIGHT_KIND_AMBIENT, 1.2f, 1.5f, 2.0f); /* the sky */
     lights[1] = make_light(context, SHD_LIGHT_KIND_DIRECTIONAL, 2.4f, 2.1f, 1.7f);
     shadows[1] = make_shadow(context, lights[1], draws, 1); /* shadows[0] stays NULL: the sky casts none */
 

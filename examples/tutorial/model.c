@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* A picture of a model file: model MODEL.glb writes model.png. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -13,24 +12,6 @@ static void require(shd_result result)
     if (result == SHD_OK) return;
     fprintf(stderr, "model: %s\n", shd_last_error());
     exit(EXIT_FAILURE);
-}
-
-/* Place a camera so that the ball around the bounds of the scene fills the picture. */
-static void look_at(shd_camera *camera, const shd_scene_info *info)
-{
-    static const float towards[3] = {0.48f, 0.36f, 0.8f}; /* from the centre to the eye, length 1 */
-    float radius = 0, distance;
-    int c;
-    for (c = 0; c < 3; ++c) {
-        float half = (info->bounds_max[c] - info->bounds_min[c]) / 2;
-        radius += half * half;
-        camera->target[c] = info->bounds_min[c] + half;
-    }
-    radius = sqrtf(radius);
-    distance = radius / sinf(camera->fov_y / 2);
-    for (c = 0; c < 3; ++c) camera->eye[c] = camera->target[c] + distance * towards[c];
-    camera->near_plane = distance - radius > 0.01f * radius ? distance - radius : 0.01f * radius;
-    camera->far_plane = distance + radius;
 }
 
 int main(int argc, char **argv)
@@ -56,7 +37,9 @@ int main(int argc, char **argv)
     printf("%zu triangles, %zu materials, %zu textures\n", info.triangle_count, info.material_count,
            info.texture_count);
     for (i = 0; i < info.warning_count; ++i) printf("warning: %s\n", shd_scene_get_warning(scene, i));
-    look_at(&camera, &info);
+    camera.eye[0] = 0.48f, camera.eye[1] = 0.36f, camera.eye[2] = 0.8f; /* from the right, above and in front */
+    camera.aspect = 480.0f / 400.0f;
+    require(shd_camera_frame_box(&camera, info.bounds_min, info.bounds_max));
 
     light_desc.kind = SHD_LIGHT_KIND_AMBIENT;
     light_desc.intensity[0] = light_desc.intensity[1] = light_desc.intensity[2] = 0.3f;

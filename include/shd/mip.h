@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Mip levels of an image in the caller's memory: kernels, and the content of texels.
+ * @brief Images made from an image in the caller's memory: mip levels, normals of heights, moments of normals.
  *
  * Thread safety: any thread; concurrent reads of the base.
  *
@@ -110,6 +110,50 @@ static inline shd_mip_desc shd_mip_desc_default(void)
  */
 SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_image *base, const shd_mip_desc *desc,
                                                size_t level_count, const shd_image *levels);
+
+/** Slope of a height field at a texel, in heights per texel. h(i) is the height i texels further along the axis. */
+typedef enum shd_height_slope {
+    SHD_HEIGHT_SLOPE_CENTRAL = 0, /**< (h(1) - h(-1)) / 2 */
+    SHD_HEIGHT_SLOPE_FORWARD = 1, /**< h(1) - h(0), as SHD_BUMP_TEXEL */
+    /** The mean of SHD_HEIGHT_SLOPE_CENTRAL over three rows with weights 1/4, 1/2, 1/4 (Sobel and Feldman 1968). */
+    SHD_HEIGHT_SLOPE_SOBEL = 2,
+    SHD_HEIGHT_SLOPE_MAX_ENUM = 0x7fffffff
+} shd_height_slope;
+
+/** Options of shd_mip_build_normals(). */
+typedef struct shd_normals_desc {
+    uint32_t struct_size;   /**< set by shd_normals_desc_default() */
+    float scale;            /**< height of the value 1 [texels], -1e6..1e6; default 1 */
+    shd_height_slope slope; /**< default SHD_HEIGHT_SLOPE_CENTRAL */
+    shd_wrap wrap_u;        /**< heights beyond the edges; SHD_WRAP_BORDER is 0; default SHD_WRAP_REPEAT */
+    shd_wrap wrap_v;        /**< as wrap_u, for v */
+    /* ---- end of 0.1; append below ---- */
+} shd_normals_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_normals_desc shd_normals_desc_default(void)
+{
+    shd_normals_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.scale = 1.0f;
+    return desc;
+}
+
+/**
+ * Make the normal map of a height map (Blinn, "Simulation of Wrinkled Surfaces", 1978).
+ *
+ * A texel is the unit vector along (-scale hx, scale hy, 1), with the slopes hx towards growing u and hy towards growing
+ * v. So x points to the right in the image, y up and z out of it, as in glTF 2.0 and as SHD_SLOT_NORMAL reads it.
+ * Integer channels hold (n + 1) / 2; a fourth channel is 1. The result is computed in double and rounded once.
+ * @param heights  the first channel of any format that is not compressed; numbers, so _SRGB formats are not decoded.
+ *                 Heights that are not finite count as 0. At most 2^28 pixels; borrowed for the call
+ * @param desc     borrowed for the call; NULL = all defaults
+ * @param out      three or four channels, the width and height of `heights`. Pixels are written; they are unspecified if
+ *                 the executor fails. They must not overlap `heights` (checked)
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mip_build_normals(shd_context *context, const shd_image *heights,
+                                                       const shd_normals_desc *desc, const shd_image *out);
 
 /**
  * Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals.

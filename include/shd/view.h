@@ -10,8 +10,9 @@
  *
  * @code
  * shd_camera camera = shd_camera_default();
- * camera.eye[2] = 5.0f;
- * result = shd_view_from_camera(&camera, &render.view);
+ * camera.eye[1] = 1.0f; // from above
+ * result = shd_camera_frame_box(&camera, info.bounds_min, info.bounds_max);
+ * render.camera = &camera;
  * @endcode
  */
 #ifndef SHD_VIEW_H
@@ -64,6 +65,20 @@ static inline shd_camera shd_camera_default(void)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_view_from_camera(const shd_camera *camera, shd_view *out_view);
+
+/**
+ * Move a camera so that a box fills its picture, such as the bounds of a scene. The camera keeps its direction (from
+ * eye to target), up, fov_y and aspect. Its target becomes the centre of the box. Its eye moves as near as the eight
+ * corners allow, and 4 % further. Its planes enclose the ball around the box, which may turn about its centre. Set the
+ * aspect of the picture before: an aspect of 0 counts as 1 here.
+ * @param camera      changed; unchanged on failure
+ * @param bounds_min  world space, at most bounds_max
+ * @param bounds_max  world space; a box may be flat, but is no point
+ * @return SHD_ERROR_INVALID_ARGUMENT also for a box whose size is lost to the rounding of its place
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_camera_frame_box(shd_camera *camera, const float bounds_min[3],
+                                                      const float bounds_max[3]);
 
 SHD_END_DECLS
 

@@ -40,7 +40,8 @@ shd_result check_projection(const char* name, float fov_y, float near_plane, flo
                     static_cast<double>(far_plane), static_cast<double>(near_plane));
 }
 
-shd_result make_look_at(const char* name, const float eye[3], const float target[3], const float up[3], float out[16]) {
+shd_result make_axes(const char* name, const float eye[3], const float target[3], const float up[3],
+                     data::Vec3d out[3]) {
   SHD_TRY(check_finite(FieldName(name, "eye"), eye, 3));
   SHD_TRY(check_finite(FieldName(name, "target"), target, 3));
   SHD_TRY(check_finite(FieldName(name, "up"), up, 3));
@@ -50,15 +51,27 @@ shd_result make_look_at(const char* name, const float eye[3], const float target
   if (up[0] == 0.0f && up[1] == 0.0f && up[2] == 0.0f) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.up: (0, 0, 0) has no direction", name);
   }
-  if (data::look_at(eye, target, up, out)) return SHD_OK;
+  if (data::find_axes(eye, target, up, out)) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.up: lies along the line of sight", name);
 }
 
+shd_result make_look_at(const char* name, const float eye[3], const float target[3], const float up[3], float out[16]) {
+  data::Vec3d axes[3] = {};
+  SHD_TRY(make_axes(name, eye, target, up, axes));
+  data::look_at(eye, axes, out);
+  return SHD_OK;
+}
+
+shd_result check_camera(const shd_camera* camera, shd_camera* out) {
+  *out = shd_camera_default();
+  SHD_TRY(read_desc("camera", camera, false, out));
+  SHD_TRY(check_projection("camera", out->fov_y, out->near_plane, out->far_plane, false));
+  return out->aspect != 0.0f ? check_positive("camera", "aspect", out->aspect) : SHD_OK;
+}
+
 shd_result read_camera(const shd_camera* camera, float picture_aspect, shd_view* out) {
-  shd_camera read = shd_camera_default();
-  SHD_TRY(read_desc("camera", camera, false, &read));
-  SHD_TRY(check_projection("camera", read.fov_y, read.near_plane, read.far_plane, false));
-  if (read.aspect != 0.0f) SHD_TRY(check_positive("camera", "aspect", read.aspect));
+  shd_camera read;
+  SHD_TRY(check_camera(camera, &read));
   shd_view view = {};
   SHD_TRY(make_look_at("camera", read.eye, read.target, read.up, view.world_to_view));
   const float aspect = read.aspect != 0.0f ? read.aspect : picture_aspect;

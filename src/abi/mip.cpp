@@ -9,6 +9,7 @@
 #include "abi/levels.h"
 #include "image/format.h"
 #include "texture/store/storage.h"
+#include "texture/table/height_normals.h"
 #include "texture/table/mip_build.h"
 #include "texture/table/normal_moments.h"
 
@@ -53,6 +54,31 @@ shd_result check_levels_apart(const shd_image& base, uint32_t count, const shd_i
   return SHD_OK;
 }
 
+/// That an image has the size of another one, and memory of its own.
+shd_result check_twin(const char* name, const shd_image& image, const char* other_name, const shd_image& other) {
+  char field[32];
+  std::snprintf(field, sizeof field, "%s.width", name);
+  SHD_TRY(check_count(field, image.width, other.width, other.width));
+  std::snprintf(field, sizeof field, "%s.height", name);
+  SHD_TRY(check_count(field, image.height, other.height, other.height));
+  return check_apart(name, image, other_name, other);
+}
+
+/// Reads an image of normals.
+shd_result read_normals(const char* name, const shd_image* image, shd_image* out) {
+  SHD_TRY(read_image(name, image, out));
+  const size_t channels = image::format_info(out->format).channels;
+  if (channels >= 3) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: normals need 3 or 4 channels, not %zu", name, channels);
+}
+
+shd_result check_normals_desc(const shd_normals_desc& desc) {
+  SHD_TRY(check_range("normals.scale", static_cast<double>(desc.scale), -1e6, 1e6));
+  SHD_TRY(check_enum("normals.slope", desc.slope, SHD_HEIGHT_SLOPE_CENTRAL, SHD_HEIGHT_SLOPE_SOBEL));
+  SHD_TRY(check_enum("normals.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
+  return check_enum("normals.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE);
+}
+
 /// The formats of an image of moments.
 struct MomentFormats {
   shd_format half, full;
@@ -66,12 +92,7 @@ shd_result read_moments(const char* name, const shd_image* image, const char* ch
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is neither %s16F nor %s32F", name,
                       static_cast<int>(to->format), channels, channels);
   }
-  char field[32];
-  std::snprintf(field, sizeof field, "%s.width", name);
-  SHD_TRY(check_count(field, to->width, from.width, from.width));
-  std::snprintf(field, sizeof field, "%s.height", name);
-  SHD_TRY(check_count(field, to->height, from.height, from.height));
-  return check_apart(name, *to, "normals", from);
+  return check_twin(name, *to, "normals", from);
 }
 
 }  // namespace
@@ -98,16 +119,29 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
   });
 }
 
+shd_result shd_mip_build_normals(shd_context* context, const shd_image* heights, const shd_normals_desc* desc,
+                                 const shd_image* out) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
+    shd_image from, to;
+    SHD_TRY(read_image("heights", heights, &from));
+    SHD_TRY(check_count("heights.width * heights.height", uint64_t{from.width} * from.height, 1, kMaxBasePixels));
+    shd_normals_desc read = shd_normals_desc_default();
+    SHD_TRY(read_desc("normals", desc, true, &read));
+    SHD_TRY(check_normals_desc(read));
+    SHD_TRY(read_normals("out", out, &to));
+    SHD_TRY(check_twin("out", to, "heights", from));
+    texture::write_normals(context_of(context), from, read, to);
+    return SHD_OK;
+  });
+}
+
 shd_result shd_mip_build_moments(shd_context* context, const shd_image* normals, const shd_image* out,
                                  const shd_image* mixed) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
     shd_image from, to, product;
-    SHD_TRY(read_image("normals", normals, &from));
-    const size_t channels = image::format_info(from.format).channels;
-    if (channels < 3) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "normals.format: normals need 3 or 4 channels, not %zu", channels);
-    }
+    SHD_TRY(read_normals("normals", normals, &from));
     SHD_TRY(read_moments("out", out, "RGBA", {SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F}, from, &to));
     if (mixed) {
       SHD_TRY(read_moments("mixed", mixed, "R", {SHD_FORMAT_R16F, SHD_FORMAT_R32F}, from, &product));

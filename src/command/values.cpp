@@ -38,6 +38,10 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
 std::string digits(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", number);

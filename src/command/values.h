@@ -35,6 +35,9 @@ std::string join(const std::vector<std::string>& names, const char* last = " or 
 /// Cuts a text at a separator.
 std::vector<std::string> split(const std::string& text, char separator);
 
+/// Whether a text, such as the name of a file, has this ending and something in front of it.
+bool ends_with(const std::string& text, const std::string& end);
+
 /// The digits of a number that --help or an error shows.
 std::string digits(double number);
 

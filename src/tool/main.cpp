@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
+#include <csignal>
 #include <cstdio>
 #include <vector>
 
@@ -235,7 +236,10 @@ void run(const Options& options) {
     const Draws draws = make_draws(context.get(), options, model, paint, camera);
     render(stage, camera, draws, progress.of_picture(i), framebuffer.get());
     const std::string name = picture_name(options, i, pictures);
-    if (options.hash) std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
+    if (options.hash) {
+      std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
+      flush_stream();
+    }
     if (name.empty()) continue;
     const Mattes mattes = make_mattes(context.get(), options, model, camera.view, draws);
     save_picture(color, framebuffer.get(), options, name, mattes.extras(camera.view));
@@ -246,9 +250,12 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return command::run("shd-render", [&] {
+  return command::run("shd-render", [&]() -> int {
     Options options;
-    if (read_options(argc, argv, options)) run(options);
+    if (!read_options(argc, argv, options)) return kExitOk;
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of the output
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that is too large is an error of write()
+    run(options);
     return kExitOk;
   });
 }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 #include <sys/stat.h>
@@ -18,9 +20,7 @@
 
 namespace {
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
+using command::ends_with;
 
 constexpr const char* kExtensions[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
 
@@ -52,7 +52,30 @@ std::vector<Place> find_numbers(const std::string& name) {
   return places;
 }
 
-/// A folder for one file, which it removes together with the file.
+constexpr int kEnding[] = {SIGHUP, SIGINT, SIGTERM};
+volatile std::sig_atomic_t deferred_signal = 0;
+
+/// Defers the signals that end the program to the end of its life.
+struct DeferredSignals {
+  using Handler = void (*)(int);
+  DeferredSignals() {
+    for (size_t i = 0; i < std::size(kEnding); ++i) {
+      before[i] = std::signal(kEnding[i], [](int number) { deferred_signal = number; });
+      if (before[i] == SIG_IGN) std::signal(kEnding[i], SIG_IGN);
+    }
+  }
+  DeferredSignals(const DeferredSignals&) = delete;
+  DeferredSignals& operator=(const DeferredSignals&) = delete;
+  ~DeferredSignals() {
+    for (size_t i = 0; i < std::size(kEnding); ++i) std::signal(kEnding[i], before[i]);
+    const int number = deferred_signal;
+    deferred_signal = 0;
+    if (number) std::raise(number);
+  }
+  Handler before[std::size(kEnding)];
+};
+
+/// A folder for one file, which it removes together with the file, also if a signal ends the program.
 struct ScratchFile {
   explicit ScratchFile(const std::string& extension) {
     const char* const place = std::getenv("TMPDIR");
@@ -66,8 +89,13 @@ struct ScratchFile {
     std::remove(path.c_str());
     ::rmdir(folder.c_str());
   }
+  const DeferredSignals signals;  // the first member, so that it ends after the removal
   std::string folder, path;
 };
+
+[[noreturn]] void refuse_stream() {
+  throw Failure(kExitOutput, std::string("standard output: ") + std::strerror(errno));
+}
 
 std::string extension_of(const std::string& name) {
   return name.substr(name.rfind('.'));
@@ -85,18 +113,26 @@ void check_compression(shd_context* context, const std::string& name, const std:
   check(shd_framebuffer_save(framebuffer.get(), scratch.path.c_str(), &desc), "--compression", kExitUsage);
 }
 
+/// Saves a file that has no name any longer: it goes with its descriptor, however the program ends.
+shd::core::RegularFile save_unnamed(const shd_framebuffer* framebuffer, const std::string& name,
+                                    const shd_save_desc& desc) {
+  const ScratchFile scratch(extension_of(name));
+  check(shd_framebuffer_save(framebuffer, scratch.path.c_str(), &desc), "-o", kExitOutput);
+  shd::core::RegularFile file = shd::core::open_regular(scratch.path.c_str());
+  if (file.file.fd < 0) throw Failure(kExitOutput, "\"" + scratch.path + "\": " + std::strerror(file.error));
+  return file;
+}
+
 /// Copies a file to standard output.
-void print_file(const std::string& path) {
-  const shd::core::RegularFile from = shd::core::open_regular(path.c_str());
+void print_file(const shd::core::RegularFile& from) {
   std::vector<char> bytes(size_t{1} << 16);
-  bool is_good = from.file.fd >= 0;
-  for (ssize_t size = 1; is_good && size > 0;) {
-    size = ::read(from.file.fd, bytes.data(), bytes.size());
-    is_good = size >= 0 && std::fwrite(bytes.data(), 1, static_cast<size_t>(size), stdout) == static_cast<size_t>(size);
+  int error = 0;
+  for (uint64_t at = 0, size = 1; size > 0; at += size) {
+    size = shd::core::read_at(from.file.fd, at, bytes.size(), bytes.data(), &error);
+    if (error) throw Failure(kExitOutput, std::string("-o: the scratch file: ") + std::strerror(error));
+    if (std::fwrite(bytes.data(), 1, size, stdout) != size) refuse_stream();
   }
-  if (!is_good || std::fflush(stdout) != 0) {
-    throw Failure(kExitOutput, std::string("standard output: ") + std::strerror(errno));
-  }
+  flush_stream();
 }
 
 #ifdef SHD_RENDER_WITH_COLOR
@@ -107,6 +143,10 @@ void check_name(const char* option, const std::string& value, const std::vector<
 #endif
 
 }  // namespace
+
+void flush_stream() {
+  if (std::fflush(stdout) != 0) refuse_stream();
+}
 
 std::optional<std::string> stream_type(const std::string& name) {
   if (name == "-") return "";
@@ -220,11 +260,10 @@ void save_picture([[maybe_unused]] const Color& color, const shd_framebuffer* fr
   desc.attribute_count = attributes.size();
   if (!options.compression.empty()) desc.compression = options.compression.c_str();
   if (is_stream(options)) {
-    const ScratchFile scratch(extension_of(name));
-    check(shd_framebuffer_save(framebuffer, scratch.path.c_str(), &desc), "-o", kExitOutput);
-    print_file(scratch.path);
+    print_file(save_unnamed(framebuffer, name, desc));
     return;
   }
   check(shd_framebuffer_save(framebuffer, name.c_str(), &desc), name, kExitOutput);
   std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
+  flush_stream();
 }

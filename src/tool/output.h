@@ -18,6 +18,9 @@ struct Color {};
 /// The type of a name that means standard input or output: "" of "-", ".obj" of "obj:-". None for names of files.
 std::optional<std::string> stream_type(const std::string& name);
 
+/// Sends what was printed to standard output. Throws Failure (kExitOutput), also if nobody reads it any longer.
+void flush_stream();
+
 /// Throws Failure (kExitUsage) for planes without a file and for a name or a compression that cannot be written, and
 /// Failure (kExitOutput) for a missing folder, before any time is spent on the picture.
 void check_output(shd_context* context, const Options& options);

@@ -10,7 +10,7 @@ namespace {
 Values format_values(VolumeOptions& out) {
   const std::vector<std::string> names = {"u8", "u16", "f16", "f32", "i8", "i16", "u32", "i32"};  // as shd_raw_sample
   const auto read = [&out, names](const std::string& text) {
-    const bool big = text.size() > 2 && text.compare(text.size() - 2, 2, "be") == 0;
+    const bool big = ends_with(text, "be");
     const auto found = std::find(names.begin(), names.end(), big ? text.substr(0, text.size() - 2) : text);
     out.sample = static_cast<shd_raw_sample>(found - names.begin());
     out.order = big ? SHD_BYTE_ORDER_BIG : SHD_BYTE_ORDER_LITTLE;

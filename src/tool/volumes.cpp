@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "command/failure.h"
+#include "command/values.h"
 
 namespace {
 
@@ -14,11 +14,6 @@ struct Loaded {
   shd_vdb_info grid = shd_vdb_info_default();  // properties of a .vdb file
   bool has_grid = false;
 };
-
-bool ends_with(const std::string& text, const char* end) {
-  const std::string tail = end;
-  return text.size() >= tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
-}
 
 shd_result load_raw(shd_context* context, const VolumeOptions& options, shd_load_desc load, Loaded& out) {
   shd_raw_desc desc = shd_raw_desc_default();
@@ -60,13 +55,13 @@ Loaded load_file(shd_context* context, const VolumeOptions& options) {
   shd_load_desc load = shd_load_desc_default();
   load.tables = SHD_TABLE_NONE;  // volumes read the base level
   load.max_file_bytes = uint64_t{1} << 33;
-  if (ends_with(options.file, ".raw") && options.size[0] == 0) {
+  if (command::ends_with(options.file, ".raw") && options.size[0] == 0) {
     throw Failure(kExitUsage, options.file + " needs --volume-size");
   }
   Loaded out;
-  const shd_result result = options.size[0] > 0               ? load_raw(context, options, load, out)
-                            : ends_with(options.file, ".vdb") ? load_grid(context, options, load, out)
-                                                              : load_stack(context, options, load, out);
+  const shd_result result = options.size[0] > 0                        ? load_raw(context, options, load, out)
+                            : command::ends_with(options.file, ".vdb") ? load_grid(context, options, load, out)
+                                                                       : load_stack(context, options, load, out);
   check(result, "--volume", kExitInput);
   return out;
 }

@@ -141,6 +141,18 @@ static void use_texture(void)
     expect(shd_sampler_create(g_context, sampler, &g_sampler) == SHD_OK, "sampler");
 }
 
+static void use_normals(const shd_image *heights)
+{
+    unsigned char pixels[4 * 4 * 3];
+    MAKE(shd_image, image);
+    MAKE(shd_normals_desc, desc);
+    image->format = SHD_FORMAT_RGB8;
+    image->width = image->height = 4;
+    image->pixels = pixels;
+    EXPECT_READ(desc, shd_mip_build_normals(g_context, heights, desc, image));
+    expect(shd_mip_build_normals(g_context, heights, desc, image) == SHD_OK && pixels[2] == 255, "normals of heights");
+}
+
 /* Two images in an array, which lie struct_size apart. */
 static void use_mip(void)
 {
@@ -161,6 +173,7 @@ static void use_mip(void)
     EXPECT_READ(desc, shd_mip_build(g_context, image, desc, 2, levels));
     EXPECT_READ(levels + 1, shd_mip_build(g_context, image, desc, 2, levels));
     expect(shd_mip_build(g_context, image, desc, 2, levels) == SHD_OK && pixels[4] == 8, "mip levels");
+    use_normals(image);
 }
 
 static void use_lookups(void)

@@ -137,6 +137,16 @@ static shd_result moments_0(shd_context *c)
     return shd_mip_build_moments(c, &image, &image, NULL);
 }
 
+static shd_result normals_minus_1(shd_context *c)
+{
+    shd_image image = shd_image_default();
+    image.format = SHD_FORMAT_R8;
+    image.width = (uint32_t)-1;
+    image.height = 1;
+    image.pixels = k_memory;
+    return shd_mip_build_normals(c, &image, NULL, &image);
+}
+
 static shd_result make_shape(shd_context *context, uint32_t across, uint32_t down)
 {
     shd_shape_desc desc = shd_shape_desc_default();
@@ -188,6 +198,7 @@ static const struct size_case k_sizes[] = {
     {"mip/-1x1", mip_minus_1, "base.width: 4294967295"},
     {"mip/33_levels", mip_33_levels, "level_count: 33 is not in 0..1"},
     {"normal_moments/0x0", moments_0, "normals.width: 0"},
+    {"normals_of_heights/-1x1", normals_minus_1, "heights.width: 4294967295"},
     {"shape/-1x-1_segments", shape_minus_1, "shape.segments[0]: 4294967295"},
     {"shape/2^32_segments", shape_2_16, "shape.segments[0]: 65536"},
 };

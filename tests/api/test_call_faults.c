@@ -182,6 +182,21 @@ static shd_result normal_moments(struct stage *s)
     return result;
 }
 
+static shd_result normals_of_heights(struct stage *s)
+{
+    static float normals[64 * 64 * 3];
+    shd_image heights = shd_image_default(), out = shd_image_default();
+    shd_result result;
+    heights.format = SHD_FORMAT_RGBA8;
+    out.format = SHD_FORMAT_RGB32F;
+    heights.width = heights.height = out.width = out.height = 64;
+    heights.pixels = s->texels;
+    out.pixels = normals;
+    result = shd_mip_build_normals(s->context, &heights, NULL, &out);
+    if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, normals, sizeof normals);
+    return result;
+}
+
 static shd_result sample_many(struct stage *s)
 {
     shd_lookups lookups = shd_lookups_default();
@@ -453,6 +468,7 @@ static const struct call_case k_calls[] = {
     {"mips/normals", mips_normal},
     {"mips/coverage", mips_coverage},
     {"normal_moments", normal_moments},
+    {"normals_of_heights", normals_of_heights},
     {"sample/20000", sample_many},
     {"explain", explain},
     {"shape/sphere", shape_sphere},

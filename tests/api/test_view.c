@@ -250,15 +250,132 @@ static void test_bits(void **state)
     assert_int_equal(shd_hash(SHD_HASH_START, &bits, sizeof bits), 0x6e74224b1922b5dfull);
 }
 
+struct box_case {
+    const char *name;
+    float low[3], high[3];
+    void (*edit)(shd_camera *camera);
+    shd_result expected;
+    const char *message;
+};
+
+static void edit_wide(shd_camera *c) { c->aspect = 3; }
+static void edit_tall(shd_camera *c)
+{
+    edit_oblique(c);
+    c->aspect = 0.25f;
+}
+static void edit_nearly_pi(shd_camera *c) { c->fov_y = 3.1f; }
+
+static const struct box_case k_boxes[] = {
+    {"box/cube", {-1, -1, -1}, {1, 1, 1}, edit_nothing, SHD_OK, ""},
+    {"box/wide_picture", {-1, -2, 5}, {3, 4, 6}, edit_wide, SHD_OK, ""},
+    {"box/tall_picture", {-1, -2, 5}, {3, 4, 6}, edit_tall, SHD_OK, ""},
+    {"box/oblique", {100, 200, -300}, {101, 207, -290}, edit_oblique, SHD_OK, ""},
+    {"box/wide_angle", {0, 0, 0}, {1, 1, 1}, edit_nearly_pi, SHD_OK, ""},
+    {"box/flat", {-1, 0, -1}, {1, 0, 1}, edit_nothing, SHD_OK, ""},
+    {"box/line_of_sight", {0, 0, -1}, {0, 0, 1}, edit_nothing, SHD_OK, ""},
+    {"box/line", {0, 0, 0}, {0, 7, 0}, edit_oblique, SHD_OK, ""},
+    {"box/1e-30", {0, 0, 0}, {1e-30f, 1e-30f, 1e-30f}, edit_oblique, SHD_OK, ""},
+    {"box/1e37", {-1e37f, -1e37f, 0}, {1e37f, 1e37f, 1e37f}, edit_oblique, SHD_OK, ""},
+    {"box/point", {3, 4, 5}, {3, 4, 5}, edit_nothing, BAD, "bounds_max: is bounds_min"},
+    {"box/reversed", {0, 2, 0}, {1, 1, 1}, edit_nothing, BAD, "bounds_max[1]: 1 is below bounds_min[1], 2"},
+    {"box/nan", {0, 0, (float)NAN}, {1, 1, 1}, edit_nothing, BAD, "bounds_min[2]: "},
+    {"box/inf", {0, 0, 0}, {1, INFINITY, 1}, edit_nothing, BAD, "bounds_max[1]: inf is not finite"},
+    {"box/lost_in_rounding", {1e8f, 1e8f, 1e8f}, {1.00000008e8f, 1e8f, 1e8f}, edit_nothing, BAD, "bounds_max: the box"},
+    {"box/largest", {-3e38f, -3e38f, -3e38f}, {3e38f, 3e38f, 3e38f}, edit_nothing, BAD, "bounds_max: the box"},
+    {"box/no_camera", {0, 0, 0}, {1, 1, 1}, edit_target_is_eye, BAD, "camera.target: is the eye"},
+    {"box/no_lens", {0, 0, 0}, {1, 1, 1}, edit_fov_pi, BAD, "camera.fov_y: 3.14159"},
+};
+
+/* The corners of the box in the view of the camera lie in the picture and between the planes. From a place without the
+ * margin of 4 %, the outermost one lies on the edge. The floats of the camera are 1e-7 of its place away. */
+static void check_framed(const struct box_case *c, const shd_camera *camera, const shd_view *view)
+{
+    double outermost = 0, edge = 0, size = 0, distance = 0, slack;
+    int corner, axis;
+    for (axis = 0; axis < 3; ++axis) size += (double)c->high[axis] - c->low[axis];
+    slack = 1e-6 * (fabs((double)camera->eye[0]) + fabs((double)camera->eye[1]) + fabs((double)camera->eye[2])) / size;
+    for (axis = 0; axis < 3; ++axis) distance += pow((double)camera->eye[axis] - camera->target[axis], 2);
+    distance = sqrt(distance);
+    for (corner = 0; corner < 8; ++corner) {
+        double at[4], seen[4], clip[4];
+        for (axis = 0; axis < 3; ++axis) at[axis] = (corner >> axis & 1) ? c->high[axis] : c->low[axis];
+        at[3] = 1;
+        transform(view->world_to_view, at, seen);
+        transform(view->view_to_clip, seen, clip);
+        assert_true(-seen[2] >= camera->near_plane * (1 - slack) && -seen[2] <= camera->far_plane * (1 + slack));
+        outermost = fmax(outermost, fmax(fabs(clip[0]), fabs(clip[1])) / clip[3]);
+        seen[2] += distance * (1 - 1 / 1.04);
+        transform(view->view_to_clip, seen, clip);
+        edge = fmax(edge, fmax(fabs(clip[0]), fabs(clip[1])) / clip[3]);
+    }
+    assert_true(outermost < 1);
+    if (strcmp(c->name, "box/line_of_sight") != 0) shd_assert_close(c->name, 50, edge, 1, 1e-4 + 50 * slack, 0);
+}
+
+static void test_box(void **state)
+{
+    const struct box_case *c = (const struct box_case *)*state;
+    shd_camera camera = shd_camera_default(), before;
+    shd_view view, first;
+    int axis;
+    c->edit(&camera);
+    before = camera;
+    shd_assert_result(c->name, shd_camera_frame_box(&camera, c->low, c->high), c->expected, c->message);
+    if (c->expected != SHD_OK) {
+        assert_memory_equal(&camera, &before, sizeof camera);
+        return;
+    }
+    shd_assert_ok(shd_view_from_camera(&before, &first));
+    shd_assert_ok(shd_view_from_camera(&camera, &view));
+    for (axis = 0; axis < 11; ++axis) {
+        shd_assert_close(c->name, (size_t)axis, view.world_to_view[axis], first.world_to_view[axis], 2e-5, 0);
+    }
+    assert_true(camera.fov_y == before.fov_y && camera.aspect == before.aspect);
+    assert_memory_equal(camera.up, before.up, sizeof camera.up);
+    check_framed(c, &camera, &view);
+}
+
+/* The distance of a cube of side 2 that is seen along an axis: its nearer face is 1 from the centre, and 45 degrees of
+ * view hold half of its side at a distance of 1 / tan(22.5 degrees). */
+static void test_known_distance(void **state)
+{
+    const float low[3] = {4, 5, 6}, high[3] = {6, 7, 8};
+    shd_camera camera = shd_camera_default();
+    (void)state;
+    camera.fov_y = (float)(k_pi / 4);
+    shd_assert_ok(shd_camera_frame_box(&camera, low, high));
+    shd_assert_close("distance", 0, camera.eye[2] - 7, 1.04 * (1 + 1 / tan(k_pi / 8)), 0, 1e-6);
+    shd_assert_close("x", 0, camera.eye[0], 5, 0, 0);
+    shd_assert_close("y", 0, camera.eye[1], 6, 0, 0);
+    shd_assert_close("far", 0, camera.far_plane, camera.eye[2] - 7 + 1.01 * sqrt(3), 0, 1e-6);
+    shd_assert_close("near", 0, camera.near_plane, camera.eye[2] - 7 - 1.01 * sqrt(3), 0, 1e-6);
+}
+
+static void test_box_null(void **state)
+{
+    const float low[3] = {0, 0, 0}, high[3] = {1, 1, 1};
+    shd_camera camera = shd_camera_default();
+    (void)state;
+    shd_assert_result("camera", shd_camera_frame_box(NULL, low, high), BAD, "camera: NULL");
+    shd_assert_result("low", shd_camera_frame_box(&camera, NULL, high), BAD, "bounds_min: NULL");
+    shd_assert_result("high", shd_camera_frame_box(&camera, low, NULL), BAD, "bounds_max: NULL");
+}
+
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_cameras) + 3];
+    static struct CMUnitTest tests[COUNT(k_cameras) + COUNT(k_boxes) + 5];
     size_t n = 0, i;
     for (i = 0; i < COUNT(k_cameras); ++i) {
         tests[n++] = (struct CMUnitTest){k_cameras[i].name, test_camera, NULL, NULL, (void *)&k_cameras[i]};
     }
+    for (i = 0; i < COUNT(k_boxes); ++i) {
+        tests[n++] = (struct CMUnitTest){k_boxes[i].name, test_box, NULL, NULL, (void *)&k_boxes[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"box/known_distance", test_known_distance, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"box/null_arguments", test_box_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"sweep_4095", test_sweep, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bits", test_bits, NULL, NULL, NULL};

@@ -3,6 +3,7 @@
 several files, UDIM sets, environments and colour spaces."""
 import hashlib
 import os
+import resource
 import shutil
 import struct
 import subprocess
@@ -14,8 +15,8 @@ WRAPS = {"black": 3, "clamp": 1, "periodic": 0, "mirror": 2}
 MAKETX = shutil.which("maketx")
 
 
-def run(*args):
-    return subprocess.run([TOOL, *args, "--quiet"], capture_output=True, text=True, check=False)
+def run(*args, **settings):
+    return subprocess.run([TOOL, *args, "--quiet"], capture_output=True, text=True, check=False, **settings)
 
 
 def done(*args):
@@ -227,6 +228,10 @@ def check_update():
             file.truncate(200)
         assert made()
         refused(4, "exists: --force replaces it", *command[:-1])
+    for output in ("key.tx", "key.exr"):
+        for text in ("shd:key=zz", "shd:key=0123456789abcdef and more", "shd:key="):
+            command = ("u.tif", "-o", output, "--linear", "-u", "--attrib", "ImageDescription=" + text)
+            assert "levels" in done(*command).stdout and "is up to date" in done(*command).stdout, (output, text)
     refused(3, "No such file", "absent.tif", "-o", "u.tx", "-u")
     if MAKETX:
         subprocess.run([MAKETX, "u.tif", "-o", "u.tx"], check=True, capture_output=True)
@@ -294,6 +299,12 @@ def check_environments():
     refused(2, "--lightprobe holds the image in memory: --memory 9M, not 4M", "big.tif", "-o", "x.tx", "--lightprobe",
             "--linear", "--memory", "4M")
     refused(2, "exclude each other", "probe.tif", "-o", "x.tx", "--lightprobe", "--envlatl")
+    for content in ("--envlatl", "--lightprobe"):
+        for wrap in ("--wrap", "--swrap", "--twrap"):
+            for options in ((content, wrap, "periodic"), (wrap, "black", content)):
+                refused(2, "--envlatl and --lightprobe set the wraps: no --wrap, --swrap and --twrap", "probe.tif", "-o",
+                        "x.tx", "--linear", *options)
+    assert not os.path.exists("x.tx")
     refused(2, "--normal: vectors are no light", "probe.tif", "-o", "x.tx", "--normal", "--envlatl")
 
 
@@ -302,6 +313,58 @@ TEXTURE = "sRGB - Texture"  # of the built-in config
 
 def to_linear(x):
     return x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4
+
+
+CONFIG = """ocio_profile_version: 2
+search_path: ""
+roles: {{default: base, scene_linear: base}}
+file_rules: [!<Rule> {{name: Default, colorspace: default}}]
+displays: {{screen: [!<View> {{name: Raw, colorspace: base}}]}}
+colorspaces:
+  - !<ColorSpace> {{name: base}}
+  - !<ColorSpace>
+    name: scaled
+    from_scene_reference: !<MatrixTransform> {{matrix: [{0}, 0, 0, 0, 0, {0}, 0, 0, 0, 0, {0}, 0, 0, 0, 0, 1]}}
+"""
+
+
+def check_config():
+    """A file belongs to the config that $OCIO names: to its path, size and time."""
+    helper("make", "flat.tif", 300, 600, 3, "uint8+grey")
+    command = ("flat.tif", "-o", "config.tx", "--colorconvert", "base", "scaled", "--format", "float")
+
+    def write_config(name, factor):
+        with open(name, "w", encoding="ascii") as file:
+            file.write(CONFIG.format(factor))
+
+    def made(config, factor):
+        """Whether -u makes the file anew; it has the colours of the config in any case."""
+        result = run(*command, "-u", env={**os.environ, "OCIO": config})
+        assert result.returncode == 0, result.stderr
+        close(info("config.tx")["oiio:AverageColor"], [64 / 255 * factor] * 3, 1e-5)
+        return "is up to date" not in result.stdout
+
+    for name, factor in (("half.ocio", 0.5), ("more.ocio", 1.5)):
+        write_config(name, factor)
+    assert made("half.ocio", 0.5) and not made("half.ocio", 0.5) and not made(os.path.abspath("half.ocio"), 0.5)
+    assert made("more.ocio", 1.5) and made("half.ocio", 0.5)
+    write_config("half.ocio", 0.25)
+    assert made("half.ocio", 0.25) and not made("half.ocio", 0.25)
+    absent = run(*command, "-u", env={**os.environ, "OCIO": "absent.ocio"})
+    assert absent.returncode == 1 and 'no file "absent.ocio"' in absent.stderr, absent
+    plain = ("flat.tif", "-o", "plain.tx", "-u")
+    done(*plain)
+    assert "is up to date" in run(*plain, env={**os.environ, "OCIO": "half.ocio"}).stdout, "no conversion, no config"
+    # The limit is above the levels and below the file.
+    os.remove("config.tx")
+    slices = ("--checkpoint", "0", "--memory", "4M", "--compression", "none")
+    full = run(*command, *slices, env={**os.environ, "OCIO": "half.ocio"},
+               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, 1 << 20)))
+    assert full.returncode == 4 and os.path.isdir("config.tx.part"), full
+    other = run(*command, *slices, env={**os.environ, "OCIO": "more.ocio"})
+    assert other.returncode == 4 and "--force" in other.stderr and not os.path.exists("config.tx"), other
+    assert run(*command, *slices, env={**os.environ, "OCIO": "half.ocio"}).returncode == 0
+    close(info("config.tx")["oiio:AverageColor"], [64 / 255 * 0.25] * 3, 1e-5)
 
 
 def check_colors():
@@ -321,6 +384,7 @@ def check_colors():
     helper("make", "noise.tif", 50, 30, 4, "uint8")
     done("noise.tif", "-o", "c.tx", "--force", "--colorconvert", TEXTURE, TEXTURE, "--format", "uint8")
     assert raw("c.tx") == raw("noise.tif"), "there and back"
+    check_config()
     refused(2, '--colorconvert: "sRBG" is not a colour space or role of the config: did you mean sRGB?', *convert,
             "sRBG", "ACEScg")
     refused(2, "--colorconvert needs a value: two colour spaces", *convert, "sRGB")

@@ -5,14 +5,18 @@ import base64
 import json
 import math
 import os
+import resource
+import select
 import shutil
+import signal
 import struct
 import subprocess
 import sys
-import zlib
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "support")]
 from exr import Exr  # noqa: E402
+from png import read_png  # noqa: E402
 
 RENDER, FOLDER = sys.argv[1:3]
 SMALL = ("--size", "48x32", "--tessellation", "4", "--no-color")
@@ -72,6 +76,63 @@ def check_streams():
     assert full.returncode == 4 and b"standard output: " in full.stderr, full
 
 
+def check_closed_pipes():
+    """A reader that ends early is an error of the output, and no scratch file stays, whatever ends the program."""
+    os.mkdir("scratch")
+    scene = ("--size", "2000x1500", "--tessellation", "4", "--no-color", "-o", "exr:-")  # more than a pipe holds
+
+    def begin():
+        return subprocess.Popen([RENDER, *scene], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                env={**os.environ, "TMPDIR": os.path.abspath("scratch")})
+
+    def first_byte():
+        process = begin()
+        assert process.stdout.read(1) == b"\x76"
+        return process
+
+    process = first_byte()
+    process.stdout.close()
+    errors = process.stderr.read()
+    assert process.wait() == 4 and errors == b"shd-render: standard output: Broken pipe\n", (process.returncode, errors)
+    assert os.listdir("scratch") == [], os.listdir("scratch")
+    process = first_byte()
+    assert os.listdir("scratch") == [], os.listdir("scratch")
+    process.kill()
+    process.communicate()
+    assert os.listdir("scratch") == [], os.listdir("scratch")
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # while the picture is saved
+        process = begin()
+        while not os.listdir("scratch") and not select.select([process.stdout], [], [], 0.001)[0]:
+            pass
+        process.send_signal(number)
+        process.communicate()
+        assert process.returncode == -number, process.returncode
+        assert os.listdir("scratch") == [], os.listdir("scratch")
+    for output in (("--hash",), ("-o", "closed.png"), ("-o", "-")):
+        reader, writer = os.pipe()
+        os.close(reader)
+        result = subprocess.run([RENDER, *SMALL, *output], stdout=writer, stderr=subprocess.PIPE, check=False)
+        os.close(writer)
+        assert result.returncode == 4, result
+        assert result.stderr == b"shd-render: standard output: Broken pipe\n", result
+
+
+def check_scratch():
+    """Files that are too large, and folders that are not there, are errors of the output."""
+    os.makedirs("scratch", exist_ok=True)
+    for name in ("-", "exr:-", "large.png"):
+        result = subprocess.run([RENDER, *SMALL, "-o", name], capture_output=True, check=False,
+                                env={**os.environ, "TMPDIR": os.path.abspath("scratch")},
+                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+        assert result.returncode == 4 and not result.stdout, result
+        assert result.stderr.count(b"\n") == 1 and b"File too large" in result.stderr, result
+        assert os.listdir("scratch") == [] and not os.path.exists("large.png"), name
+    result = subprocess.run([RENDER, *SMALL, "-o", "-"], capture_output=True, check=False,
+                            env={**os.environ, "TMPDIR": os.path.abspath("absent")})
+    assert result.returncode == 4 and not result.stdout, result
+    assert b"absent/shd-render-" in result.stderr and b"No such file" in result.stderr, result
+
+
 def check_names():
     done(*SMALL, "--turntable", "3", "-o", "a.%04d.png")
     assert [os.path.exists(f"a.{i:04}.png") for i in range(5)] == [False, True, True, True, False]
@@ -122,23 +183,9 @@ def jpeg_pixels(path):
 
 def png_pixels(path):
     """Pixels of an RGBA PNG of 8 bits."""
-    data, at, packed = read(path), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack_from(">I4s", data, at)
-        if kind == b"IHDR":
-            width, height = struct.unpack_from(">II", data, at + 8)
-        packed += data[at + 8:at + 8 + size] if kind == b"IDAT" else b""
-        at += 12 + size
-    raw, row, last, pixels = zlib.decompress(packed), 4 * width, bytes(4 * width), []
-    for y in range(height):
-        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
-        for i in range(row):
-            a, b, c = line[i - 4] if i > 3 else 0, last[i], last[i - 4] if i > 3 else 0
-            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            line[i] = (line[i] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
-        pixels += [tuple(line[i:i + 4]) for i in range(0, row, 4)]
-        last = line
-    return pixels
+    _, _, channels, rows = read_png(path)
+    assert channels == 4, channels
+    return [tuple(row[i:i + 4]) for row in rows for i in range(0, len(row), 4)]
 
 
 # Headers of OpenEXR.
@@ -336,8 +383,8 @@ def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(FOLDER)
     os.chdir(FOLDER)
-    for check in (check_hash, check_streams, check_names, check_jpeg, check_headers, check_known_names, check_samples,
-                  check_instances):
+    for check in (check_hash, check_streams, check_closed_pipes, check_scratch, check_names, check_jpeg,
+                  check_headers, check_known_names, check_samples, check_instances):
         check()
         print(check.__name__)
     print("shd-render: all checks of files passed")

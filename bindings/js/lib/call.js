@@ -2,7 +2,7 @@
 // A call of the C library with JavaScript values.
 import { functions } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
-import { enumValue, writeStruct } from "./write.js";
+import { enumValue, numberOf, writeStruct } from "./write.js";
 import { readStruct } from "./read.js";
 import { rowsOf } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
@@ -113,9 +113,7 @@ class Arguments {
       case "text": return call.memory.writeText(value, key);
       case "in": return value == null ? 0 : this.structs(type, list(), key);
       case "inout": return this.inout(type, value, key);
-      default:
-        if (typeof value !== "number") refuse(key, `a number, not ${describe(value)}`);
-        return value;
+      default: return numberOf(kind, value, key);
     }
   }
   numbers(key, type, length, value) {
@@ -157,9 +155,11 @@ export function invoke(module, name, values, made = null) {
   if (RAW_ONLY.test(name)) refuse(name, "only shd.raw has it; objects have close()");
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
   // It could wait for a tile of a thread that waits for the function.
-  if (module.callbacks.loads && module.hasThreads) {
+  if (module.callbacks.loads && module.threads) {
     refuse(name, "a function that loads tiles may not call it in an instance with threads");
   }
+  const { failure } = module;
+  if (failure) throw failure;
   const rows = rowsOf(name, values);
   const mark = module.memory.mark();
   const call = new Call(module);
@@ -177,10 +177,14 @@ export function invoke(module, name, values, made = null) {
     if (entry[0] !== "shd_result") return returned;
     if (results.length === 1) return results[0][1]();
     return results.length ? Object.fromEntries(results.map(([key, read]) => [key, read()])) : undefined;
+  } catch (problem) {
+    throw module.failure ?? problem;
   } finally {
     if (!isDone || !made) for (const id of call.groups) module.callbacks.remove(id);
-    module.memory.release(mark);
-    module.flush();
+    if (!module.failure) {
+      module.memory.release(mark);
+      module.flush();
+    }
   }
 }
 

@@ -226,7 +226,7 @@ export interface Shd {
   readonly version: string;
   /** Threads that contexts use, at most: 1, or those of load() of "shd/threads". */
   readonly threadCount: number;
-  /** Ends the threads. An instance with threads cannot be used afterwards. */
+  /** Ends the threads. Later calls of an instance with threads throw. */
   close(): void;
   readonly Context: { new (desc?: api.ContextDesc): Context };
   readonly Texture: Constructor<Texture, api.TextureDesc>;

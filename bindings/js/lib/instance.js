@@ -3,6 +3,9 @@
 
 export const isNode = () => typeof process !== "undefined" && Boolean(process.versions?.node);
 
+/** Number of threads that the machine runs at once, or 4 where it is unknown, as in Node before 21. */
+export const processors = () => globalThis.navigator?.hardwareConcurrency ?? 4;
+
 /** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
 async function readBytes(source) {
   if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;

@@ -42,7 +42,13 @@ export class Lookup {
   /** Runs the lookups. */
   run() {
     if (!this.#run) refuse("lookup", "it is closed");
-    const result = this.#run();
+    if (this.#module.failure) throw this.#module.failure;
+    let result;
+    try {
+      result = this.#run();
+    } catch (problem) {
+      throw this.#module.failure ?? problem;
+    }
     if (result) check(this.#module, result, "shd_texture_sample");
   }
   #free() {
@@ -52,6 +58,7 @@ export class Lookup {
     if (!this.#run) return;
     this.#run = null;
     this.keep = null;
+    if (this.#module.failure) return;
     this.end();
     this.#free();
   }

@@ -39,8 +39,11 @@ export class Memory {
   #blocks = [];
   #used = 0;
   #shared = new WeakSet();  // shared buffers from before the memory grew, which stay valid
-  constructor(exports) {
+  #failureOf;
+  /** `failureOf` returns null, or the error that ends all calls. */
+  constructor(exports, failureOf = () => null) {
     this.#exports = exports;
+    this.#failureOf = failureOf;
     this.registry = new FinalizationRegistry((address) => this.free(address));
   }
   get buffer() {
@@ -54,12 +57,14 @@ export class Memory {
     return this.#view;
   }
   allocate(size) {
+    const failure = this.#failureOf();
+    if (failure) throw failure;
     const address = size <= 0x7fffffff ? this.#exports.malloc(size) >>> 0 : 0;
     if (!address) throw new ShdError("out_of_memory", `${size} bytes could not be allocated for WebAssembly`);
     return address;
   }
   free(address) {
-    this.#exports.free(address);
+    if (!this.#failureOf()) this.#exports.free(address);
   }
   /** Scratch memory until release(mark()). */
   scratch(size) {

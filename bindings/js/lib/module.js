@@ -11,11 +11,11 @@ import { ShdError, refuse } from "./error.js";
 class Module {
   #defaults = new Map();
   #released = [];
-  constructor(callbacks, raw, hasThreads) {
+  constructor(callbacks, raw, threads) {
     this.callbacks = callbacks;
-    this.hasThreads = hasThreads;
+    this.threads = threads;
     this.raw = raw;
-    this.memory = new Memory(raw);
+    this.memory = new Memory(raw, () => this.failure);
     this.registry = new FinalizationRegistry((reference) => this.release(reference));
     callbacks.start(this.memory, raw);
   }
@@ -32,12 +32,17 @@ class Module {
     }
     return bytes;
   }
+  /** Why threads have ended, or null. No function of C may follow: it could wait for such a thread. */
+  get failure() {
+    return this.threads?.failure ?? null;
+  }
   /** Gives a reference back; inside a program, after the call that runs it. */
   release(reference) {
     this.#released.push(reference);
     this.flush();
   }
   flush() {
+    if (!this.#released.length || this.failure) return;
     while (!this.callbacks.depth && this.#released.length) this.#released.pop().close();
   }
 }
@@ -47,7 +52,7 @@ const TYPES = [Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array
 
 /** What load() returns. `threads` has the threads of an instance with shared memory (threads.js). */
 export function makeShd(callbacks, raw, threads = null) {
-  const module = new Module(callbacks, raw, threads !== null);
+  const module = new Module(callbacks, raw, threads);
   class Context extends ContextObject {
     constructor(desc) { super(module, threads ? threads.contextDesc(desc) : desc); }
   }
@@ -55,8 +60,11 @@ export function makeShd(callbacks, raw, threads = null) {
     Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Shadow, ShdError, Texture, TileCache, Volume,
     /** Threads that contexts use, at most. */
     threadCount: threads?.count ?? 1,
-    /** Ends the threads. Later calls of an instance with threads are not possible. */
-    close() { threads?.close(); },
+    /** Ends the threads. Later calls of an instance with threads throw. */
+    close() {
+      if (callbacks.depth) refuse("close", "it may not be called inside a program");
+      threads?.close();
+    },
     get version() {
       const number = raw.shd_version();
       return [number >> 16, (number >> 8) & 255, number & 255].join(".");

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Workers that each have an instance of the library: Pool is for the page, serve() for the module of a worker.
-import { compile, isNode } from "./instance.js";
+import { compile, isNode, processors } from "./instance.js";
 import { ShdError, describe, refuse } from "./error.js";
 
-/** Numbers of the threads that a machine runs at once. */
-const processors = () => globalThis.navigator?.hardwareConcurrency ?? 4;  // Node 21 has the number, too
-
-/** Rows at which bands begin, so that all bands would take the time that these bands took on average. */
+/**
+ * Rows at which bands begin, so that all bands would take the time that these bands took on average. Each band has one
+ * row or more. The edges stay if no time was measured: clocks of browsers are coarse.
+ */
 export function balance(edges, times) {
   const height = edges.at(-1);
   const total = times.reduce((sum, time) => sum + time, 0);
+  if (total === 0) return [...edges];
   const made = [0];
   for (let k = 1; k < times.length; ++k) {
     let rest = (total * k) / times.length;
@@ -17,7 +18,7 @@ export function balance(edges, times) {
     while (band < times.length - 1 && rest > times[band]) rest -= times[band++];
     const part = times[band] > 0 ? rest / times[band] : 0;
     const row = Math.round(edges[band] + part * (edges[band + 1] - edges[band]));
-    made.push(Math.min(height - 1, Math.max(made[k - 1] + 1, row)));
+    made.push(Math.min(height - (times.length - k), Math.max(made[k - 1] + 1, row)));
   }
   return [...made, height];
 }
@@ -81,8 +82,14 @@ export class Pool {
   constructor(start, { count = processors(), source } = {}) {
     if (typeof start !== "function") refuse("start", `a function that makes a Worker, not ${describe(start)}`);
     if (!Number.isInteger(count) || count < 1) refuse("count", `${count}, not 1 or more workers`);
-    this.#members = Array.from({ length: count }, () => new Member(start(), this));
+    this.#members = [];
     this.#module = null;
+    try {
+      while (this.#members.length < count) this.#members.push(new Member(start(), this));
+    } catch (problem) {
+      this.#end(problem);
+      throw problem;
+    }
     compile(source).then((module) => { this.#module = module; this.next(); }, (problem) => this.#end(problem));
   }
   get count() {
@@ -122,7 +129,6 @@ export class Pool {
   /** Ends the workers. Calls that run are rejected. */
   close() {
     this.#end(new Error("the pool is closed"));
-    for (const { worker } of this.#members) worker.terminate();
   }
   #ask(queue, name, values) {
     return new Promise((resolve, reject) => {
@@ -130,8 +136,12 @@ export class Pool {
       this.next();
     });
   }
+  /** Ends the workers, and rejects all calls. */
   #end(problem) {
-    for (const member of this.#members) member.fail(problem);
+    for (const member of this.#members) {
+      member.fail(problem);
+      member.worker.terminate();
+    }
     this.next();
   }
   /** Gives calls to the workers that are free; the workers call it. */
@@ -148,11 +158,18 @@ export class Pool {
 }
 if (Symbol.dispose) Pool.prototype[Symbol.dispose] = Pool.prototype.close;
 
+/** A view over a copy of the bytes of a view. That of a Buffer of Node is a Uint8Array, as for postMessage(). */
+function copyOf(view) {
+  const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice();
+  return view instanceof Uint8Array ? bytes : new view.constructor(bytes.buffer);
+}
+
 /** Arrays over the memory of WebAssembly are copied, and all buffers are listed: they are moved to the page. */
 function pack(value, memory, buffers) {
   if (value instanceof ArrayBuffer) buffers.add(value);
   if (ArrayBuffer.isView(value)) {
-    if (value.buffer === memory.buffer) value = value.slice();
+    // Small Buffers of Node share one memory, which stays in the worker.
+    if (value.buffer === memory.buffer || globalThis.Buffer?.isBuffer(value)) value = copyOf(value);
     if (value.buffer instanceof ArrayBuffer) buffers.add(value.buffer);
     return value;
   }

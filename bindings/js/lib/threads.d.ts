@@ -5,7 +5,10 @@ import type { Shd } from "./index.js";
 type Source = string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
 
 export interface ThreadOptions {
-  /** Threads, the calling one included: 1..64, by default one for each processor, or 4 where it is unknown. */
+  /**
+   * Threads, the calling one included: 1..64. The default is the number of processors, at most 64. It is 4
+   * where the number of processors is unknown.
+   */
   threads?: number;
   /** shd-threads.wasm, by default the file beside this module. */
   source?: Source;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shd with threads: Web Workers over one shared memory. `import { load } from "shd/threads"`.
 import { Callbacks } from "./callback.js";
-import { compile, isNode } from "./instance.js";
+import { compile, isNode, processors } from "./instance.js";
 import { load as loadOneThread } from "./index.js";
 import { makeShd } from "./module.js";
 import { Executor } from "./executor.js";
@@ -10,8 +10,9 @@ import { callbacks as table } from "./api.js";
 
 const PAGE = 65536, FIRST_PAGES = 512, MOST_PAGES = 32768;  // of the link in CMakeLists.txt
 const MOST_THREADS = 64;
-// struct mailbox of threads.c, in words of 32 bits
-const SIGNAL = 0, REQUESTS = 1, FIRST_MAILBOX = 4, MAILBOX = 18, WORDS = 2;
+// s_pool and struct mailbox of threads.c, in words of 32 bits
+const SIGNAL = 0, REQUESTS = 1, STOPPED = 4, FIRST_MAILBOX = 6, MAILBOX = 18, WORDS = 2;
+const TEXT = 64;  // bytes of `words` in a mailbox
 const WAITING = 1, ANSWERED = 2;
 
 /** Whether memory can be shared: in Node, and in pages that are isolated by their headers. */
@@ -34,7 +35,7 @@ export function threadImports(module, memory, known) {
 export function systemFunctions(memory) {
   const clock = (kind, address) => {  // struct timespec
     const now = performance.now(), seconds = Math.floor(now / 1000);
-    new Int32Array(memory.buffer, address, 2).set([seconds, Math.round((now - 1000 * seconds) * 1e6) % 1e9]);
+    new Int32Array(memory.buffer, address, 2).set([seconds, Math.floor((now - 1000 * seconds) * 1e6)]);
     return 0;
   };
   return {
@@ -77,6 +78,25 @@ export function forwardingImports(memory, address, index) {
   }]));
 }
 
+/** Ends the call that waits for thread `index`, which `problem` has stopped; its mailbox has the text. */
+export function reportStop(memory, address, index, problem) {
+  const words = new Int32Array(memory.buffer);
+  const mailbox = address / 4 + FIRST_MAILBOX + index * MAILBOX;
+  const text = new Uint8Array(memory.buffer, 4 * (mailbox + WORDS), TEXT).fill(0);
+  text.set(new TextEncoder().encode(`${problem}`).subarray(0, TEXT));
+  Atomics.compareExchange(words, address / 4 + STOPPED, 0, index);
+  Atomics.add(words, address / 4 + SIGNAL, 1);
+  Atomics.notify(words, address / 4 + SIGNAL);
+}
+
+/** An error for thread `index`, which has stopped. */
+function stopOf(memory, address, index) {
+  const mailbox = address / 4 + FIRST_MAILBOX + index * MAILBOX;
+  const bytes = new Uint8Array(memory.buffer, 4 * (mailbox + WORDS), TEXT).slice();
+  const text = new TextDecoder().decode(bytes).replace(/\0+$/, "");
+  return new Error(`thread ${index} has stopped (${text}); another load() makes a new instance`);
+}
+
 /** Runs the functions that threads wait for. */
 function answer(memory, address, callbacks) {
   const words = new Int32Array(memory.buffer);
@@ -98,14 +118,15 @@ async function startWorker() {
   return new NodeWorker(new URL("./thread.js", import.meta.url), { execArgv: [] });
 }
 
-/** Resolves when the worker runs its thread. */
+/** Resolves when the worker runs its thread. It answers null, or the text of a problem. */
 function begin(worker, message) {
   return new Promise((resolve, reject) => {
+    const receive = (problem) => (problem === null ? resolve() : reject(new Error(problem)));
     if (worker.on) {
-      worker.once("message", () => { worker.unref(); resolve(); });
+      worker.once("message", (problem) => { worker.unref(); receive(problem); });
       worker.on("error", reject);
     } else {
-      worker.onmessage = resolve;
+      worker.onmessage = ({ data }) => receive(data);
       worker.onerror = (event) => reject(new Error(event.message || "a thread did not start"));
     }
     worker.postMessage(message);
@@ -116,9 +137,12 @@ function begin(worker, message) {
 class Threads {
   #raw;
   #workers;
+  #stopped;
+  #closed = null;
   constructor(raw, workers) {
     this.#raw = raw;
     this.#workers = workers;
+    this.#stopped = new Int32Array(raw.memory.buffer, raw.shd_js_mailboxes() + 4 * STOPPED, 1);
     this.count = workers.length + 1;
   }
   /** A desc whose context uses the threads. workerCount: 0 = all of them, 1 = none beside the calling thread. */
@@ -129,33 +153,43 @@ class Threads {
     const workers = Math.min(workerCount || this.count, this.count);
     return { ...others, executor: new Executor(this.#raw.shd_js_executor(), workers) };
   }
+  /** An error if a thread has stopped or close() has ended them, or null. */
+  get failure() {
+    if (this.#closed) return this.#closed;
+    const index = Atomics.load(this.#stopped, 0);
+    return index ? stopOf(this.#raw.memory, this.#raw.shd_js_mailboxes(), index) : null;
+  }
   close() {
+    if (this.count > 1) this.#closed ??= new Error("shd is closed: its threads have ended");
     for (const worker of this.#workers.splice(0)) worker.terminate();
   }
 }
 
-/** Starts `count` workers for threads that pthread_create() makes. */
-async function startThreads(module, memory, raw, made, count) {
+/** Starts `count` workers for threads that pthread_create() makes. If one fails, all of them are ended. */
+export async function startThreads(module, memory, raw, made, count, makeWorker = startWorker) {
   const mayWait = isNode() || typeof document === "undefined";
-  const workers = await Promise.all(Array.from({ length: count }, startWorker));
-  const ready = workers.map((worker, i) => {
-    if (raw.shd_js_start_thread(i + 1, Number(mayWait))) refuse("threads", `thread ${i + 1} could not be made`);
-    const { thread, start, argument } = made.pop();
-    return begin(worker, { module, memory, thread, start, argument, index: i + 1,
-                           mailboxes: raw.shd_js_mailboxes(), stackTop: raw.shd_js_stack_top(thread) });
-  });
-  await Promise.all(ready);
-  return new Threads(raw, workers);
+  const workers = [];
+  try {
+    while (workers.length < count) workers.push(await makeWorker());
+    const messages = workers.map((_, i) => {
+      if (raw.shd_js_start_thread(i + 1, Number(mayWait))) refuse("threads", `thread ${i + 1} could not be made`);
+      const { thread, start, argument } = made.pop();
+      return { module, memory, thread, start, argument, index: i + 1, mailboxes: raw.shd_js_mailboxes(),
+               stackTop: raw.shd_js_stack_top(thread) };
+    });
+    await Promise.all(workers.map((worker, i) => begin(worker, messages[i])));
+    return new Threads(raw, workers);
+  } catch (problem) {
+    for (const worker of workers) worker.terminate();
+    throw problem;
+  }
 }
-
-/** Threads of the machine. */
-const processors = () => globalThis.navigator?.hardwareConcurrency ?? 4;
 
 /**
  * Loads shd-threads.wasm with `threads` threads, the calling one included. Where memory cannot be shared, the instance
  * has one thread and is that of shd.wasm. `source` and `oneThread` are these two files, as for load() of "shd".
  */
-export async function load({ threads = processors(), source, oneThread } = {}) {
+export async function load({ threads = Math.min(processors(), MOST_THREADS), source, oneThread } = {}) {
   if (!Number.isInteger(threads) || threads < 1 || threads > MOST_THREADS) {
     refuse("threads", `${describe(threads)}, not 1..${MOST_THREADS}`);
   }

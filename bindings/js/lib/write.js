@@ -9,17 +9,22 @@ import { refuse, describe, suggest } from "./error.js";
 
 const FACES = 6;  // of a cube
 const SETTERS = { f32: "setFloat32", f64: "setFloat64", u8: "setUint8", u16: "setUint16", u32: "setUint32",
-    i32: "setInt32" };
+                  i32: "setInt32", u64: "setBigUint64" };
 
-function writeNumber(view, address, type, value, label) {
+/** A number that fits a type of C. Numbers for u64 become a BigInt. */
+export function numberOf(type, value, label) {
   if (typeof value === "boolean") value = Number(value);
   if (typeof value !== "number") refuse(label, `a number, not ${describe(value)}`);
-  if (type === "u64") return view.setBigUint64(address, BigInt(value), true);
-  const range = RANGES.get(arrayOf(type));
+  const isWord = type === "u64";
+  const range = isWord ? [0, 2n ** 64n - 1n] : RANGES.get(arrayOf(type));
   if (range && !(Number.isInteger(value) && value >= range[0] && value <= range[1])) {
     refuse(label, `${value}, not an integer of ${range[0]}..${range[1]}`);
   }
-  view[SETTERS[type]](address, value, true);
+  return isWord ? BigInt(value) : value;
+}
+
+function writeNumber(view, address, type, value, label) {
+  view[SETTERS[type]](address, numberOf(type, value, label), true);
 }
 
 /** A constant by its name, or by several names joined by "|". */

@@ -2,6 +2,7 @@
 // Ties the state to the controls, the workers and the address of the page.
 import { addOption, buildControls } from "./controls.js";
 import { hideFootprint, showFootprint } from "./footprint.js";
+import { processors } from "../lib/instance.js";
 import { showLegend } from "./legend.js";
 import { Pool } from "../lib/pool.js";
 import { openTexture } from "./own_texture.js";
@@ -11,7 +12,7 @@ import { setTexture } from "./textures.js";
 
 const find = (selector) => document.querySelector(selector);
 const pool = new Pool(() => new Worker(new URL("./worker.js", import.meta.url), { type: "module" }),
-                      { count: Math.min(4, Math.max(1, navigator.hardwareConcurrency || 1)) });
+                      { count: Math.min(4, processors()) });
 const page = { state: fromHash(location.hash), frame: null, isSpinning: false, frames: 0, error: null };
 let isDrawing = false;
 let isStale = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Serves the package to a headless Chromium, whose page posts its results: node browser.mjs CHROMIUM
+// Serves the package to a headless Chromium, whose page posts its results: node browser.mjs CHROMIUM. Other tests take
+// the server, and the page that posts one result.
 import { createServer } from "node:http";
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -9,8 +10,7 @@ import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css",
-    wasm: "application/wasm",
-                svg: "image/svg+xml", png: "image/png" };
+                wasm: "application/wasm", svg: "image/svg+xml", png: "image/png" };
 const BUILT = { "/lib/shd.wasm": process.env.SHD_WASM, "/lib/shd-threads.wasm": process.env.SHD_WASM_THREADS };
 
 const PAGE = `<!doctype html><title>shd</title><script type="module">
@@ -76,26 +76,35 @@ export function serve(onResult = () => {}, find = () => undefined) {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-async function main(chromium) {
+const FLAGS = ["--headless", "--no-sandbox", "--no-first-run", "--disable-background-networking",
+               "--disable-component-update", "--disable-dev-shm-usage", "--disable-quic", "--disable-sync"];
+
+/**
+ * Opens a page of serve() in Chromium with more flags. Returns what the page posts, or a `problem` if it posts nothing.
+ */
+export async function openPage(chromium, { page = "/", flags = ["--disable-gpu"], seconds = 60, find } = {}) {
+  let receive;
+  const result = new Promise((resolve) => { receive = resolve; });
+  const server = await serve((posted) => receive(posted), find);
   const folder = mkdtempSync(join(tmpdir(), "shd-browser-"));
-  const result = await new Promise((resolve) => {
-    serve(resolve).then((server) => {
-      const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     `--user-data-dir=${folder}`];
-      // The command is a script that starts processes: all of them are one group.
-      const child = spawn(chromium, [...flags, `http://127.0.0.1:${server.address().port}/`], { detached: true,
-          stdio: "ignore" });
-      child.on("error", (problem) => resolve({ problem: String(problem) }));
-      const timer = setTimeout(() => resolve({ problem: "no result within 60 seconds" }), 60000);
-      main.end = () => {
-        clearTimeout(timer);
-        try { process.kill(-child.pid, "SIGKILL"); } catch { /* it has ended */ }
-        server.close(), server.closeAllConnections();
-      };
-    });
-  });
-  main.end();
-  rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
+  const url = `http://127.0.0.1:${server.address().port}${page}`;
+  // The command is a script that starts processes: all of them are one group.
+  const child = spawn(chromium, [...FLAGS, ...flags, `--user-data-dir=${folder}`, url],
+                      { detached: true, stdio: "ignore" });
+  child.on("error", (problem) => receive({ problem: String(problem) }));
+  const timer = setTimeout(() => receive({ problem: `no result within ${seconds} seconds` }), 1000 * seconds);
+  try {
+    return await result;
+  } finally {
+    clearTimeout(timer);
+    try { process.kill(-child.pid, "SIGKILL"); } catch { /* it has ended */ }
+    server.close(), server.closeAllConnections();
+    rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
+  }
+}
+
+async function main(chromium) {
+  const result = await openPage(chromium);
   if (result.problem) {
     console.error(result.problem);
     process.exit(1);

@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Packs the npm package, installs the tarball in an empty folder, draws a picture there, and compiles programs with the
-# declarations of the package.
+# declarations of the package. Exit code 77: the registry of npm, which has the compiler, cannot be reached.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
-command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
 rm -rf "$WORK/empty"
 mkdir -p "$WORK/empty"
 tarball=$("$source/pack.sh" "$WORK/empty")
@@ -31,4 +30,4 @@ for file in shd.wasm shd-threads.wasm; do
 done
 cd ../../..
 echo "$tarball: $(stat -c %s "$tarball") bytes"
-WORK=$PWD "$source/tests/types.sh" node_modules/shd || [ $? -eq 77 ]
+WORK=$PWD "$source/tests/types.sh" node_modules/shd

@@ -5,11 +5,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$WORK/playground"
 cd "$WORK/playground"
-[ -f package.json ] || npm init -y >/dev/null
-if ! npm install --no-audit --no-fund --silent playwright-core 2>/dev/null; then
-  echo "skipped: playwright-core cannot be installed from the registry of npm"
-  exit 77
-fi
+"$here/npm_install.sh" playwright-core
 "$NODE" "$here/playground.mjs" "$CHROMIUM" "$WORK/playground"
 for python in "$PYTHON" /usr/bin/python3; do
   if "$python" -c "import numpy" 2>/dev/null; then

@@ -11,10 +11,14 @@ serve((shd) => {
     draw,
     echo: (...values) => values,
     count: () => ++calls,
-    /** A view of the memory of WebAssembly, and an array that is moved. */
+    /** Views of the memory of WebAssembly, and an array that is moved. */
     memory() {
       kept.array.set([1, 2, 3, 4]);
-      return { view: kept.array, list: [Uint8Array.of(5)], text: "text" };
+      const { buffer, byteOffset, byteLength } = kept.array;
+      return { view: kept.array, list: [Uint8Array.of(5)], text: "text",
+               data: new DataView(buffer, byteOffset, byteLength),
+               bytes: globalThis.Buffer?.from(buffer, byteOffset, byteLength),
+               small: globalThis.Buffer?.from("small") };
     },
     refuse: () => new shd.Sampler(new shd.Context(), { maxAnisotropy: 99 }),
     end() {

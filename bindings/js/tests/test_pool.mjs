@@ -47,9 +47,13 @@ withPool("pool/calls", 2, async (pool) => {
   assert.equal(await pool.callOn(1, "count"), before + 1);  // the same worker
   assert.deepEqual((await pool.bands(1, "echo", "more")).map(({ rows, value }) => [rows, value]),
                    [[[0, 1], [[0, 1], "more"]]]);
-  const { view, list, text } = await pool.call("memory");
+  const { view, list, text, data, bytes, small } = await pool.call("memory");
   assert.deepEqual([...view, ...list[0], text], [1, 2, 3, 4, 5, "text"]);
   assert.equal(view.buffer.byteLength, 16);  // not all of the memory
+  assert.deepEqual([0, 4, 8, 12].map((offset) => data.getFloat32(offset, true)), [1, 2, 3, 4]);
+  assert.equal(data.buffer.byteLength, 16);
+  assert.deepEqual([...new Float32Array(bytes.buffer)], [1, 2, 3, 4]);
+  assert.equal(new TextDecoder().decode(small.buffer), "small");  // not all that small Buffers share
 });
 
 withPool("pool/problems", 2, async (pool) => {
@@ -75,9 +79,35 @@ test("pool/no_module", async () => {
   pool.close();
 });
 
+test("pool/ends_workers", async () => {
+  const ended = [];
+  let made = 0;
+  const makeWorker = () => {
+    const index = made++;
+    if (index === 3) throw new Error("no fourth worker");
+    return { postMessage() {}, terminate: () => ended.push(index) };
+  };
+  assert.throws(() => new Pool(makeWorker, { count: 5, source }), /no fourth worker/);
+  assert.deepEqual(ended.splice(0), [0, 1, 2]);
+  made = 0;
+  const pool = new Pool(makeWorker, { count: 2, source: "/nowhere/shd.wasm" });
+  await assert.rejects(pool.all("count"), /nowhere/);
+  assert.deepEqual(ended, [0, 1]);
+});
+
 test("pool/balance", () => {
   assert.deepEqual(balance([0, 50, 100], [10, 10]), [0, 50, 100]);
   assert.deepEqual(balance([0, 50, 100], [30, 10]), [0, 33, 100]);
   assert.deepEqual(balance([0, 1, 2], [0, 0]), [0, 1, 2]);
   assert.deepEqual(balance([0, 40, 80, 120], [0, 0, 90]), [0, 93, 107, 120]);
+  // Each band keeps a row.
+  assert.deepEqual(balance([0, 1, 2, 3], [1, 1, 50]), [0, 1, 2, 3]);
+  assert.deepEqual(balance([0, 1, 2, 3, 4, 5, 6, 7, 8], [0, 0, 0, 0, 0, 0, 0, 50]), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+  assert.deepEqual(balance([0, 4, 8, 12], [0, 0, 9]), [0, 9, 11, 12]);
+  assert.deepEqual(balance([0, 10, 11, 12], [1, 1, 100]), [0, 10, 11, 12]);
+  assert.deepEqual(balance([0, 1, 2, 12], [100, 1, 1]), [0, 1, 2, 12]);
+  // Equal times move no edge. A coarse clock measures 0 for all of them.
+  assert.deepEqual(balance([0, 5, 10], [0, 0]), [0, 5, 10]);
+  assert.deepEqual(balance([0, 3, 7, 10], [0, 0, 0]), [0, 3, 7, 10]);
+  assert.deepEqual(balance([0, 3, 7, 10], [4, 4, 4]), [0, 3, 7, 10]);
 });

@@ -133,6 +133,13 @@ test("tiles/refused", (shd, context) => {
   refused(() => source.make({ tiles: { cache: source.cache, load: 3 } }), "desc.tiles.load: a function, not 3");
   refused(() => source.make({ tiles: { cache: context, load: source.load } }), "desc.tiles.cache: a tile_cache");
   refused(() => new shd.TileCache(context, { budgetBytes: 1 }), "tile_cache.budget_bytes: 1 is not");
+  for (const budgetBytes of [NaN, Infinity, 0.5, -1, 2 ** 64]) {
+    refused(() => new shd.TileCache(context, { budgetBytes }),
+            `desc.budgetBytes: ${budgetBytes}, not an integer of 0..18446744073709551615`);
+  }
+  for (const count of [NaN, 0.5, -1, 2 ** 32]) {
+    refused(() => source.cache.loadRequested(count), `maxTiles: ${count}, not an integer of 0..4294967295`);
+  }
   refused(() => source.memory.loadTiles({ ...REGION, left: 1 }),
           "region.left: tile_region has no such field; there are layer, level, area");
 });

@@ -2,18 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs with the declarations of a package: types.sh [package]; default: this folder. The programs of
 # README.md and docs/bindings.md and example.ts have no error, and wrong.ts has those that its comments name. TypeScript
-# 5 and three.js are taken from the registry of npm to $WORK/types.
+# 5 and three.js are taken from the registry of npm to $WORK/types; exit code 77: it cannot be reached.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 package=$(cd "${1:-$here/..}" && pwd)
-command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
 mkdir -p "$WORK/types"
 cd "$WORK/types"
-[ -f package.json ] || npm init -y >/dev/null
-if ! npm install --no-audit --no-fund --silent typescript@5 three @types/three 2>/dev/null; then
-  echo "skipped: TypeScript cannot be installed from the registry of npm"
-  exit 77
-fi
+"$here/npm_install.sh" typescript@5 three @types/three
 rm -rf node_modules/shd programs wrong
 ln -s "$package" node_modules/shd
 mkdir programs wrong

@@ -9,9 +9,8 @@ import errno
 import json
 import os
 import pathlib
-import re
 
-from ._words import Words
+from ._words import Words, attribute, camel, members
 
 HERE = pathlib.Path(__file__).resolve().parent
 NUMBERS = {"float": ctypes.c_float, "double": ctypes.c_double, "size_t": ctypes.c_size_t, "int": ctypes.c_int,
@@ -36,18 +35,7 @@ functions = {e["name"]: e for e in _table["functions"]}
 constants = {e["name"]: e["value"] for e in _table["constants"]}
 
 
-def camel(name):
-    """shd_render_desc -> RenderDesc."""
-    return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
-
-
-def short_name(enum_name, constant_name):
-    """SHD_FILTER_EWA of shd_filter -> EWA."""
-    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", enum_name.removeprefix("shd_")).upper() + "_"
-    return constant_name.removeprefix(prefix).removeprefix("SHD_")
-
-
-words = Words(enums, {name: camel(name) for name in (*structs, *enums, *handles)}, short_name)
+words = Words(enums, {name: camel(name) for name in (*structs, *enums, *handles)})
 
 
 def value_type(text):
@@ -125,15 +113,12 @@ def enum_type(name):
     if name not in _enum_types:
         entry = enums[name]
         is_flags = any(t.get("bits_of") == name for t in typedefs.values())
-        members = []
-        for member in entry["constants"]:
-            short = short_name(name, member["name"])
-            if not member["name"].endswith("_MAX_ENUM"):
-                members.append((short if short[0].isalpha() else f"N{short}", member["value"]))
-        made = (Flags if is_flags else Constant)(camel(name), members, module=__package__)
+        found = members(entry)
+        made = (Flags if is_flags else Constant)(
+            camel(name), [(attribute(short), c["value"]) for short, c in found.items()], module=__package__)
         made.__doc__ = "\n".join([words.python(entry.get("doc", "")), "\nNames:", *(
-            f"    {short_name(name, m['name']).lower()}: {words.python(' '.join(m.get('doc', '').split()))}".rstrip(": ")
-            for m in entry["constants"] if not m["name"].endswith("_MAX_ENUM"))])
+            f"    {short.lower()}: {words.python(' '.join(c.get('doc', '').split()))}".rstrip(": ")
+            for short, c in found.items())])
         _enum_types[name] = made
     return _enum_types[name]
 
@@ -240,7 +225,7 @@ class MissingFile(Error, FileNotFoundError):
         return type(self), (int(self.result), str(self), self.filename)
 
 
-NOT_FOUND = 4  # SHD_ERROR_NOT_FOUND
+NOT_FOUND = constant("SHD_ERROR_NOT_FOUND")
 
 
 def check(result, path=None):

@@ -41,11 +41,12 @@ def converted(value, dtype, name):
 
 
 def check_range(array, highest, name):
-    """Refuses integers that are not in 0..highest, and names the first of them."""
+    """Refuses integers that are not in 0..highest, and names the first of them. Without vertices `highest` is -1."""
     if array.size and (array.min() < 0 or array.max() > highest):
         flat = array.reshape(-1)
         first = int(np.argmax((flat < 0) | (flat > highest)))
-        raise ValueError(f"{name}[{first}]: {flat[first]} is not in 0..{highest}")
+        raise ValueError(f"{name}[{first}]: {flat[first]} is not in 0..{highest}" if highest >= 0 else
+                         f"{name}[{first}]: {flat[first]}, but there are no vertices")
 
 
 def batch(value, name):

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Cameras of the renderer: poses, projections with fitted planes, and distances from depths."""
+import ctypes
 import math
 
 import numpy as np
 
+from . import _api
 from ._array import array_of
+from ._convert import address
+from ._desc import desc_type
 
 NEAR = 0.05     # near plane without a model to fit it to
 NEAREST = 1e-4  # least near plane, as a part of the farthest distance
@@ -43,6 +47,14 @@ def look_at(eye, target=(0, 0, 0), up=(0, 1, 0)):
     pose = np.eye(4)
     pose[:3, :4] = np.stack([right, np.cross(back, right), back, eye], axis=1)
     return pose
+
+
+def framed(bounds, direction, up, yfov, aspect):
+    """Eye and target of a camera whose picture a box fills, seen from a direction."""
+    camera = desc_type("shd_camera")(eye=direction, target=(0, 0, 0), up=up, fov_y=yfov, aspect=aspect).build([])
+    low, high = np.float32(bounds)
+    _api.check(_api.lib.shd_camera_frame_box(ctypes.addressof(camera), address(low), address(high)))
+    return np.float64(camera.eye), np.float64(camera.target)
 
 
 class Lens:

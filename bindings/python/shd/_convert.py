@@ -55,8 +55,9 @@ def flat(array, dtype, writable, name, in_place):
     """An array of one axis with numbers of a type. It has the memory of the given one if it must be used in place."""
     if writable and not isinstance(array, np.ndarray):
         raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
-    if not (writable or in_place) or not isinstance(array, np.ndarray):
+    if not (writable or in_place):
         return np.ascontiguousarray(converted(array, dtype, name)).reshape(-1)
+    array = shared(array, name)
     if array.dtype != dtype:
         raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}; .astype(numpy.{dtype}) converts it")
     if writable and not array.flags.writeable:
@@ -64,6 +65,14 @@ def flat(array, dtype, writable, name, in_place):
     if array.ndim != 1 and not array.flags.c_contiguous:
         raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
     return array if array.ndim == 1 else array.reshape(-1)
+
+
+def shared(value, name):
+    """The array of an object that has one array for all callers, not a new one for each, as lists have."""
+    array = array_of(value, name)
+    if array is not value and array.size and address(array) != address(array_of(value, name)):
+        raise TypeError(f"{name}: an array that is read in place, not {type(value).__name__}, whose array is a copy")
+    return array
 
 
 def check_place(stride, where, dtype, name):

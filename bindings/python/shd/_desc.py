@@ -67,7 +67,7 @@ class Desc:
         made, given = _api.new(self._struct), {}
         for name in sorted(self._values, key=lambda n: "*" in self._fields[n]["type"]):  # lengths before lists
             convert(made, self._fields[name], self._values[name], keep,
-                    f"{self._struct.removeprefix('shd_')}.{name}", given)
+                    f"{self._struct.removeprefix('shd_').removesuffix('_desc')}.{name}", given)
         keep.append(made)
         return made
 

@@ -15,8 +15,9 @@ def format_of(array, srgb, name):
     """The format of an array whose last axis has the channels."""
     kind, channels = KINDS.get(array.dtype.name), array.shape[-1]
     if kind is None:
-        raise TypeError(f"{name}: the array is of {array.dtype}, not {', '.join(KINDS)}; .astype(numpy.uint8) "
-                        "converts codes 0..255")
+        codes = "; .astype(numpy.uint8) converts codes 0..255"
+        cure = {"i": codes, "u": codes, "f": "; .astype(numpy.float32) converts it"}.get(array.dtype.kind, "")
+        raise TypeError(f"{name}: the array is of {array.dtype}, not {', '.join(KINDS)}{cure}")
     if srgb and kind != "8":
         raise TypeError(f"{name}: sRGB texels are of uint8, not {array.dtype}")
     if not 1 <= channels <= 4:

@@ -7,8 +7,9 @@ from ._array import pixels_of
 from ._convert import enum_value
 from ._desc import desc_type
 from ._objects import Material, Sampler, slot
-from ._png import decode
+from ._srgb import decode
 from ._texture import Texture
+from ._trimesh import is_simple, material_values
 
 ANISOTROPIC = {"filter": "anisotropic", "max_anisotropy": 8, "wrap_u": "repeat", "wrap_v": "repeat"}
 CODED = 4           # first column of colours of vertices as linear light of codes
@@ -69,14 +70,14 @@ class Look:
     """
 
     def __init__(self, context, desc):
-        self.lit, self._context, self._desc, self._flat = Material(context, desc), context, desc, None
+        self.lit, self._context, self.desc, self._flat = Material(context, desc), context, desc, None
         self.shows_codes = self.has_codes = False
 
     @property
     def flat(self):
         if self._flat is None:
-            kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
-            slots = [s for s in self._desc._values.get("slots", ())
+            kept = {name: getattr(self.desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
+            slots = [s for s in self.desc._values.get("slots", ())
                      if int(enum_value("shd_slot_target", s.target, "target")) in SHOWN]
             if self.shows_codes:
                 kept["diffuse"] = decode(kept["diffuse"])
@@ -127,47 +128,27 @@ def file_look(context, desc, metallic=0.0):
     return Look(context, desc.replace(model="metallic_roughness", slots=slots, ambient_share=1.0))
 
 
-def _given(material, *names):
-    """The first attribute that is not None."""
-    return next((v for v in (getattr(material, n, None) for n in names) if v is not None), None)
-
-
 def options_of(material):
-    """Options of make_look() from a material of trimesh, SimpleMaterial or PBRMaterial, by the names of attributes."""
-    if not hasattr(material, "baseColorTexture"):
-        return _simple_options(material)
-    maps = [(target, image, srgb, channel) for target, image, srgb, channel in (
-        ("normal", _given(material, "normalTexture"), False, 0),
-        ("occlusion", _given(material, "occlusionTexture"), False, 0),
-        ("roughness", _given(material, "metallicRoughnessTexture"), False, 1),
-        ("metallic", _given(material, "metallicRoughnessTexture"), False, 2),
-        ("emission", _given(material, "emissiveTexture"), True, 0)) if image is not None]
-    has_metal = any(target == "metallic" for target, *_ in maps)
-    color = _given(material, "baseColorFactor")
-    factors = {"metallic": _given(material, "metallicFactor"), "roughness": _given(material, "roughnessFactor")}
+    """Options of make_look() from a material of trimesh."""
+    values = material_values(material)
+    color, texture = values["baseColorFactor"], values["baseColorTexture"]
+    maps = [(target, values[name], srgb, channel) for target, name, srgb, channel in (
+        ("normal", "normalTexture", False, 0), ("occlusion", "occlusionTexture", False, 0),
+        ("roughness", "metallicRoughnessTexture", False, 1), ("metallic", "metallicRoughnessTexture", False, 2),
+        ("emission", "emissiveTexture", True, 0)) if values[name] is not None]
+    if is_simple(material):
+        color = color if texture is None else None  # trimesh makes up the colour of a material with a texture
+    elif color is not None:  # factors of glTF are linear; trimesh stores them as codes 0..255 or as floats
+        color = np.asarray(color) / (255 if np.asarray(color).dtype.kind in "iu" else 1)
     # glTF's default is a metal, which is black without an environment: only a texture makes it the default here.
-    defaults = {"metallic": 1.0 if has_metal else 0.0, "roughness": 1.0}
-    emission = _given(material, "emissiveFactor")
-    mode = _given(material, "alphaMode")
-    values = {k: float(defaults[k] if v is None else v) for k, v in factors.items()}
-    if emission is not None or any(target == "emission" for target, *_ in maps):
-        values["emission"] = np.ones(3) if emission is None else np.asarray(emission, np.float64)
-    if mode == "MASK":
-        cutoff = _given(material, "alphaCutoff")
-        values.update(blend="opaque", alpha_cutoff=0.5 if cutoff is None else float(cutoff))
-    elif mode == "OPAQUE":
-        values["blend"] = "opaque"
-    # Factors of glTF are linear; trimesh stores them as codes 0..255 or as floats.
-    factor = None if color is None else np.asarray(color) / (255 if np.asarray(color).dtype.kind in "iu" else 1)
-    return {"texture": _given(material, "baseColorTexture"), "color": factor, "maps": maps, **values}
-
-
-def _simple_options(material):
-    """Of an OBJ file: a texture or a diffuse colour, and a roughness from the exponent."""
-    image, diffuse = _given(material, "image"), _given(material, "diffuse", "main_color")
-    glossiness = _given(material, "glossiness")
-    exponent = 0.0 if glossiness is None else float(np.ravel(glossiness)[0])
-    # GGX of alpha^2 = 2 / (p + 2) is as wide as Blinn's lobe (Walter et al., "Microfacet Models for Refraction", 2007).
-    roughness = (2 / (max(exponent, 0) + 2)) ** 0.25
-    return {"texture": image, "color": None if image is not None else diffuse, "metallic": 0.0,
-            "roughness": roughness}
+    defaults = {"metallic": 0.0 if values["metallicRoughnessTexture"] is None else 1.0, "roughness": 1.0}
+    made = {name: default if values[f"{name}Factor"] is None else float(values[f"{name}Factor"])
+            for name, default in defaults.items()}
+    emission = values["emissiveFactor"]
+    if emission is not None or values["emissiveTexture"] is not None:
+        made["emission"] = np.ones(3) if emission is None else np.asarray(emission, np.float64)
+    if values["alphaMode"] == "MASK":
+        made.update(blend="opaque", alpha_cutoff=0.5 if values["alphaCutoff"] is None else float(values["alphaCutoff"]))
+    elif values["alphaMode"] == "OPAQUE":
+        made["blend"] = "opaque"
+    return {"texture": texture, "color": color, "maps": maps, **made}

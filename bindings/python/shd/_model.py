@@ -11,7 +11,8 @@ from ._convert import enum_value
 from ._desc import desc_type
 from ._material import Fixed, file_look, linear_color, make_look, options_of
 from ._objects import Mesh
-from ._png import decode
+from ._srgb import decode
+from ._trimesh import surface_of, unshared
 
 
 def floats(value, width, name):
@@ -31,6 +32,11 @@ def triangles(value, count, name):
     return np.ascontiguousarray(array.reshape(-1, 3), np.uint32)
 
 
+def corners_of(bounds):
+    """The eight corners of the lowest and highest x, y, z, [8][3]."""
+    return bounds[np.array(list(itertools.product((0, 1), repeat=3))), np.arange(3)]
+
+
 class Part:
     """A mesh with a material at a place of its model."""
 
@@ -38,9 +44,8 @@ class Part:
         self.mesh, self.look, self.values = mesh, look, values or {}
         self.local = np.eye(4) if local is None else local
         info = mesh.info
-        bounds = np.array([info["bounds_min"], info["bounds_max"]], np.float64)
-        picks = np.array(list(itertools.product((0, 1), repeat=3)))
-        self.corners = np.concatenate([bounds[picks, np.arange(3)], np.ones((8, 1))], axis=1).T
+        corners = corners_of(np.array([info["bounds_min"], info["bounds_max"]], np.float64))
+        self.corners = np.append(corners, np.ones((8, 1)), axis=1).T
         self.instances = None
         self.is_empty = not info["triangle_count"]
 
@@ -109,52 +114,24 @@ def _look(context, rgba, texture, values):
     return make_look(context, None if per_vertex else rgba, texture, per_vertex, **values)
 
 
-def _surface(item):
-    """Colours or texture of a mesh of trimesh, by the names of the attributes of its `visual`."""
-    visual = getattr(item, "visual", None)
-    if visual is None or getattr(visual, "defined", True) is False:
-        return None, {}
-    kind = getattr(visual, "kind", None)
-    if kind is None:
-        kind = "texture" if getattr(visual, "material", None) is not None else "vertex"
-    if kind == "texture":
-        uv = getattr(visual, "uv", None)
-        found = options_of(visual.material)
-        if uv is None:  # textures have no place
-            found.update(texture=None, maps=[])
-        else:
-            uv = np.asarray(uv, np.float64)[:, :2] * (1, -1) + (0, 1)  # v of trimesh grows upwards
-        return kind, {"uv": uv, **found}
-    colors = getattr(visual, f"{kind}_colors", None)
-    if colors is None:
-        return None, {}
-    return kind, {"color": np.asarray(colors)}
-
-
-def _unshared(columns, surface, kind):
-    """Columns and colours of triangles that share no vertices, so that each has its own normal or colour."""
-    corners = columns["indices"].reshape(-1)
-    made = {name: np.asarray(columns[name])[corners] for name in ("position", "normal") if columns[name] is not None}
-    surface = dict(surface)
-    if surface.get("uv") is not None:
-        surface["uv"] = surface["uv"][corners]
-    if np.ndim(surface.get("color")) == 2:
-        surface["color"] = np.repeat(surface["color"], 3, axis=0) if kind == "face" else surface["color"][corners]
-    return made, surface
-
-
 def from_trimesh(context, item, smooth=True, material=None, local=None, **values):
     """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual."""
     position = floats(item.vertices, 3, "vertices")
     faces = triangles(item.faces, len(position), "faces")
-    kind, surface = _surface(item)
-    normals = getattr(item, "vertex_normals", None) if smooth else None
-    columns = {"position": position, "indices": faces, "normal": normals}
+    kind, columns, own = surface_of(item)
+    columns.update(position=position, normal=getattr(item, "vertex_normals", None) if smooth else None)
     if not smooth or kind == "face":
-        columns, surface = _unshared(columns, surface, kind)
+        columns = unshared(columns, faces, kind)
+    else:
+        columns["indices"] = faces
+    options = {} if own is None or material is not None else options_of(own)
+    if "uv" in columns:
+        columns["uv"] = columns["uv"] * (1.0, -1.0) + (0.0, 1.0)  # v of trimesh grows upwards
+    elif options:  # textures have no place
+        options.update(texture=None, maps=[])
     if material is not None:
-        surface = {k: v for k, v in surface.items() if k == "uv"}
-    return from_arrays(context, **columns, **{**surface, **values}, material=material, local=local)
+        columns.pop("color", None)
+    return from_arrays(context, **{**columns, **options, **values}, material=material, local=local)
 
 
 def parts_of(context, item, **values):

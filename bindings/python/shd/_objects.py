@@ -133,8 +133,13 @@ class _Simple(Object):
         keep, made = [], make_desc(f"{self._kind}_desc", desc, values)
         built = made.build(keep)
         self._adopt(keep, getattr(_api.lib, f"{self._kind}_create"), context.handle("shd_context", keep),
-                    ctypes.addressof(built), path=values.get("config_path"))
+                    ctypes.addressof(built), path=self._path(made))
         self._options = option_texts(made)
+
+    @staticmethod
+    def _path(made):
+        """The file that the desc names, for errors."""
+        return None
 
 
 @document

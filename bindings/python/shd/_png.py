@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Writes PNG files, after "PNG (Portable Network Graphics) Specification" (third edition, 2023), and codes of sRGB."""
+"""Writes PNG files, after "PNG (Portable Network Graphics) Specification" (third edition, 2023)."""
 import struct
 import zlib
 
 import numpy as np
 
+from . import _srgb
 from ._array import pixels_of
 
 COLOUR_TYPES = {1: 0, 2: 4, 3: 2, 4: 6}
@@ -18,6 +19,8 @@ def encode(pixels):
     height, width, channels = pixels.shape
     if pixels.dtype not in (np.uint8, np.uint16) or channels not in COLOUR_TYPES:
         raise TypeError(f"pixels: [height][width][1..4] of uint8 or uint16, not {pixels.shape} of {pixels.dtype}")
+    if not pixels.size:
+        raise ValueError("pixels: the array is empty")
     size = pixels.dtype.itemsize
     rows = np.zeros((height, 1 + width * channels * size), np.uint8)  # filter 0 before each row
     rows[:, 1:] = np.ascontiguousarray(pixels, f">u{size}").view(np.uint8).reshape(height, -1)
@@ -39,19 +42,12 @@ def save_png(path, pixels):
         file.write(encoded)
 
 
-def decode(codes):
-    """sRGB codes 0..1 to linear light (IEC 61966-2-1)."""
-    codes = np.asarray(codes, np.float64)
-    return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
-
-
 def straight(color):
     """Premultiplied sRGB codes of RGBA to straight ones, as PNG has them."""
     made = color.copy()
     partial = (made[..., 3] > 0) & (made[..., 3] < 255)
     if partial.any():
         opacity = made[partial][:, 3:] / 255
-        linear = np.minimum(decode(made[partial][:, :3] / 255) / opacity, 1)
-        codes = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-        made[partial, :3] = np.rint(255 * codes)
+        linear = np.minimum(_srgb.decode(made[partial][:, :3] / 255) / opacity, 1)
+        made[partial, :3] = np.rint(255 * _srgb.encode(linear))
     return made

@@ -31,6 +31,11 @@ def check_padding(texels):
                          f"{_api.constants['SHD_TEXTURE_PADDING']}")
 
 
+def is_borrowed(built):
+    """Whether a texture uses the texels of the caller in place."""
+    return bool(built.flags & (_api.constant("SHD_TEXTURE_BORROW") | _api.constant("SHD_TEXTURE_BORROW_LEVELS")))
+
+
 def texture_desc(desc, values):
     """The desc of a texture. A depth or a projection that is given without a kind decides the kind."""
     made = make_desc("shd_texture_desc", desc, values)
@@ -78,7 +83,8 @@ class Texture(Object):
         made = texture_desc(desc, values)
         stacked = is_stack(made)
         built = made.build(keep)
-        texels = split(texels, 3 if stacked else 2, "texture.texels", in_place=bool(built.flags))
+        borrowed = is_borrowed(built)
+        texels = split(texels, 3 if stacked else 2, "texture.texels", in_place=borrowed)
         if "format" not in made._values:
             built.format = format_of(texels, srgb, "texture.texels")
         if stacked and image_count(built) != texels.shape[0]:
@@ -87,10 +93,10 @@ class Texture(Object):
         built.row_stride = texels.strides[-3] if texels.shape[-3] > 1 else 0
         built.layer_stride = texels.strides[0] if stacked and texels.shape[0] > 1 else 0
         built.texels = address(texels)
-        if built.flags:
+        if borrowed:
             check_padding(texels)
         self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
-        if built.flags:  # borrowed texels live as long as the texture
+        if borrowed:  # the texels live as long as the texture
             self._reference.keep.append(texels)
 
     @classmethod

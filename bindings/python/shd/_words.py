@@ -1,15 +1,37 @@
 # SPDX-License-Identifier: MIT
 """Texts of the C headers in the words of Python: "trilinear" for SHD_FILTER_TRILINEAR, SamplerDesc for shd_sampler_desc,
-Texture() for shd_texture_create() and None for NULL."""
+Texture() for shd_texture_create() and None for NULL. generate.py has the same names from here."""
 import re
 
 WORD = re.compile(r"\bSHD_[A-Z0-9_]+\b|(?<!\w)_[A-Z][A-Z0-9_]*\b|\bshd_\w+\b(?:\(\))?|\bNULL\b")
 
 
+def camel(name):
+    """shd_render_desc -> RenderDesc."""
+    return "".join(part.capitalize() for part in name.removeprefix("shd_").split("_"))
+
+
+def short_name(enum_name, constant_name):
+    """SHD_FILTER_EWA of shd_filter -> EWA."""
+    prefix = "SHD_" + re.sub(r"_(flag|target)$", "", enum_name.removeprefix("shd_")).upper() + "_"
+    return constant_name.removeprefix(prefix).removeprefix("SHD_")
+
+
+def members(entry):
+    """The constants of an enum by their short names, in the order of the header."""
+    return {short_name(entry["name"], constant["name"]): constant for constant in entry["constants"]
+            if not constant["name"].endswith("_MAX_ENUM")}
+
+
+def attribute(short):
+    """The name of an enum's attribute: 2D -> N2D."""
+    return short if short[0].isalpha() else f"N{short}"
+
+
 class Words:
     """The names of a description: tables of enums, and names of types by their names in C."""
 
-    def __init__(self, enums, types, short_name):
+    def __init__(self, enums, types):
         self._constants, self._types = {}, types
         for entry in enums.values():
             for member in entry["constants"]:

@@ -45,6 +45,10 @@ class Color(_Simple):
 
     _kind = "shd_color"
 
+    @staticmethod
+    def _path(made):
+        return made._values.get("config_path")
+
     def _texts(self, name, *arguments):
         keep = []  # another thread may close the object
         handle = self.handle(self._kind, keep)

@@ -122,8 +122,10 @@ def open_texture(context, path, cache, desc=None, **values) -> "tuple[Texture, d
 
 
 def _with_opacity(picture):
-    """An image as files have it: grey with opacity and r, g, b become r, g, b, a."""
+    """An image as files have it: grey with opacity, grey floats and r, g, b become r, g, b, a."""
     array = split(picture, 2, "picture")
+    if array.shape[2] == 1 and array.dtype.kind == "f":
+        array = array.repeat(3, axis=2)
     if array.shape[2] == 2:
         return array[..., (0, 0, 0, 1)]
     if array.shape[2] == 3:

@@ -3,8 +3,7 @@
 
     with shd.Renderer(640, 480) as renderer:
         renderer.add("model.glb")                                   # or a mesh of trimesh, or arrays
-        renderer.look_at(eye=(1, 1, 2))
-        color, depth = renderer.render()
+        color, depth = renderer.render()                            # or look_at(eye, target), frame(direction) before
 """
 import functools
 import os
@@ -13,13 +12,16 @@ import threading
 import numpy as np
 
 from . import _camera
-from ._camera import matrix
+from ._camera import matrix, point
 from ._frame import Framebuffer, render
-from ._png import decode, encode, straight
 from ._model import from_arrays, from_scene, parts_of
 from ._objects import Context, Light, Material, counted
+from ._png import encode, straight
+from ._srgb import decode
 
 FORWARD = np.array([0.0, 0.0, -1.0])
+DIRECTION = (0.48, 0.36, 0.8)           # from the right, above and in front
+UNIT = np.array([[-0.5], [0.5]]) * np.ones(3)
 SHADOWED = ("directional", "spot", "point")
 
 
@@ -62,7 +64,8 @@ class Renderer:
 
     `background` has sRGB values 0..1 and an opacity. `ambient` is ambient light, `environment` an Environment, which is
     the background if `shows_environment` is true. Without any light a headlight and some ambient light are used. Models
-    and the framebuffer are kept between frames. A renderer serves one thread; objects of shd may be shared.
+    and the framebuffer are kept between frames. Until the camera is placed, frame() places it for each picture. A
+    renderer serves one thread; objects of shd may be shared.
     """
 
     def __init__(self, width, height, sample_count=4, background=(0, 0, 0, 0), context=None):
@@ -73,7 +76,8 @@ class Renderer:
         self.environment, self.shows_environment = None, False
         self.background = background
         self.resize(width, height)
-        self.look_at(eye=(0, 0, 3))
+        self.frame()
+        self._is_placed = False
 
     def resize(self, width, height):
         """Sets the size of the pictures [pixels]."""
@@ -155,13 +159,30 @@ class Renderer:
         """
         self.look_from(_camera.look_at(eye, target, up), yfov, near=near, far=far)
 
+    def frame(self, direction=DIRECTION, up=(0, 1, 0), yfov=0.8):
+        """Places the camera so that the models that are visible now fill the picture. `direction` points to the camera.
+
+        Models that come or move later do not move the camera.
+        """
+        corners = [(item.pose @ part.local @ part.corners)[:3] for item in self._visible() for part in item.parts
+                   if not part.is_empty]
+        ends = [f(np.concatenate(corners, axis=1), axis=1) for f in (np.min, np.max)] if corners else UNIT
+        if np.array_equal(*ends):  # a single point
+            ends = np.add(ends, UNIT)
+        eye, target = _camera.framed(ends, point(direction, "direction"), point(up, "up"), yfov,
+                                     self._size[0] / self._size[1])
+        self.look_at(eye, target, up, yfov)
+
     def look_from(self, pose, yfov=0.8, aspect=None, near=None, far=None, lens=None):
         """Places the camera by a pose, camera to world [4][4]: x right, y up, and -z along the view."""
         lens = lens or _camera.perspective(yfov, aspect, near, far)
-        self._pose, self._lens = matrix(pose), lens
+        self._pose, self._lens, self._is_placed = matrix(pose), lens, True
 
     def _view(self):
         """The view, and its near and far plane."""
+        if not self._is_placed:
+            self.frame()
+            self._is_placed = False
         width, height = self._size
         to_view = np.linalg.inv(self._pose)
         found = [-(to_view @ item.pose @ part.local @ part.corners)[2] for item in self._visible()

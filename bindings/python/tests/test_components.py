@@ -106,6 +106,9 @@ class Colors(Case):
         self.check_refused(TypeError, "framebuffer: Color, not Framebuffer|has no attribute", self.color.apply,
                            self.color)
         self.check_refused(shd.Error, "nothing.ocio", shd.Color, self.context, config_path="nothing.ocio")
+        with self.assertRaisesRegex(FileNotFoundError, "nothing.ocio") as raised:
+            shd.Color(self.context, shd.ColorDesc(config_path="nothing.ocio"))
+        self.assertEqual(raised.exception.filename, "nothing.ocio")
         read_only = np.zeros((2, 2, 4), np.float32)
         read_only.flags.writeable = False
         self.check_refused(ValueError, "pixels: the array is read-only", self.color.convert, read_only, "ACEScg")
@@ -133,6 +136,11 @@ class Files(Case):
         bitmap.close()
         np.testing.assert_array_equal(kept, self.pixels)
         self.check_refused(ValueError, "read-only", kept.fill, 0)
+        for kind in (np.float16, np.float32, np.float64):
+            grey, exr = np.linspace(0, 1, 6).reshape(2, 3).astype(kind), self.folder / "grey.exr"
+            io.save(grey, exr)
+            np.testing.assert_allclose(io.load(self.context, exr).pixels[..., :3], grey[..., np.newaxis].repeat(3, 2),
+                                       atol=1e-3)
         from_memory = io.load(self.context, path.read_bytes(), formats="png")
         self.assertEqual((from_memory.color_space, from_memory.info["file_format"]), ("sRGB", shd.FileFormat.PNG))
         for source in (path, str(path), path.read_bytes()):

@@ -164,6 +164,19 @@ class Textures(Case):
         self.check_refused(ValueError, "0 bytes behind the borrowed texels in their array, not 128", shd.Texture,
                            self.context, np.zeros((4, 4), np.float32), flags="borrow")
 
+    def test_premultiplied(self):
+        """Flags that borrow nothing leave all kinds of texels to be copied."""
+        texels = np.full((4, 4, 4), 51, np.uint8)
+        for made, kind in ((texels, "RGBA8"), (texels / 255, "RGBA32F"), (texels.tolist(), None),
+                           (memoryview(texels), "RGBA8"), (texels[::-1], "RGBA8")):
+            if kind is None:
+                self.check_refused(TypeError, "of int64, not uint8", shd.Texture, self.context, made,
+                                   flags="premultiplied")
+                continue
+            texture = shd.Texture(self.context, made, flags="premultiplied")
+            self.assertEqual(texture.info["format"].name, kind)
+            np.testing.assert_array_equal(texture.read_level(), np.asarray(made, texture.read_level().dtype))
+
     def test_levels(self):
         """The caller's levels of two layers: two images for each level."""
         base, levels = np.zeros((2, 4, 4), np.float32), [np.full((2, 2), i, np.float32) for i in (1, 2)]
@@ -177,8 +190,10 @@ class Textures(Case):
         make = lambda texels, **values: shd.Texture(self.context, texels, **values)
         for kind, message, texels, values in (
                 (TypeError, "of int64, not uint8, uint16, float16, float32; .astype.numpy.uint8. converts", [[0]], {}),
+                (TypeError, "of float64, not uint8, uint16, float16, float32; .astype.numpy.float32. converts it$",
+                 np.zeros((2, 2)), {"flags": "borrow"}),
                 (TypeError, "array of numbers, not str", "wood.png", {}),
-                (TypeError, "of bool, not uint8", np.zeros((2, 2), bool), {}),
+                (TypeError, "of bool, not uint8, uint16, float16, float32$", np.zeros((2, 2), bool), {}),
                 (ValueError, "16 channels, not 1 to 4; images are .height..width..channels.; numpy.moveaxis",
                  np.zeros((3, 16, 16), np.uint8), {}),
                 (ValueError, "5 channels, not 1 to 4; images are .height..width..channels.",

@@ -3,6 +3,7 @@
 import gc
 import json
 import pathlib
+import pickle
 import tempfile
 import weakref
 
@@ -221,6 +222,149 @@ class Shown(Case):
             with self.subTest(name):
                 model, buffer = gltf(matrix, doubleSided=double, **RED)
                 self.check_shown(model, expected, find={"a.bin": buffer})
+
+
+class Pieces(Case):
+    """The parts of a file as shd.pyrender has them: their names, places and materials."""
+
+    @classmethod
+    def setUpClass(cls):
+        require_component("shd_scene")
+        super().setUpClass()
+
+    @staticmethod
+    def loaded(change, images=(), **material):
+        """A model of the square, whose root `change` may change."""
+        model, buffer = gltf(**material)
+        root = json.loads(model)
+        root["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 0
+        root["images"] = [{"uri": f"{i}.png"} for i in range(len(images))]
+        root["textures"] = [{"source": i, "sampler": i} for i in range(len(images))]
+        change(root)
+        files = {"a.bin": buffer, **{f"{i}.png": _png.encode(image) for i, image in enumerate(images)}}
+        return pyrender.load(json.dumps({k: v for k, v in root.items() if v}).encode(), find=files)
+
+    def test_names(self):
+        """Each primitive of each mesh is drawn at its own nodes, also where names are those of others."""
+        def primitives(root):
+            root["meshes"][0]["name"] = "m"
+            root["materials"].append({"name": "other"})
+            first = root["meshes"][0]["primitives"][0]
+            root["meshes"][0]["primitives"].append({**first, "material": 1, "indices": len(root["accessors"])})
+            root["accessors"].append({**root["accessors"][1], "count": 3})  # one triangle
+
+        def meshes(root):
+            primitives(root)
+            first, second = root["meshes"][0]["primitives"]
+            root["meshes"] = [{"name": "m", "primitives": [first]}, {"name": "m", "primitives": [second]}]
+            root["nodes"].append({"mesh": 1, "translation": [5, 0, 0]})
+            root["scenes"][0]["nodes"] = [0, 1]
+
+        for change, width in ((primitives, 2), (meshes, 7)):
+            with self.subTest(change.__name__):
+                model = self.loaded(change)
+                graph, geometry = model.graph, model.geometry
+                self.assertEqual([graph[node][1] for node in graph.nodes_geometry], ["m", "m_1"])
+                self.assertEqual({name: len(piece.faces) for name, piece in geometry.items()}, {"m": 2, "m_1": 1})
+                scene = pyrender.Scene.from_trimesh_scene(model)
+                self.assertEqual([len(node.mesh.primitives[0].indices) for node, _ in scene.placed("mesh")], [6, 3])
+                np.testing.assert_allclose(scene.bounds, model.bounds)
+                self.assertEqual(scene.extents[0], width)
+
+        def twice(root):
+            root["nodes"].append({"mesh": 0, "translation": [5, 0, 0]})
+            root["scenes"][0]["nodes"] = [0, 1]
+
+        model = self.loaded(twice)  # two places of one mesh
+        self.assertEqual((len(model.geometry), len(model.graph.nodes_geometry)), (1, 2))
+        np.testing.assert_array_equal(model.face_normals, [[0, 0, 1]] * 4)
+        self.assertEqual(len(pyrender.Scene.from_trimesh_scene(model).meshes), 1)
+
+    def test_materials(self):
+        """All textures with their channels, wraps and filters, and the mode of the file."""
+        rng = np.random.default_rng(3)
+        images = [rng.integers(0, 256, (2, 4, 4)).astype(np.uint8) for _ in range(5)]
+        nearest, linear = pyrender.GLTF.NEAREST, pyrender.GLTF.LINEAR
+        wraps = ((10497, 33071), (33071, 33648), (33648, 10497), (10497, 10497), (33071, 33071))
+        filters = ((nearest, 9984), (linear, 9985), (nearest, 9986), (linear, 9987), (linear, linear))
+
+        def samplers(root):
+            root["samplers"] = [{"wrapS": s, "wrapT": t, "magFilter": large, "minFilter": small}
+                                for (s, t), (large, small) in zip(wraps, filters)]
+
+        textures = {"pbrMetallicRoughness": {
+            "baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1}, "metallicFactor": 0.5,
+            "roughnessFactor": 0.25, "baseColorFactor": [0.5, 1, 0.25, 0.75]},
+            "normalTexture": {"index": 2}, "occlusionTexture": {"index": 3}, "emissiveTexture": {"index": 4},
+            "emissiveFactor": [1, 0.5, 0.25]}
+        images[0][..., 3] |= 128
+        blended = pyrender.Mesh.from_trimesh(self.loaded(samplers, images, alphaMode="BLEND", **textures))
+        np.testing.assert_allclose(blended.primitives[0].material.baseColorTexture.source.astype(int), images[0], atol=2)
+        primitive = pyrender.Mesh.from_trimesh(self.loaded(samplers, images, **textures)).primitives[0]
+        made = primitive.material
+        names = ("baseColor", "metallicRoughness", "normal", "occlusion", "emissive")
+        for i, (name, channels) in enumerate(zip(names, (slice(4), slice(1, 3), slice(3), slice(1), slice(3)))):
+            with self.subTest(name):
+                texture = getattr(made, f"{name}Texture")
+                self.assertIsNone(texture._source)  # nothing is read before it is asked for
+                np.testing.assert_array_equal(texture.source, images[i][..., channels])
+                sampler = texture.sampler
+                self.assertEqual(((sampler.wrapS, sampler.wrapT), (sampler.magFilter, sampler.minFilter)),
+                                 (wraps[i], filters[i]))
+        self.assertEqual((made.metallicFactor, made.roughnessFactor, made.baseColorFactor.tolist(),
+                          made.emissiveFactor.tolist()), (0.5, 0.25, [0.5, 1, 0.25, 0.75], [1, 0.5, 0.25]))
+        copied = pickle.loads(pickle.dumps(primitive)).material
+        np.testing.assert_array_equal(copied.normalTexture.source, images[2][..., :3])
+        made.normalTexture.source = images[0]
+        np.testing.assert_array_equal(made.normalTexture.source, images[0][..., :3])
+        for values, mode, cutoff in (({"alphaMode": "OPAQUE"}, "OPAQUE", 0.5), ({"alphaMode": "BLEND"}, "BLEND", 0.5),
+                                     ({}, "OPAQUE", 0.5), ({"alphaMode": "MASK", "alphaCutoff": 0.25}, "MASK", 0.25)):
+            factors = {"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.5]}}
+            made = pyrender.Mesh.from_trimesh(self.loaded(lambda root: None, **factors, **values)).primitives[0].material
+            self.assertEqual((made.alphaMode, made.alphaCutoff), (mode, cutoff))
+
+    def test_changed(self):
+        """A file's material that a program changes is drawn as before, but for the change."""
+        rng = np.random.default_rng(4)
+        images = [rng.integers(60, 200, (8, 8, 3)).astype(np.uint8) for _ in range(4)]
+        images[2][..., 2] = 255
+        textures = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0.5,
+                                             "metallicRoughnessTexture": {"index": 1}},
+                    "normalTexture": {"index": 2}, "occlusionTexture": {"index": 3}}
+
+        def samplers(root):
+            root["samplers"] = [{}] * 4
+
+        mesh = pyrender.Mesh.from_trimesh(self.loaded(samplers, images, doubleSided=True, **textures))
+        scene = pyrender.Scene(ambient_light=[0.2] * 3)
+        scene.add(mesh)
+        pose = np.eye(4)
+        pose[2, 3] = 3
+        for thing in (pyrender.PerspectiveCamera(0.8), pyrender.DirectionalLight(intensity=3.0)):
+            scene.add(thing, pose=pose)
+        with pyrender.OffscreenRenderer(32, 32) as renderer:
+            before = renderer.render(scene)[0].astype(int)
+            mesh.primitives[0].material.name = "changed"
+            after = renderer.render(scene)[0].astype(int)
+            self.assertLessEqual(np.abs(after - before).max(), 2)
+            self.assertGreater(before.std(), 5)
+            mesh.primitives[0].material.normalTexture = None
+            self.assertGreater(np.abs(renderer.render(scene)[0].astype(int) - before).max(), 10)
+
+    def test_separate_maps(self):
+        """Maps of opacity, and textures of one channel and of 16 bits: an OBJ file."""
+        obj = (b"mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+               b"f 1/1 2/2 3/3\n")
+        files = {"a.mtl": b"newmtl m\nmap_Kd color.png\nmap_d opacity.png\n",
+                 "color.png": _png.encode(np.uint8([[[10, 20, 30], [40, 50, 60]]])),
+                 "opacity.png": _png.encode(np.uint8([[[0]], [[255]], [[51]], [[102]]]))}
+        made = pyrender.Mesh.from_trimesh(pyrender.load(obj, name="a.obj", find=files)).primitives[0].material
+        self.assertEqual(made.alphaMode, "BLEND")
+        np.testing.assert_array_equal(made.baseColorTexture.source[..., 3], [[0] * 2, [255] * 2, [51] * 2, [102] * 2])
+        np.testing.assert_array_equal(made.baseColorTexture.source[..., :3], [[[10, 20, 30], [40, 50, 60]]] * 4)
+        files["color.png"] = _png.encode(np.uint16([[[10, 20, 30], [40, 50, 60]]]) * 257)
+        made = pyrender.Mesh.from_trimesh(pyrender.load(obj, name="a.obj", find=files)).primitives[0].material
+        np.testing.assert_array_equal(made.baseColorTexture.source[..., :3], [[[10, 20, 30], [40, 50, 60]]] * 4)
 
 
 class Containers(Case):

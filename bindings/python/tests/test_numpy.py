@@ -50,6 +50,13 @@ class Converting:
         return self._array
 
 
+class Copying(Converting):
+    """An object whose __array__ makes a new array each time."""
+
+    def __array__(self, dtype=None, copy=None):
+        return self._array.copy()
+
+
 def forms(array):
     """Objects with the numbers of an array, which NumPy would have to copy or to convert."""
     padded = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
@@ -87,6 +94,26 @@ class Inputs(Case):
                                       (ValueError, "u: its stride is -4 bytes", np.zeros(4, np.float32)[::-1])):
             self.check_refused(kind, message, self.checker().lookup, shd.Sampler(self.context), values, values, out)
 
+    def test_lookups_of_objects(self):
+        """Objects that share their numbers are read in place, in all forms; a copy of numbers is refused."""
+        texture, sampler = self.checker(), shd.Sampler(self.context, filter="nearest")
+        for hold in (Interface, Exported, Converting, memoryview):
+            u, v, out = np.float32([0.25]), np.float32([0.25]), np.zeros((1, 1), np.float32)
+            lookup = texture.lookup(sampler, hold(u), v, out)
+            seen = []
+            for u[0] in (0.25, 0.75):
+                lookup()
+                seen.append(float(out[0, 0]))
+            self.assertEqual(seen, [0, 1], hold)
+        for kind, message, made in (
+                (TypeError, "u: the array is of float64, not float32", Converting(np.zeros(1))),
+                (TypeError, "u: the array is of float64, not float32", memoryview(np.zeros(1))),
+                (ValueError, "u: its stride is -4 bytes", Converting(np.zeros(2, np.float32)[::-1])),
+                (TypeError, "u: an array that is read in place, not list, whose array is a copy", [0.5]),
+                (TypeError, "u: an array that is read in place, not Copying", Copying(np.zeros(1, np.float32)))):
+            out = np.zeros((1, 1), np.float32)
+            self.check_refused(kind, message, texture.lookup, sampler, made, np.float32([0.5]), out)
+
     def test_positions(self):
         for name, made in forms(POSITION).items():
             with self.subTest(name):
@@ -102,6 +129,10 @@ class Inputs(Case):
             np.testing.assert_array_equal(mesh.indices, faces)
         for made in (faces, Exported(np.array(faces)), memoryview(np.array(faces)), np.array(faces)[::-1][::-1]):
             np.testing.assert_array_equal(shd.Mesh(self.context, POSITION, made).indices, faces)
+        self.check_refused(ValueError, r"^mesh.position: the last axis has 2 elements, not 3", shd.Mesh,
+                           self.context, POSITION[:, :2])
+        self.check_refused(TypeError, r"^mesh.position: .*device", shd.Mesh, self.context,
+                           Exported(POSITION, (2, 0)))
         self.check_refused(shd.InvalidArgument, r"mesh.indices\[2\]: 4 is not below vertex_count 4", shd.Mesh,
                            self.context, POSITION, np.int64([0, 1, 4]))
 
@@ -236,6 +267,8 @@ class Files(Case):
                     continue
                 shd.save_png(path, picture)
                 np.testing.assert_array_equal(golden.load(path), want)
+            self.check_refused(ValueError, "^pixels: the array is empty$", shd.save_png, path,
+                               np.zeros((0, 2), np.uint8))
 
 
 class Reports(Case):
@@ -255,7 +288,7 @@ class Reports(Case):
         self.assertIsInstance(lines[0][0], shd.LogLevel)
         self.assertEqual([(r.levelno, r.getMessage()) for r in records.records],
                          [(10 * (int(level) + 1), message) for level, message in lines])
-        self.check_refused(TypeError, "context_desc.log: a logging.Logger, a function or a dict", shd.Context, log=3)
+        self.check_refused(TypeError, "context.log: a logging.Logger, a function or a dict", shd.Context, log=3)
 
     def test_progress(self):
         """A function gets the fractions of a frame, and a bar appears in long frames alone."""
@@ -267,7 +300,7 @@ class Reports(Case):
             with self.assertRaises(shd.Error) as caught:
                 renderer.render(progress=lambda fraction: False)
         self.assertEqual((fractions[-1], caught.exception.result), (1, shd.Result.ERROR_CANCELLED))
-        self.check_refused(TypeError, "render_desc.progress: True, a function", shd.render, self.context,
+        self.check_refused(TypeError, "render.progress: True, a function", shd.render, self.context,
                            self.framebuffer(), progress=3)
         for delay, tqdm, pattern in ((10, None, r"^$"), (0, None, r"render \[#{30}\] 100 %\n$"),
                                      (0, Tqdm, r"^start \d+ % end$")):

@@ -152,7 +152,7 @@ class Descs(Case):
         self.check_refused(TypeError, "SamplerDesc has no field fliter; did you mean filter?", shd.SamplerDesc,
                            fliter=1)
         self.check_refused(AttributeError, "no field nothing", lambda: desc.nothing)
-        self.check_refused(ValueError, "sampler_desc.filter: 'best' is none of trilinear, nearest", shd.Sampler,
+        self.check_refused(ValueError, "sampler.filter: 'best' is none of trilinear, nearest", shd.Sampler,
                            self.context, filter="best")
         self.check_refused(shd.InvalidArgument, "sampler.max_anisotropy|max_anisotropy", shd.Sampler, self.context,
                            max_anisotropy=-1)
@@ -164,7 +164,7 @@ class Descs(Case):
         draw, light = shd.Draw(mesh=self.square()), shd.Light(self.context)
         render = lambda **values: shd.render(self.context, self.framebuffer(), **values)
         for kind, message, values in (
-                (ValueError, "render_desc.draws: 1 elements, not draw_count = 3", {"draws": [draw], "draw_count": 3}),
+                (ValueError, "render.draws: 1 elements, not draw_count = 3", {"draws": [draw], "draw_count": 3}),
                 (ValueError, "not light_count = [12]", {"lights": [light, light], "shadows": [None]}),
                 (ValueError, r"shape \(1, 15\), not", {"draws": [draw.replace(instances=np.zeros((1, 15), "f4"))]}),
                 (ValueError, "instance_count = 2", {"draws": [draw.replace(instances=np.zeros((1, 16), "f4"),

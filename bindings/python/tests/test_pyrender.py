@@ -2,9 +2,8 @@
 """The interface of pyrender: its example's calls, lights, flags, nodes and misuse, with stand-ins for trimesh."""
 import numpy as np
 
-import shd
 import shd.pyrender as pyrender
-from shd._png import decode
+from shd._srgb import decode
 from support import Case, require_component
 from trimesh_like import UV, ColorVisuals, PBRMaterial, Scene, SimpleMaterial, TextureVisuals, Trimesh, square
 
@@ -119,6 +118,11 @@ class Pictures(Cases):
         self.assertEqual((color[8, 8].tolist(), color[3, 8].tolist(), color[0, 0].tolist()), ([10, 20, 30], [7] * 3,
                                                                                           [0] * 3))
         self.assertEqual(float(depth[8, 8]), 2.0)
+        for value, text in ((300, "^seg_node_map.0.: 300 is not in 0..255$"),
+                            ((0, -1, 0), "seg_node_map.1.: -1 is not"),
+                            ([np.nan] * 3, "seg_node_map: a number is not finite"),
+                            ((1, 2), "seg_node_map: r, g, b or one number, not an array of shape")):
+            self.check_refused(ValueError, text, self.render, scene, Flags.SEG, seg_node_map={near: value})
 
     def test_instances_and_shadows(self):
         mesh = self.mesh(poses=[np.diag([0.25, 0.25, 1, 1]) + x for x in (np.eye(4, k=3) * 0.5, np.eye(4, k=3) * -0.5)])
@@ -206,4 +210,11 @@ class Nodes(Cases):
         renderer.delete()
         renderer.delete()
         self.check_refused(ValueError, "it was deleted", renderer.render, self.scene())
-        self.check_refused(shd.InvalidArgument, "framebuffer.width", pyrender.OffscreenRenderer, 0, 8)
+        for kind, size, text in (
+                (ValueError, (0, 8), "^viewport_width: 0 is not a whole number in 1..16384$"),
+                (ValueError, (8, -1), "^viewport_height: -1 is not a whole number in 1..16384$"),
+                (ValueError, (8, 20000), "^viewport_height: 20000 is not"),
+                (ValueError, (8.5, 8), "^viewport_width: 8.5 is not"),
+                (TypeError, ("wide", 8), "^viewport_width: a number, not 'wide'$"),
+                (TypeError, (None, 8), "^viewport_width: a number, not None$")):
+            self.check_refused(kind, text, pyrender.OffscreenRenderer, *size)

@@ -43,8 +43,7 @@ class Attributes(Case):
         for kind, name, value in bad:
             with self.subTest(f"{name} = {value}"):
                 before = getattr(made, name)
-                self.check_refused(kind, name, setattr, made, name, value) if kind is ValueError else \
-                    self.check_refused(kind, "", setattr, made, name, value)
+                self.check_refused(kind, f"^{name}: ", setattr, made, name, value)
                 self.assertIs(getattr(made, name), before)
 
     def test_names(self):
@@ -70,10 +69,12 @@ class Attributes(Case):
              (TypeError, "yfov", None)])
         self.check_attributes(
             lambda: pyrender.OrthographicCamera(1.0, 2.0), {"xmag": 1, "ymag": 2, "znear": 0.05, "zfar": 100},
-            [("xmag", 3.0)], [*common, (ValueError, "znear", 0), (ValueError, "xmag", 0), (TypeError, "ymag", None)])
+            [("xmag", 3.0)], [*common, (ValueError, "znear", 0), (ValueError, "xmag", 0), (TypeError, "ymag", None),
+                              (TypeError, "zfar", None), (ValueError, "znear", 100), (ValueError, "znear", 200)])
         self.check_attributes(
             lambda: pyrender.IntrinsicsCamera(100, 110, 32, 24), {"fx": 100, "cy": 24, "zfar": 100},
-            [("cx", -3.0)], [*common, (ValueError, "fx", 0)])
+            [("cx", -3.0)], [*common, (ValueError, "fx", 0), (ValueError, "znear", 100), (TypeError, "cx", "left")])
+        self.check_refused(TypeError, "^zfar: a number, not None$", pyrender.OrthographicCamera, 1.0, 1.0, zfar=None)
         for kind, values in ((pyrender.PerspectiveCamera, {}), (pyrender.OrthographicCamera, {"xmag": 1})):
             self.check_refused(TypeError, "required positional argument", kind, **values)
 
@@ -92,6 +93,10 @@ class Attributes(Case):
         half, matrix = math.tan(0.5), pyrender.PerspectiveCamera(1.0).get_projection_matrix(80, 40)
         np.testing.assert_allclose(matrix @ (2 * half, half, -1, 1), (1, 1, 1 - 2 * 0.05, 1))
         self.check_refused(ValueError, "aspectRatio: None", pyrender.PerspectiveCamera(1.0).get_projection_matrix)
+        for camera in (pyrender.PerspectiveCamera(1.0), pyrender.OrthographicCamera(1.0, 1.0),
+                       pyrender.IntrinsicsCamera(8, 8, 4, 4)):
+            self.check_refused(ValueError, "^width: 0 is not above 0", camera.get_projection_matrix, 0, 0)
+            self.check_refused(ValueError, "^height: -2 is not above 0", camera.get_projection_matrix, 4, -2)
 
     def test_lights(self):
         common = [(ValueError, "color", None), (ValueError, "color", "red"), (TypeError, "intensity", None)]
@@ -129,6 +134,11 @@ class Attributes(Case):
         self.check_refused(ValueError, "source_channels: 'BGR' is none of", pyrender.Texture, source_channels="BGR")
         self.check_refused(TypeError, "source: an array of numbers, not str", pyrender.Texture, source="wood.png")
         self.check_refused(TypeError, "sampler: a Sampler, not int", pyrender.Texture, sampler=3)
+        for source, text in ((np.int64([[300]]), "source.0.: 300 is not in 0..255"), (np.int8([[-1]]), "source.0.: -1"),
+                             (np.array([[0, np.nan]]), "source: a number is not finite"),
+                             (np.array([[np.inf]]), "source: a number is not finite")):
+            self.check_refused(ValueError, text, pyrender.Texture, source=source)
+        self.assertEqual(pyrender.Texture(source=np.int64([[255, 7]])).source[0].tolist(), [[255], [7]])
         self.assertTrue(pyrender.Texture(source=np.uint8([[[1, 2, 3, 254]]]), source_channels="RGBA").is_transparent())
 
     def test_texts(self):
@@ -160,6 +170,25 @@ class Attributes(Case):
         made = pyrender.MetallicRoughnessMaterial(baseColorTexture=np.zeros((2, 2, 3), np.uint8))
         self.assertIsInstance(made.baseColorTexture, pyrender.Texture)
 
+    def test_channels(self):
+        """Roughness and metalness are the channels G and B of a source, in whatever order it has them."""
+        pixels = np.uint8([[[10, 20, 30, 40]]])
+        for source, channels, want in ((pixels, "GB", (0, 1)), (pixels, "RGB", (1, 2)), (pixels, "RGBA", (1, 2)),
+                                       (pixels, None, (1, 2)), (pixels[..., :3], None, (1, 2)),
+                                       (pixels[..., :2], None, (0, 1))):
+            texture = pyrender.Texture(source=source, source_channels=channels)
+            maps = pyrender.MetallicRoughnessMaterial(metallicRoughnessTexture=texture).options()["maps"]
+            self.assertEqual([(target, channel) for target, _, _, channel in maps],
+                             [("roughness", want[0]), ("metallic", want[1])])
+        red = pyrender.MetallicRoughnessMaterial(
+            metallicRoughnessTexture=pyrender.Texture(source=pixels, source_channels="R"))
+        self.check_refused(ValueError, "metallicRoughnessTexture: the channels R of the source have no G, roughness",
+                           red.options)
+        empty = pyrender.Texture(width=4, height=4)
+        names = ("baseColor", "normal", "occlusion", "emissive", "metallicRoughness")
+        made = pyrender.MetallicRoughnessMaterial(**{f"{name}Texture": empty for name in names}).options()
+        self.assertEqual((made["maps"], made["texture"]), ([], None))
+
 
 class Meshes(Case):
     def test_bounds(self):
@@ -172,6 +201,8 @@ class Meshes(Case):
         self.assertEqual(pyrender.Mesh.from_trimesh(box(), poses=poses).bounds.tolist(), [[-0.5] * 3, [4.5, 0.5, 0.5]])
         self.assertEqual(pyrender.Mesh.from_trimesh(box(), poses=np.eye(4)).extents.tolist(), [1, 1, 1])
         self.check_refused(ValueError, "poses", pyrender.Mesh.from_trimesh, box(), poses=np.eye(3))
+        nowhere = pyrender.Mesh.from_trimesh(box(), poses=np.zeros((0, 4, 4)))
+        self.assertEqual((nowhere.bounds.tolist(), nowhere.parts), (np.zeros((2, 3)).tolist(), []))
         self.assertEqual(pyrender.Mesh([]).bounds.tolist(), np.zeros((2, 3)).tolist())
 
     def test_primitives(self):
@@ -182,6 +213,12 @@ class Meshes(Case):
                 self.check_refused(ValueError, name, setattr, made, name, value)
         self.check_refused(TypeError, "material: a Material, not ndarray", setattr, made, "material", np.zeros(10))
         self.check_refused(ValueError, "indices.1.: 4 is not in 0..3", setattr, made, "indices", [0, 4, 1])
+        self.check_refused(ValueError, "^indices.0.: 2, but there are no vertices$", pyrender.Primitive,
+                           np.zeros((0, 3)), indices=[2, 0, 1])
+        given = np.float32(square().vertices)
+        made = pyrender.Primitive(given, given)
+        given[:] = 9
+        self.assertEqual((made.positions.tolist(), made.normals.tolist()), (square().vertices.tolist(),) * 2)
         self.check_refused(ValueError, "mode", pyrender.Primitive, [], mode=10)
         for kind in (pyrender.Mesh, pyrender.Primitive):
             self.check_refused(TypeError, "required positional argument", kind)
@@ -286,7 +323,7 @@ class Nodes(Case):
 
 class Drawn(Cases):
     def test_changes(self):
-        """Changes of materials, arrays and samplers are seen in the next picture."""
+        """Assigned attributes of materials, primitives and samplers are seen in the next picture."""
         mesh = self.mesh(TextureVisuals(UV, SimpleMaterial(np.uint8([[[255, 0, 0]]]), diffuse=[255] * 4)))
         scene, primitive = self.scene(mesh), mesh.primitives[0]
         look = lambda: self.render(scene, RenderFlags.FLAT)[0][8, 8].tolist()
@@ -350,6 +387,23 @@ class Drawn(Cases):
                 made = pyrender.Primitive(0.999 * corners, indices=indices, material=white, mode=mode)
                 depth = self.render(self.scene(pyrender.Mesh([made])))[1]
                 self.assertTrue(low <= (depth > 0).sum() <= high, (depth > 0).sum())
+
+    def test_incomplete_modes(self):
+        """Corners that complete no point, line or triangle are left out, also where normals are shown."""
+        flags = RenderFlags.VERTEX_NORMALS | RenderFlags.FACE_NORMALS
+        corners, white = square().vertices[:, :3], pyrender.MetallicRoughnessMaterial()
+        for mode, indices, count in (
+                (GLTF.TRIANGLES, [0, 1, 2, 0, 2, 3, 1], 256), (GLTF.TRIANGLES, [0, 1], 0), (GLTF.TRIANGLES, [], 0),
+                (GLTF.TRIANGLE_STRIP, [0, 1], 0), (GLTF.TRIANGLE_STRIP, [], 0), (GLTF.TRIANGLE_FAN, [0, 1], 0),
+                (GLTF.TRIANGLE_FAN, [], 0), (GLTF.LINES, [0], 0), (GLTF.LINE_STRIP, [0], 0), (GLTF.LINE_LOOP, [], 0),
+                (GLTF.POINTS, [], 0)):
+            with self.subTest(mode=mode, indices=indices):
+                made = pyrender.Primitive(corners, indices=indices, material=white, mode=mode)
+                color, depth = self.render(self.scene(pyrender.Mesh([made])))
+                self.assertEqual((depth > 0).sum(), count)
+                self.render(self.scene(pyrender.Mesh([made])), flags)
+        whole = pyrender.Primitive(corners, material=white)  # four vertices in order: one triangle
+        self.assertEqual(len(whole.parts[0].mesh.indices), 1)
 
     def test_normals(self):
         """Normals are blue lines of 0.05 of the scale of the primitive."""

@@ -8,6 +8,9 @@ import numpy as np
 
 import shd
 from shd import _camera
+from shd._material import options_of
+from shd._trimesh import surface_of
+from shd.pyrender.material import material_of
 from support import Case, require_component
 from trimesh_like import (UV, ColorVisuals, Image, PBRMaterial, Scene, SimpleMaterial, TextureVisuals, Trimesh, square)
 
@@ -41,6 +44,32 @@ class Models(Renderers):
             renderer = self.renderer()
             renderer.add(square(TextureVisuals(UV, material)))
             self.check_quarters(renderer)
+
+    def test_materials_of_trimesh(self):
+        """Renderer and pyrender read the same numbers: an exponent p is a roughness of (2 / (p + 2)) ^ 1/4."""
+        for glossiness, kept, exponent in ((0.0, {}, 0), (14.0, {}, 14), (np.array([14.0]), {}, 14), (14.0, {"Ns": 30}, 30),
+                                           (None, {}, 1), (None, {"Ns": [30.0]}, 30), (-5.0, {}, 0), (14.0, None, 14)):
+            simple = SimpleMaterial(diffuse=(51, 102, 153, 255), glossiness=glossiness)
+            simple.kwargs = kept
+            want = (2 / (exponent + 2)) ** 0.25
+            self.assertAlmostEqual(options_of(simple)["roughness"], want)
+            self.assertAlmostEqual(material_of(simple).roughnessFactor, want)
+        self.assertEqual(options_of(simple)["color"].tolist(), [51, 102, 153, 255])  # codes of sRGB
+        self.assertIsNone(options_of(SimpleMaterial(IMAGE))["color"])
+        pbr = PBRMaterial(baseColorFactor=np.uint8([51, 102, 153, 255]), alphaMode="MASK", metallicRoughnessTexture=IMAGE)
+        made = options_of(pbr)
+        np.testing.assert_allclose(made["color"], (0.2, 0.4, 0.6, 1))
+        self.assertEqual((made["metallic"], made["roughness"], made["blend"], made["alpha_cutoff"]), (1, 1, "opaque", 0.5))
+        self.assertEqual([(target, channel) for target, _, _, channel in made["maps"]], [("roughness", 1), ("metallic", 2)])
+        self.assertEqual((options_of(PBRMaterial())["metallic"], material_of(PBRMaterial()).metallicFactor), (0, 1))
+
+    def test_unmarked_visuals(self):
+        """A visual without a kind is a texture if it has a material, and else has colours of vertices."""
+        textured, colored = TextureVisuals(UV, SimpleMaterial(IMAGE)), ColorVisuals(np.uint8([[0, 9, 0, 255]] * 4))
+        textured.kind = colored.kind = None
+        for visual, names in ((textured, ["uv"]), (colored, ["color"])):
+            self.assertEqual(list(surface_of(square(visual))[1]), names)
+        self.assertEqual(surface_of(square(TextureVisuals(UV[:0], SimpleMaterial())))[1], {})
 
     def test_arrays(self):
         """v of arrays is downwards."""
@@ -150,6 +179,39 @@ class Frames(Renderers):
         self.assertEqual([bool(depth[row, column] > 0) for row, column in ((0, 31), (17, 31), (0, 14))],
                          [True, False, False])
 
+    def test_framing(self):
+        """Models fill the picture, and none of them lies outside, from any direction and in any shape of picture."""
+        box = dict(position=np.float32([[x, y, z] for x in (5, 8) for y in (-1, 0) for z in (2, 2.5)]),
+                   indices=np.uint32([[0, 1, 3], [0, 3, 2], [4, 7, 5], [4, 6, 7], [0, 5, 1], [0, 4, 5],
+                                      [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]))
+        for size in ((160, 160), (400, 130), (120, 400)):
+            renderer = shd.Renderer(*size, sample_count=1, context=self.context)
+            renderer.add(**box)
+            first = renderer.render()[1]  # the camera was not placed
+            renderer.frame()
+            np.testing.assert_array_equal(renderer.render()[1], first)
+            for values in ({}, {"direction": (0, 0, -3)}, {"direction": (1, 9, 0), "up": (0, 0, 1), "yfov": 0.2}):
+                renderer.frame(**values)
+                seen = renderer.render()[1] > 0
+                with self.subTest(size=size, **values):
+                    rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
+                    self.assertFalse(seen[[0, -1]].any() or seen[:, [0, -1]].any())
+                    self.assertGreater(max(len(rows) / size[1], len(columns) / size[0]), 0.7)
+            moved = renderer.add(**box, pose=np.array([[1, 0, 0, 40], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))
+            placed = renderer.render()[1]
+            np.testing.assert_array_equal(placed > 0, seen)  # a placed camera stays
+            renderer.frame((0, 0, 1))
+            self.assertEqual(np.unique(renderer.render_ids()).tolist(), [-1, 0, 1])
+            moved.visible = False
+            renderer.frame((0, 0, 1))
+            self.assertGreater((renderer.render_ids() == 0).any(axis=0).mean(), 0.35)
+        renderer.clear()
+        renderer.frame()  # nothing, and a point
+        self.assertFalse(renderer.render()[1].any())
+        renderer.add(position=np.float32([[3, 4, 5]] * 3))
+        renderer.frame()
+        self.assertFalse(renderer.render()[1].any())
+
     def test_poses(self):
         renderer = self.renderer()
         item, other = renderer.add(square()), renderer.add(square(z=-1), pose=np.diag([9.0, 9, 1, 1]))
@@ -236,6 +298,10 @@ class Misuse(Renderers):
         self.check_refused(ValueError, "must differ", renderer.look_at, (0, 0, 0))
         self.check_refused(ValueError, "camera.eye: three numbers, not float64 of shape .2,.", renderer.look_at, (0.0, 1))
         self.check_refused(TypeError, "camera.up: an array of numbers, not str", renderer.look_at, (0, 0, 1), up="y")
+        self.check_refused(shd.InvalidArgument, "camera.target: is the eye", renderer.frame, (0, 0, 0))
+        self.check_refused(ValueError, "direction: three numbers, not", renderer.frame, (0.0, 1))
+        self.check_refused(shd.InvalidArgument, "camera.up: lies along", renderer.frame, (0, 1, 0))
+        self.check_refused(shd.InvalidArgument, "camera.fov_y: 4 is not below pi", renderer.frame, yfov=4)
         self.check_refused(ValueError, "yfov: 4 is not in", renderer.look_at, (0, 0, 1), yfov=4)
         self.check_refused(ValueError, "far: 1 is not above near, 2", renderer.look_at, (0, 0, 1), near=2, far=1)
         self.check_refused(ValueError, "background", setattr, renderer, "background", (2, 0, 0))

@@ -102,8 +102,7 @@ def write_wheel(path, name, files, licences, version, summary, readme, tag):
 
 def put(out, member, data):
     entry = zipfile.ZipInfo(member)
-    is_program = member.startswith("shd/") and "." not in member and not member.startswith("shd/lib")
-    entry.external_attr = (0o100755 if is_program else 0o100644) << 16
+    entry.external_attr = 0o100644 << 16
     entry.compress_type = zipfile.ZIP_DEFLATED
     out.writestr(entry, data)
 

@@ -67,7 +67,7 @@ USE_FIRST(pthread_rwlock_unlock);
 USE_FIRST(pthread_rwlock_wrlock);
 USE_FIRST(pthread_setspecific);
 
-// glibc 2.29. The functions of before set errno, too, and have the same results.
+// glibc 2.29. The older functions set errno, too, and have the same results.
 USE_FIRST(exp);
 USE_FIRST(exp2);
 USE_FIRST(log);

@@ -5,17 +5,15 @@
 //
 // Exit code 77: there is no module or no WebGPU.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { createServer } from "node:http";
-import { tmpdir } from "node:os";
-import { join, normalize } from "node:path";
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { openPage } from "../../../bindings/js/tests/browser.mjs";
 
 const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 const PAGE = "/examples/apps/webgpu-check/index.html";
-const TYPES = { html: "text/html", js: "text/javascript", css: "text/css", wasm: "application/wasm" };
 const LOOKUPS = 1000;
+const FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
 const [chromium, wasm] = process.argv.slice(2);
 const REPORT = `<script type="module">
   while (!window.verdict) await new Promise((resume) => setTimeout(resume, 50));
@@ -28,51 +26,16 @@ function skip(reason) {
   process.exit(77);
 }
 
-/** The repository at a free port. The page reports to it. */
-function serve(onVerdict) {
-  const server = createServer((request, response) => {
-    if (request.method === "POST") {
-      let body = "";
-      request.on("data", (part) => { body += part; });
-      request.on("end", () => { response.end(); onVerdict(JSON.parse(body)); });
-      return;
-    }
-    const path = normalize(decodeURIComponent(request.url.split("?")[0])).replace(/^(\.\.[/\\])+/, "");
-    try {
-      const bytes = readFileSync(path === "/bindings/js/lib/shd.wasm" ? wasm : join(ROOT, path));
-      response.setHeader("content-type", TYPES[path.split(".").pop()] ?? "text/plain");
-      response.end(path === PAGE ? bytes.toString().replace("</body>", `${REPORT}</body>`) : bytes);
-    } catch {
-      response.statusCode = 404;
-      response.end();
-    }
-  });
-  return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
-}
-
-async function openPage() {
-  const folder = mkdtempSync(join(tmpdir(), "shd-webgpu-"));
-  let receive;
-  const result = new Promise((resolve) => { receive = resolve; });
-  const server = await serve((verdict) => receive(verdict));
-  const flags = ["--headless", "--no-sandbox", "--no-first-run", "--disable-quic", "--disable-background-networking",
-                 "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--enable-unsafe-webgpu",
-                 "--use-webgpu-adapter=swiftshader", `--user-data-dir=${folder}`];
-  const url = `http://127.0.0.1:${server.address().port}${PAGE}?lookups=${LOOKUPS}`;
-  // The command is a script that starts processes: all of them are one group.
-  const child = spawn(chromium, [...flags, url], { detached: true, stdio: "ignore" });
-  child.on("error", (problem) => receive({ problem: String(problem) }));
-  const timer = setTimeout(() => receive({ problem: "no verdict within 120 seconds" }), 120000);
-  const verdict = await result;
-  clearTimeout(timer);
-  try { process.kill(-child.pid, "SIGKILL"); } catch { /* it has ended */ }
-  server.close(), server.closeAllConnections();
-  rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
-  return verdict;
+/** Files of the repository. The page reports to the server. */
+function find(path) {
+  const bytes = readFileSync(path === "/bindings/js/lib/shd.wasm" ? wasm : join(ROOT, path));
+  return path === PAGE ? bytes.toString().replace("</body>", `${REPORT}</body>`) : bytes;
 }
 
 if (!existsSync(wasm)) skip(`there is no ${wasm} (examples/apps/webgpu-check/README.md)`);
-const { problem, reason, name, verdicts, refused, lookups, text } = await openPage();
+const { problem, reason, name, verdicts, refused, lookups, text } = await openPage(chromium, {
+  page: `${PAGE}?lookups=${LOOKUPS}`, flags: FLAGS, seconds: 120, find,
+});
 if (reason) skip(reason);
 assert.equal(problem, undefined);
 console.log(`device: ${name}`);

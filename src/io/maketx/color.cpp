@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/maketx/color.h"
 
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -57,6 +61,19 @@ class OcioConverter : public Converter {
 #endif
 
 }  // namespace
+
+std::string config_text(const Options& options) {
+  const char* const config = std::getenv("OCIO");
+  if (options.color_from.empty() || !config || !*config) return "";
+  struct stat status;
+  if (::stat(config, &status) != 0) return std::string("\n") + config;   // make_converter() refuses it
+  std::string text = "\n" + std::filesystem::absolute(config).string();  // a config finds its tables beside itself
+  for (const int64_t number :
+       {int64_t{status.st_size}, int64_t{status.st_mtim.tv_sec}, int64_t{status.st_mtim.tv_nsec}}) {
+    text += "\n" + std::to_string(number);
+  }
+  return text;
+}
 
 std::unique_ptr<Converter> make_converter(const Options& options) {
   if (options.color_from.empty()) return nullptr;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <string>
 
 #include "io/maketx/options.h"
 
@@ -12,6 +13,10 @@ class Converter {
   /// Converts `count` pixels of r, g, b, a in place; alpha stays. Throws Failure.
   virtual void convert(float* pixels, size_t count) const = 0;
 };
+
+/// Path, size and time of the config of --colorconvert, for the key of an output. Empty without --colorconvert, and for
+/// the built-in config.
+std::string config_text(const Options& options);
 
 /// Null without --colorconvert. Throws Failure (kExitUsage) for colour spaces that the config does not have, and in a
 /// build without libshd_color.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/maketx/convert.h"
 
+#include <shd/names.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ std::string options_text(const Options& options) {
     text += "\n" + part;
   }
   for (const Attribute& attribute : options.attributes) text += "\n" + attribute.name + "=" + attribute.value;
-  return text;
+  return text + config_text(options);
 }
 
 /// A checksum of the options and of the state of the input, 16 hexadecimal digits.
@@ -57,11 +58,10 @@ std::string key_of(const Options& options) {
 
 /// Differs where the levels above level 0 differ.
 std::string hash_text(const Options& options, const Image& image) {
-  const char* const kNames[] = {"box", "triangle", "kaiser", "lanczos"};
   const bool srgb = image.component == shd::image::Component::kSrgb8;
   const bool wraps = options.kernel != SHD_MIP_KERNEL_BOX;
-  return std::string("shd ") + kNames[options.kernel] + (srgb ? " srgb" : "") + (options.normal ? " normal" : "") +
-         (wraps ? " " + options.wrap_s + "," + options.wrap_t : "") + " ";
+  return std::string("shd ") + shd_mip_kernel_name(options.kernel) + (srgb ? " srgb" : "") +
+         (options.normal ? " normal" : "") + (wraps ? " " + options.wrap_s + "," + options.wrap_t : "") + " ";
 }
 
 /// Memory for a band of rows, beside the pyramid: the band, a copy of it in OpenImageIO with compressed tiles, the

@@ -59,11 +59,14 @@ void copy_text(const std::string& text, char (&out)[kSize]) {
   text.copy(out, kSize - 1);
 }
 
-/// The key that a Target has stored: an attribute of OpenEXR, a word of the description of TIFF.
+/// The key that a Target has stored: an attribute of OpenEXR, the last such word of the description of TIFF, because
+/// the words before may be those of --attrib.
 std::string key_in(const OIIO::ImageSpec& spec) {
+  const std::string key = spec.get_string_attribute(kKeyAttribute);
+  if (!key.empty()) return key;
   const std::string text = spec.get_string_attribute("ImageDescription"), mark = std::string(kKeyAttribute) + "=";
-  const size_t at = text.find(mark);
-  if (at == std::string::npos) return spec.get_string_attribute(kKeyAttribute);
+  const size_t at = text.rfind(mark);
+  if (at == std::string::npos) return "";
   return text.substr(at + mark.size(), text.find(' ', at) - at - mark.size());
 }
 

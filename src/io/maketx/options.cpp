@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "command/values.h"
+#include "command/names.h"
 #include "io/maketx/jobs.h"
 
 using namespace command;
@@ -46,11 +46,6 @@ const std::vector<Section> kSections = {
      "  shd-maketx -u 'skin.<UDIM>.exr' -o textures/\n"
      "  shd-maketx --envlatl --filter lanczos sky.hdr -o sky.tx"},
     {"See also", "shd-render(1), shd-check(1), maketx(1)"}};
-
-const std::vector<Name<shd_mip_kernel>> kKernels = {{"box", SHD_MIP_KERNEL_BOX},
-                                                    {"triangle", SHD_MIP_KERNEL_TRIANGLE},
-                                                    {"kaiser", SHD_MIP_KERNEL_KAISER},
-                                                    {"lanczos", SHD_MIP_KERNEL_LANCZOS}};
 
 const std::vector<std::string> kOfTiff = {"zip", "none", "lzw", "packbits"},
                                kOfExr = {"zip", "none", "rle", "zips", "piz"};
@@ -147,15 +142,15 @@ Group image_options(Options& out) {
         "The image has unit vectors in three or four channels. Levels are renormalised, and a fourth channel gets the "
         "length of the mean."},
        {"--channels", "N", initially(number(out.channels, 1, 4), "all"), "Take the first N channels."},
-       {"--wrap", "W", wrap_values(out.wrap_s, out.wrap_t),
+       {"--wrap", "W", marked(wrap_values(out.wrap_s, out.wrap_t), out.has_wrap),
         "What is beyond the edges, for other programs and for filters that are wider than the box."},
-       {"--swrap", "W", wrap_values(out.wrap_s, out.wrap_s), "The same across."},
-       {"--twrap", "W", wrap_values(out.wrap_t, out.wrap_t), "The same down."},
-       {"--filter", "F", named(out.kernel, kKernels),
+       {"--swrap", "W", marked(wrap_values(out.wrap_s, out.wrap_s), out.has_wrap), "Wrap along u."},
+       {"--twrap", "W", marked(wrap_values(out.wrap_t, out.wrap_t), out.has_wrap), "Wrap along v."},
+       {"--filter", "F", named(out.kernel, names_of(shd_mip_kernel_name)),
         "Filter of the levels. All but the box hold the image in memory."},
        {"--envlatl", "", content_values(out.content, Content::kLatLong),
-        "The image has all directions, in latitude and longitude: periodic across, clamped down. TIFF only, because "
-        "texels of environments in OpenEXR lie on the borders."},
+        "The image has all directions, in latitude and longitude. Its wraps are periodic along u and clamp along v: no "
+        "--wrap, --swrap and --twrap. TIFF only, because texels of environments in OpenEXR lie on the borders."},
        {"--lightprobe", "", content_values(out.content, Content::kProbe),
         "The image is an angular probe, which becomes one for --envlatl, in memory: as wide, and half as high."},
        {"--colorconvert", "FROM TO", color_values(out),
@@ -183,16 +178,12 @@ Group run_options(Options& out) {
         "Time between places from which an interrupted run continues."},
        {"--stall-limit", "S", number(out.stall_limit, 0.1, 1e6, seconds), "Most time without a row from the decoder."},
        {"--time-limit", "S", initially(number(out.time_limit, 0.1, 1e6, seconds), "none"),
-        "Most time of the run, which ends with status 1 and can be continued."},
+        "Most time of each file, whose run ends with status 1 and can be continued."},
        {"-u,--update", "", flag(out.update),
         "Make OUTPUT only if it is absent, or the input or the options have changed since it was made."},
        {"--force", "", flag(out.force),
         "Replace an existing OUTPUT, and begin anew beside an unfinished run of other options."},
        {"--quiet", "", flag(out.quiet), "No progress."}}};
-}
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 void check_file(const Options& options, const std::string& output) {
@@ -212,6 +203,8 @@ void check_file(const Options& options, const std::string& output) {
 void check_together(const Options& options) {
   refuse_if(options.inputs.empty(), "no INPUT");
   refuse_if(options.output.empty(), "no OUTPUT: give it with -o");
+  refuse_if(options.has_wrap && options.content != Content::kPlain,
+            "--envlatl and --lightprobe set the wraps: no --wrap, --swrap and --twrap");
   refuse_if(options.normal && options.content != Content::kPlain, "--normal: vectors are no light of an environment");
   refuse_if(options.normal && !options.color_from.empty(), "--normal: vectors are no colours for --colorconvert");
   refuse_if(options.normal && options.encoding == Encoding::kSrgb, "--normal: vectors are numbers, not --srgb");

@@ -23,6 +23,7 @@ struct Options {
   std::string format;               // "" = of the input, else uint8, uint16, half or float
   std::string compression = "zip";
   std::string wrap_s = "black", wrap_t = "black";
+  bool has_wrap = false;  // the command line names wraps
   Content content = Content::kPlain;
   shd_mip_kernel kernel = SHD_MIP_KERNEL_BOX;
   std::vector<Attribute> attributes;
@@ -35,7 +36,7 @@ struct Options {
   uint64_t memory = uint64_t{512} << 20;  // [bytes]
   int threads = 0;                        // 0 = one per core
   double checkpoint = 5;                  // [s]
-  double time_limit = 0;                  // seconds of the run; 0 = none
+  double time_limit = 0;                  // seconds of a file; 0 = none
   double stall_limit = 60;                // seconds between two pieces of the decoder
   bool force = false, quiet = false;
 };

@@ -45,7 +45,7 @@ struct FileState {
 /// The state of an input. Throws Failure (kExitInput).
 FileState file_state(const std::string& path);
 
-/// Ends a run that takes longer than --time-limit. Throws Failure (kExitFailed).
+/// Ends the run of a file that takes longer than --time-limit. Throws Failure (kExitFailed).
 void check_time(const shd::io::Deadline& end);
 
 /// The rows of an image, from the top.

@@ -75,7 +75,7 @@ Target::Target(const Options& options, const Image& image)
       width_(image.width),
       height_(image.height),
       levels_(shd::texture::full_level_count(image.width, image.height)) {
-  exr_ = name_.size() > 4 && name_.compare(name_.size() - 4, 4, ".exr") == 0;
+  exr_ = command::ends_with(name_, ".exr");
   if (exr_ && image.straight) {
     throw Failure(kExitInput, "\"" + shd::io::printable(options.input) +
                                   "\": colour is not multiplied by alpha, as OpenEXR requires: write .tx");

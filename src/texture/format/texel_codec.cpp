@@ -33,4 +33,10 @@ const TexelCodec& codec_of(image::Component component, size_t channels) {
   return *found;
 }
 
+const TexelCodec& codec_of_numbers(shd_format format) {
+  const image::FormatInfo info = image::format_info(format);
+  const bool is_srgb = info.component == image::Component::kSrgb8;
+  return codec_of(is_srgb ? image::Component::kUnorm8 : info.component, info.channels);
+}
+
 }  // namespace shd::texture

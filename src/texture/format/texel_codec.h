@@ -36,6 +36,9 @@ struct TexelCodec {
 /// Returns the codec of a component for a number of channels.
 const TexelCodec& codec_of(image::Component component, size_t channels);
 
+/// Returns the codec of a format whose channels are numbers: sRGB codes are not decoded.
+const TexelCodec& codec_of_numbers(shd_format format);
+
 /// Decodes `count` packed texels in runs of up to 64, which are even except the last one, and calls
 /// body(numbers, texels of the run) for each run.
 template <class Body>

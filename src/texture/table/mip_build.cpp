@@ -77,11 +77,9 @@ void filter_level(const core::Context& context, const shd_image& source, const s
   const bool weighted = desc.content == SHD_TEXEL_CONTENT_ALPHA_WEIGHTED;
   const bool light =
       weighted || desc.content == SHD_TEXEL_CONTENT_COLOR || desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
-  const bool as_unorm = format.component == image::Component::kSrgb8 && !light;
-  const image::Component component = as_unorm ? image::Component::kUnorm8 : format.component;
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
   const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
-  const TexelCodec& codec = codec_of(component, format.channels);
+  const TexelCodec& codec = light ? codec_of(format.component, format.channels) : codec_of_numbers(source.format);
   const bool normal = desc.content == SHD_TEXEL_CONTENT_NORMAL && codec.channels >= 3;
   const bool has_alpha = codec.channels == 4;
   const Filter filter = {

@@ -63,21 +63,6 @@ double kernel_area(shd_mip_kernel kernel, double low, double high) {
   return sum * half;
 }
 
-/// Returns the texel that index i reads on an axis of n texels, or -1 if it reads no texel.
-int64_t wrapped(shd_wrap wrap, int64_t i, int64_t n) {
-  if (i >= 0 && i < n) return i;
-  const int64_t period = wrap == SHD_WRAP_MIRROR ? 2 * n : n;
-  int64_t inside = i % period;
-  if (inside < 0) inside += period;
-  switch (wrap) {
-    case SHD_WRAP_REPEAT: return inside;
-    case SHD_WRAP_MIRROR: return inside < n ? inside : 2 * n - 1 - inside;
-    case SHD_WRAP_CLAMP: return i < 0 ? 0 : n - 1;
-    case SHD_WRAP_MIRROR_ONCE: return i < 0 && -1 - i < n ? -1 - i : n - 1;
-    default: return -1;
-  }
-}
-
 /// Source texels under the kernel of one level texel, before wrapping.
 struct Reach {
   int64_t first, last;
@@ -125,6 +110,20 @@ size_t add_box(uint32_t source, uint32_t size, uint32_t i, size_t at, AxisWeight
 }
 
 }  // namespace
+
+int64_t wrapped(shd_wrap wrap, int64_t i, int64_t n) {
+  if (i >= 0 && i < n) return i;
+  const int64_t period = wrap == SHD_WRAP_MIRROR ? 2 * n : n;
+  int64_t inside = i % period;
+  if (inside < 0) inside += period;
+  switch (wrap) {
+    case SHD_WRAP_REPEAT: return inside;
+    case SHD_WRAP_MIRROR: return inside < n ? inside : 2 * n - 1 - inside;
+    case SHD_WRAP_CLAMP: return i < 0 ? 0 : n - 1;
+    case SHD_WRAP_MIRROR_ONCE: return i < 0 && -1 - i < n ? -1 - i : n - 1;
+    default: return -1;
+  }
+}
 
 AxisWeights make_axis_weights(const core::Allocator& allocator, shd_mip_kernel kernel, shd_wrap wrap, uint32_t source,
                               uint32_t size) {

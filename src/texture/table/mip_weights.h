@@ -10,6 +10,9 @@
 
 namespace shd::texture {
 
+/// Returns the texel that index i reads on an axis of n texels, or -1 if it reads no texel.
+int64_t wrapped(shd_wrap wrap, int64_t i, int64_t n);
+
 /// Source texels and weights of each level texel along one axis.
 struct AxisWeights {
   core::Array<size_t> first;    // [size + 1] taps of level texel i are first[i]..first[i + 1] - 1

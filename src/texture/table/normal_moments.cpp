@@ -49,18 +49,12 @@ void convert_row(const Codecs& codec, Rows row, uint32_t width) {
   }
 }
 
-const TexelCodec* codec_of_format(shd_format format) {
-  const image::FormatInfo info = image::format_info(format);
-  return &codec_of(info.component == image::Component::kSrgb8 ? image::Component::kUnorm8 : info.component,
-                   info.channels);
-}
-
 }  // namespace
 
 void write_moments(const core::Context& context, const shd_image& normals, const shd_image& out,
                    const shd_image* mixed) {
-  const Codecs codecs = {codec_of_format(normals.format), codec_of_format(out.format),
-                         mixed ? codec_of_format(mixed->format) : nullptr};
+  const Codecs codecs = {&codec_of_numbers(normals.format), &codec_of_numbers(out.format),
+                         mixed ? &codec_of_numbers(mixed->format) : nullptr};
   core::parallel_for(context, out.height, [&](uint32_t y, uint32_t) {
     const Rows row = {static_cast<const uint8_t*>(normals.pixels) + y * normals.row_stride,
                       static_cast<uint8_t*>(out.pixels) + y * out.row_stride,

@@ -65,10 +65,7 @@ Values column_values(std::vector<std::string>& columns) {
 
 Values report_values(std::string& out) {
   const auto read = [&out](const std::string& text) {
-    const auto ends = [&text](const std::string& end) {
-      return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-    };
-    return out = text, ends(".csv") || ends(".json");
+    return out = text, ends_with(text, ".csv") || ends_with(text, ".json");
   };
   return {"the name of a file that ends in .csv or .json", {}, "", read, true};
 }

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "command/failure.h"
+#include "command/values.h"
 #include "tool/check/report.h"
 
 namespace {
@@ -85,7 +85,7 @@ void write_json(std::FILE* file, const Case& judged, const Bounds& bounds, const
 }  // namespace
 
 void write_report(const std::string& path, const Case& judged, const Bounds& bounds, const Verdict& verdict) {
-  const bool json = path.size() > 5 && path.compare(path.size() - 5, 5, ".json") == 0;
+  const bool json = command::ends_with(path, ".json");
   File file(std::fopen(path.c_str(), "w"), std::fclose);
   if (!file) throw Failure(kExitOutput, path + ": cannot be written");
   if (json) write_json(file.get(), judged, bounds, verdict);

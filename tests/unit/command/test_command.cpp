@@ -140,6 +140,8 @@ void test_texts(void**) {
   assert_string_equal(join({"a", "b"}).c_str(), "a or b");
   assert_string_equal(join({"a", "b", "c"}, " and ").c_str(), "a, b and c");
   assert_true(split("", ',') == std::vector<std::string>{""} && split("a,,b", ',').size() == 3);
+  assert_true(ends_with("a.png", ".png") && ends_with("-.png", ".png"));
+  assert_false(ends_with(".png", ".png") || ends_with("png", ".png") || ends_with("a.PNG", ".png"));
   assert_true(!read_numbers("1,") && !read_numbers("") && read_numbers("1x2", 'x')->size() == 2);
 }
 

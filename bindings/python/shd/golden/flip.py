@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from .._srgb import decode, encode
 from .filters import feature_length, gaussian_sum
 
 # A display of 3840 pixels on 0.7 m, seen from 0.7 m (section 3).
@@ -33,16 +34,6 @@ OPPONENT = np.array([(0.0, 116, 0), (500, -500, 0), (0, 200, -200)])
 OFFSET = np.array([16.0, 0, 0])
 TO_YCXCZ = OPPONENT @ RGB_TO_XYZ
 FROM_YCXCZ = np.linalg.inv(TO_YCXCZ)
-
-
-def srgb_to_linear(coded):
-    """Linear values of sRGB-coded values in [0, 1]."""
-    return np.where(coded <= 0.04045, coded / 12.92, ((coded + 0.055) / 1.055) ** 2.4)
-
-
-def linear_to_srgb(linear):
-    """sRGB-coded values of linear values in [0, 1]."""
-    return np.where(linear <= 0.0031308, linear * 12.92, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 def hunt_lab(linear):
@@ -92,7 +83,7 @@ def flip(reference, picture, pixels_per_degree=PIXELS_PER_DEGREE):
     """The FLIP map [height][width] in [0, 1] of two pictures [height][width][3] of sRGB-coded numbers in [0, 1]."""
     if not (0.1 <= pixels_per_degree <= 1000):
         raise ValueError(f"pixels_per_degree: {pixels_per_degree} is not in 0.1..1000")
-    both = [srgb_to_linear(p) @ TO_YCXCZ.T - OFFSET for p in (reference, picture)]
+    both = [decode(p) @ TO_YCXCZ.T - OFFSET for p in (reference, picture)]
     colour = redistribute(hyab(*(_perceived(p, pixels_per_degree) for p in both)))
     feature = _feature_difference(both[0][..., 0], both[1][..., 0], pixels_per_degree)
     return np.clip(colour, 0, 1) ** (1 - np.clip(feature, 0, 1))  # rounding may leave [0, 1] by the last bit
@@ -127,6 +118,6 @@ def flip_hdr(reference, picture, pixels_per_degree=PIXELS_PER_DEGREE):
     """The largest FLIP over several exposures of two pictures [height][width][3] of linear numbers; negative ones are
     black."""
     reference, picture = np.maximum(reference, 0), np.maximum(picture, 0)
-    return np.max([flip(linear_to_srgb(tone_map(reference * 2.0 ** stops)),
-                        linear_to_srgb(tone_map(picture * 2.0 ** stops)), pixels_per_degree)
+    return np.max([flip(encode(tone_map(reference * 2.0 ** stops)),
+                        encode(tone_map(picture * 2.0 ** stops)), pixels_per_degree)
                    for stops in exposures(reference)], axis=0)

@@ -2,6 +2,7 @@
 """Pictures of differences."""
 import numpy as np
 
+from .._srgb import encode
 from . import flip as _flip
 from .picture import coded
 
@@ -20,7 +21,7 @@ def heat(values):
 def _shown(picture, hdr, scale):
     """A picture as [height][width][3] of uint8; alpha is shown over a grey."""
     if hdr:
-        picture = _flip.linear_to_srgb(_flip.tone_map(np.maximum(picture.astype(np.float64), 0) * scale))
+        picture = encode(_flip.tone_map(np.maximum(picture.astype(np.float64), 0) * scale))
     picture = coded(picture)
     colour = picture[..., :3] if picture.shape[2] >= 3 else np.repeat(picture[..., :1], 3, axis=2)
     if picture.shape[2] in (2, 4):

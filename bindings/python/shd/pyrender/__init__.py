@@ -5,9 +5,8 @@
 
 Classes, arguments and attributes have pyrender's names and checks. Lights have its units: a SpotLight or PointLight of
 intensity I gives the irradiance I / r^2. Integers of colours are 0..255, and colours of vertices are linear, as in
-pyrender; with the flag FLAT they are shown as they are. Differences: translucent surfaces are blended in linear light,
-mixtures of metal and dielectric follow glTF 2.0, emissive factors count once, depths of orthographic cameras are
-distances, and colours have the piecewise sRGB curve. There is no Viewer. load() reads model files by libshd_scene.
+pyrender; with the flag FLAT they are shown as they are. The README of the package lists the six points in which
+pictures differ. There is no Viewer. load() reads model files by libshd_scene.
 """
 from .camera import Camera, IntrinsicsCamera, OrthographicCamera, PerspectiveCamera
 from .constants import GLTF, RenderFlags, TextAlign

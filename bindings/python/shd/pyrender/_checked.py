@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from .._array import check_range
+
 
 class Checked:
     """An attribute. `check` is a function (object, value, name) -> the value that is stored.
@@ -54,12 +56,38 @@ def number(low, high=math.inf, optional=False, or_equal=True):
     def check(_, value, name):
         if value is None and optional:
             return None
-        made = float(value)
+        try:
+            made = float(value)
+        except (OverflowError, TypeError, ValueError):
+            raise TypeError(f"{name}: a number, not {value!r}") from None
         if not (low <= made if or_equal else low < made) or not made <= high:
             least = f"{low:g}.." if or_equal else f"above {low:g}, at most "
             raise ValueError(f"{name}: {made:g} is not {'in ' if or_equal else ''}{least}{high:g}")
         return made
     return check
+
+
+def whole(low, high):
+    """Whole numbers from `low` to `high`."""
+    def check(_, value, name):
+        made = number(-math.inf)(_, value, name)
+        if not low <= made <= high or made != int(made):
+            raise ValueError(f"{name}: {made:g} is not a whole number in {low}..{high}")
+        return int(made)
+    return check
+
+
+def finite(array, name):
+    """An array whose numbers are finite."""
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        raise ValueError(f"{name}: a number is not finite")
+    return array
+
+
+def codes(value, name):
+    """Numbers 0..255 as uint8."""
+    check_range(finite(value, name), 255, name)
+    return value.astype(np.uint8)
 
 
 def instance_of(kind, noun):
@@ -123,6 +151,11 @@ def bounds_of(points):
     return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else np.zeros((2, 3))
 
 
-def corners_of(bounds):
-    """The eight corners of bounds, [8][3]."""
-    return np.array([[bounds[x, 0], bounds[y, 1], bounds[z, 2]] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+def unit(vectors):
+    """Vectors [n][3] as those of length 1; zeros stay zeros."""
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-30)
+
+
+def face_normals(corners):
+    """Unit normals of triangles [n][3][3], zeros for those without area."""
+    return unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))

@@ -9,21 +9,32 @@ from ._checked import Checked, Shown, number, text
 from .constants import DEFAULT_Z_FAR, DEFAULT_Z_NEAR
 
 
-def _far(camera, value, name):
-    if value is None:
-        return None
-    made = number(0, or_equal=False)(camera, value, name)
-    if made <= camera.znear:
-        raise ValueError(f"zfar: {made:g} is not above znear, {camera.znear:g}")
-    return made
+def _near(or_equal):
+    """Distances of the near plane from 0, or above it, to the far plane."""
+    def check(camera, value, name):
+        made, far = number(0, or_equal=or_equal)(camera, value, name), getattr(camera, "_zfar", None)
+        if far is not None and made >= far:
+            raise ValueError(f"znear: {made:g} is not below zfar, {far:g}")
+        return made
+    return check
+
+
+def _far(optional):
+    """Distances of the far plane, beyond the near plane."""
+    def check(camera, value, name):
+        made = number(0, optional=optional, or_equal=False)(camera, value, name)
+        if made is not None and made <= camera.znear:
+            raise ValueError(f"zfar: {made:g} is not above znear, {camera.znear:g}")
+        return made
+    return check
 
 
 class Camera(Shown):
     """Base of the cameras."""
 
     name = Checked(text)
-    znear = Checked(number(0), "Distance of the near plane.")
-    zfar = Checked(_far, "Distance of the far plane; None for none.")
+    znear = Checked(_near(or_equal=True), "Distance of the near plane.")
+    zfar = Checked(_far(optional=True), "Distance of the far plane; None for none.")
 
     def __init__(self, znear=DEFAULT_Z_NEAR, zfar=DEFAULT_Z_FAR, name=None):
         self.znear, self.zfar, self.name = znear, zfar, name
@@ -34,6 +45,8 @@ class Camera(Shown):
 
     def get_projection_matrix(self, width=None, height=None):
         """The projection matrix of OpenGL, whose depths are -1..1, for a picture of a size [pixels]."""
+        for size, which in ((width, "width"), (height, "height")):
+            number(0, optional=True, or_equal=False)(self, size, which)
         lens, near, far = self.lens(), self.znear, self.zfar
         made = np.zeros((4, 4))
         made[:2] = lens.rows(width, height)
@@ -70,7 +83,8 @@ class OrthographicCamera(Camera):
 
     xmag = Checked(number(0, or_equal=False), "Half of the width of the view, without a picture.")
     ymag = Checked(number(0, or_equal=False), "Half of the height of the view.")
-    znear = Checked(number(0, or_equal=False), "Distance of the near plane.")
+    znear = Checked(_near(or_equal=False), "Distance of the near plane.")
+    zfar = Checked(_far(optional=False), "Distance of the far plane.")
 
     def __init__(self, xmag, ymag, znear=DEFAULT_Z_NEAR, zfar=DEFAULT_Z_FAR, name=None):
         super().__init__(znear, zfar, name)

@@ -2,10 +2,9 @@
 """Materials of shd.pyrender."""
 import numpy as np
 
+from .._trimesh import material_values
 from ._checked import Checked, Shown, anything, color, number, text
 from .texture import Texture, one_of
-
-GREY = (0.3, 0.3, 0.3, 1.0)  # of meshes without a material
 
 
 def texture_of(channels):
@@ -17,6 +16,18 @@ def texture_of(channels):
 
 def factor(_, value, name):
     return number(0, 1)(None, 1.0 if value is None else value, name)
+
+
+def has_source(texture):
+    return texture is not None and texture.source is not None
+
+
+def channel_of(texture, letter, target):
+    """The number of a channel of a texture. Without source_channels, the images of two channels have G and B."""
+    channels = texture.source_channels or ("", "R", "GB", "RGB", "RGBA")[texture.source.shape[2]]
+    if letter not in channels:
+        raise ValueError(f"metallicRoughnessTexture: the channels {channels} of the source have no {letter}, {target}")
+    return channels.index(letter)
 
 
 class Material(Shown):
@@ -63,7 +74,9 @@ class MetallicRoughnessMaterial(Material):
     @property
     def is_transparent(self):
         """Whether a part of the surface lets light through."""
-        cutoff = {"OPAQUE": 0.0, "MASK": self.alphaCutoff, "BLEND": 1.0}[self.alphaMode]
+        if self.alphaMode == "OPAQUE":
+            return False
+        cutoff = {"MASK": self.alphaCutoff, "BLEND": 1.0}[self.alphaMode]
         texture = self.baseColorTexture
         return bool(self.baseColorFactor[3] < cutoff or (texture is not None and texture.is_transparent(cutoff)))
 
@@ -76,11 +89,14 @@ class MetallicRoughnessMaterial(Material):
         """Options of a material of the renderer."""
         maps = [(target, getattr(self, f"{name}Texture"), srgb, channel) for target, name, srgb, channel in (
             ("normal", "normal", False, 0), ("occlusion", "occlusion", False, 0), ("emission", "emissive", True, 0),
-            ("roughness", "metallicRoughness", False, 0), ("metallic", "metallicRoughness", False, 1))]
-        values = {"color": np.asarray(self.baseColorFactor, np.float64), "texture": self.baseColorTexture,
+            ("roughness", "metallicRoughness", False, "G"), ("metallic", "metallicRoughness", False, "B"))]
+        maps = [(target, texture, srgb, channel_of(texture, channel, target) if isinstance(channel, str) else channel)
+                for target, texture, srgb, channel in maps if has_source(texture)]
+        values = {"color": np.asarray(self.baseColorFactor, np.float64),
+                  "texture": self.baseColorTexture if has_source(self.baseColorTexture) else None,
                   "metallic": self.metallicFactor, "roughness": self.roughnessFactor,
                   "emission": np.asarray(self.emissiveFactor, np.float64),
-                  "maps": [row for row in maps if row[1] is not None and row[1].source is not None]}
+                  "maps": maps}
         if self.alphaMode == "MASK":
             values.update(blend="opaque", alpha_cutoff=self.alphaCutoff)
         elif self.alphaMode == "OPAQUE" or not self.is_transparent:
@@ -88,25 +104,16 @@ class MetallicRoughnessMaterial(Material):
         return values
 
 
-def default_material(base=GREY):
-    """The material of meshes without one; colours of vertices multiply a white one."""
+def default_material(has_colors):
+    """The material of meshes without one; their colours multiply a white one."""
+    base = (1.0,) * 4 if has_colors else (0.3, 0.3, 0.3, 1.0)
     return MetallicRoughnessMaterial(alphaMode="BLEND", baseColorFactor=base, metallicFactor=0.2, roughnessFactor=0.8)
 
 
 def material_of(material):
-    """A material from one of trimesh, SimpleMaterial or PBRMaterial, by the names of the attributes."""
+    """A material from one of trimesh."""
     if isinstance(material, MetallicRoughnessMaterial):
         return material
-    get = lambda name, default=None: getattr(material, name, default)  # noqa: E731
-    if not hasattr(material, "baseColorTexture"):
-        kept = get("kwargs", {}) or {}
-        glossiness = float(np.ravel(kept.get("Ns", get("glossiness", 1.0) or 0.0))[0])
-        # GGX of alpha^2 = 2 / (p + 2) is as wide as Blinn's lobe (Walter et al., "Microfacet Models", 2007).
-        return MetallicRoughnessMaterial(
-            alphaMode="BLEND", baseColorFactor=get("diffuse"), baseColorTexture=get("image"),
-            roughnessFactor=(2 / (max(glossiness, 0) + 2)) ** 0.25)
-    names = ("normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor", "baseColorFactor",
-             "baseColorTexture", "metallicFactor", "roughnessFactor", "metallicRoughnessTexture", "doubleSided",
-             "alphaCutoff")
-    mode = "MASK" if get("alphaMode") == "MASK" else "BLEND"
-    return MetallicRoughnessMaterial(alphaMode=mode, **{name: get(name) for name in names})
+    values = material_values(material)
+    mode = "MASK" if values["alphaMode"] == "MASK" else "BLEND"
+    return MetallicRoughnessMaterial(**{**values, "alphaMode": mode})

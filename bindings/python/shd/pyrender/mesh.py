@@ -8,9 +8,10 @@ import numpy as np
 from .._array import array_of, check_range, converted
 from .._camera import matrix
 from .._material import Fixed
-from .._model import floats, from_arrays
+from .._model import corners_of, floats, from_arrays
 from .._objects import Context
-from ._checked import Boxed, Checked, Shown, anything, bounds_of, corners_of, instance_of, text
+from .._trimesh import surface_of, unshared
+from ._checked import Boxed, Checked, Shown, anything, bounds_of, face_normals, instance_of, text, unit
 from .constants import GLTF
 from .material import Material, MetallicRoughnessMaterial, default_material, material_of
 
@@ -30,7 +31,7 @@ def rows(*widths, optional=True, like_positions=True):
     def check(primitive, value, name):
         if value is None and optional:
             return None
-        array = np.ascontiguousarray(converted(value, np.dtype("f4"), name))
+        array = np.array(converted(value, np.dtype("f4"), name), order="C")  # the caller keeps its own
         if not array.size and not like_positions:
             return array.reshape(-1, widths[0])
         count = len(primitive.positions) if like_positions else len(array)
@@ -113,7 +114,8 @@ class Primitive(Boxed, Shown):
         own = bounds_of(self.positions.astype(np.float64))
         if self.poses is None or not len(self.positions):
             return own
-        return bounds_of(np.concatenate([corners_of(own) @ pose[:3, :3].T + pose[:3, 3] for pose in self.poses]))
+        placed = corners_of(own) @ self.poses[:, :3, :3].swapaxes(1, 2) + self.poses[:, np.newaxis, :3, 3]
+        return bounds_of(placed.reshape(-1, 3))
 
     @property
     def is_transparent(self):
@@ -158,9 +160,11 @@ class Primitive(Boxed, Shown):
             return pairs[:, (0, 1, 1)], "wireframe"
         fill = "wireframe" if self.material.wireframe else "solid"
         if self.mode == GLTF.TRIANGLES:
-            return flat, fill
+            return flat[:len(flat) // 3 * 3], fill
+        if len(flat) < 3:
+            return flat[:0], fill
         if self.mode == GLTF.TRIANGLE_FAN:
-            return np.stack([np.full(max(len(flat) - 2, 0), flat[0]), flat[1:-1], flat[2:]], axis=1), fill
+            return np.stack([np.full(len(flat) - 2, flat[0]), flat[1:-1], flat[2:]], axis=1), fill
         strip = np.stack([flat[:-2], flat[1:-1], flat[2:]], axis=1)
         strip[1::2, :2] = strip[1::2, 1::-1]  # every second triangle has the other winding
         return strip, fill
@@ -188,15 +192,16 @@ class Primitive(Boxed, Shown):
         if not len(self.positions) or self.mode < GLTF.TRIANGLES:
             return []
         corners = self.positions[self._corners()[0]].reshape(-1, 3, 3)
-        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        across = face_normals(corners)
         if of_faces:
             start, along = corners.mean(axis=1), across
         elif self.normals is None:
             start, along = corners.reshape(-1, 3), across.repeat(3, axis=0)
         else:
             start, along = self.positions, self.normals
-        lengths = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-30)
-        ends = start + LINE_LENGTH * np.linalg.norm(np.ptp(self.positions, axis=0)) * along / lengths
+        if not len(start):
+            return []
+        ends = start + LINE_LENGTH * np.linalg.norm(np.ptp(self.positions, axis=0)) * unit(along)
         numbers = np.arange(len(start))[:, np.newaxis] + (0, len(start), len(start))
         part = from_arrays(context(), np.concatenate([start, ends]), numbers, color=LINE_COLOR, shows_codes=True)
         part.values["fill"], part.look = "wireframe", Fixed(part.look.flat)
@@ -250,34 +255,19 @@ class Mesh(Boxed, Shown):
 
 def _primitive(item, material, poses, wireframe, smooth):
     """A primitive from a mesh of trimesh."""
-    columns, own = _surface(item, smooth)
-    made = copy.copy(material if material is not None else own or default_material())
-    made.wireframe = wireframe or (material is not None and material.wireframe)
-    if material is not None:
-        columns.pop("color_0", None)
-    positions, faces = floats(item.vertices, 3, "vertices"), np.asarray(item.faces)
-    check_range(faces, len(positions) - 1, "faces")
-    if smooth:
-        normals = getattr(item, "vertex_normals", None)
-        return Primitive(positions, normals, indices=faces, material=made, poses=poses, **columns)
-    corners = faces.reshape(-1)
-    for name in columns:
-        of_face = name == "color_0" and item.visual.kind == "face"
-        columns[name] = columns[name].repeat(3, axis=0) if of_face else columns[name][corners]
-    return Primitive(positions[corners], material=made, poses=poses, **columns)
-
-
-def _surface(item, smooth):
-    """Columns and the material of a mesh of trimesh, by the names of the attributes of its `visual`."""
-    visual = getattr(item, "visual", None)
-    kind = getattr(visual, "kind", None)
-    if visual is None or kind is None or getattr(visual, "defined", True) is False:
-        return {}, None
-    if kind == "texture":
-        uv = getattr(visual, "uv", None)
-        columns = {} if uv is None or not len(uv) else {"texcoord_0": np.asarray(uv)[:, :2]}
-        return columns, material_of(visual.material)
+    kind, columns, own = surface_of(item)
     if kind == "face" and smooth:
         raise ValueError("from_trimesh: smooth is True, but colours of faces need smooth=False")
-    found = np.asarray(getattr(visual, f"{kind}_colors"))
-    return {"color_0": found}, default_material(base=(1.0,) * 4)
+    if material is not None:
+        columns.pop("color", None)
+        made = copy.copy(material)
+    else:
+        made = copy.copy(material_of(own)) if own is not None else default_material(has_colors=kind is not None)
+    made.wireframe = wireframe or (material is not None and material.wireframe)
+    positions, faces = floats(item.vertices, 3, "vertices"), np.asarray(item.faces)
+    check_range(faces, len(positions) - 1, "faces")
+    columns.update(position=positions, normal=getattr(item, "vertex_normals", None) if smooth else None)
+    if not smooth:
+        columns = unshared(columns, faces, kind)
+    return Primitive(columns["position"], columns.get("normal"), texcoord_0=columns.get("uv"),
+                     color_0=columns.get("color"), indices=faces if smooth else None, material=made, poses=poses)

@@ -1,36 +1,44 @@
 # SPDX-License-Identifier: MIT
 """Models from files, with the attributes of meshes and scenes of trimesh."""
 import copy
+import itertools
 
 import numpy as np
 
 from .._camera import matrix
-from .._convert import enum_value
 from .._model import from_scene
-from ._checked import Boxed, bounds_of
-from .material import MetallicRoughnessMaterial
+from ._checked import Boxed, bounds_of, face_normals, unit
+from ._stored import stored_material
 from .mesh import Primitive, context
-from .texture import Texture
 
 
 def load(source, **values):
     """A model file of any format that libshd_scene reads, or its bytes. Options are those of shd.Scene."""
     from ..scene import Scene as File
     scene = File(context(), source, **values)
-    descs, names = scene.material_descs, scene.names("mesh")
-    parts = from_scene(context(), scene, metallic=1.0)
+    parts, instances = from_scene(context(), scene, metallic=1.0), scene.instances
     for part in parts:
         part.look.shows_codes = True
-    pieces = [Piece(part, descs[instance.material], names[instance.mesh] or f"mesh{instance.mesh}")
-              for part, instance in zip(parts, scene.instances)]
-    return Model(pieces, scene.warnings)
+    names = unique_names([(i.mesh, i.material) for i in instances], scene.names("mesh"))
+    return Model([Piece(part, names[i.mesh, i.material]) for part, i in zip(parts, instances)], scene.warnings)
+
+
+def unique_names(pairs, names):
+    """A name for each pair of a mesh and a material: that of the mesh, with _1, _2 ... if others have it, too."""
+    made, used = {}, set()
+    for mesh, material in dict.fromkeys(pairs):
+        name = names[mesh] or f"mesh{mesh}"
+        tries = itertools.chain([name], (f"{name}_{i}" for i in itertools.count(1)))
+        made[mesh, material] = next(t for t in tries if t not in used)
+        used.add(made[mesh, material])
+    return made
 
 
 class Piece:
-    """A part of a file with the desc of its material and the name of its mesh."""
+    """A part of a file and the name of its mesh in the model."""
 
-    def __init__(self, part, desc, name):
-        self.part, self.desc, self.name = part, desc, name
+    def __init__(self, part, name):
+        self.part, self.name = part, name
 
     def moved(self, pose):
         made = copy.copy(self)
@@ -44,8 +52,7 @@ class Piece:
         return self.part.mesh.positions.astype(np.float64) @ local[:3, :3].T + local[:3, 3]
 
     def normals(self):
-        turned = self.part.mesh.normals @ np.linalg.inv(self.part.local[:3, :3])
-        return turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-30)
+        return unit(self.part.mesh.normals @ np.linalg.inv(self.part.local[:3, :3]))
 
     def uv(self):
         """Texture coordinates with v upwards."""
@@ -53,27 +60,12 @@ class Piece:
 
     def material(self):
         """The factors and textures of the file, for programs that read or change them."""
-        textures, desc = {}, self.desc
-        for slot in desc._values.get("slots", ()):
-            target = enum_value("shd_slot_target", slot.target, "target")
-            texture = slot._values.get("texture")
-            if texture is not None and texture.info["format"].name.startswith("RGBA8"):
-                textures.setdefault(NAMES.get(target), Texture(source=texture.read_level(), source_channels="RGBA"))
-        textures.pop(None, None)
-        sorted_or_cut = desc.alpha_cutoff > 0 and "MASK" or ("BLEND" if desc.opacity < 1 else "OPAQUE")
-        return MetallicRoughnessMaterial(
-            alphaMode=sorted_or_cut, alphaCutoff=desc.alpha_cutoff or None, metallicFactor=min(desc.metallic, 1.0),
-            roughnessFactor=min(desc.roughness, 1.0), emissiveFactor=np.float32(desc.emission),
-            baseColorFactor=np.float32([*desc.diffuse, desc.opacity]),
-            doubleSided=not self.part.values.get("cull") == "back", **textures)
-
-
-NAMES = {0: "baseColorTexture", 5: "emissiveTexture"}
+        return stored_material(self.part.look.desc, self.part.values.get("cull") != "back")
 
 
 class Model(Boxed):
     """The triangles of a model file, for Mesh.from_trimesh() and Scene.from_trimesh_scene(). `warnings` are those of
-    the file: what it has and pictures have not."""
+    the file: features of the file that pictures do not show."""
 
     def __init__(self, pieces, warnings=()):
         self._pieces, self.warnings = list(pieces), list(warnings)
@@ -98,9 +90,7 @@ class Model(Boxed):
     @property
     def face_normals(self):
         """Normals of the triangles [m][3]."""
-        corners = self.vertices[self.faces]
-        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        return across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+        return face_normals(self.vertices[self.faces])
 
     @property
     def bounds(self):
@@ -148,7 +138,7 @@ class Model(Boxed):
         return self.apply_transform(np.diag([*np.broadcast_to(np.asarray(scaling, np.float64), 3), 1.0]))
 
     def primitives(self, material=None, poses=None, wireframe=False, smooth=True):
-        """Primitives of the pieces. Without another material they are drawn with all that the file says of theirs."""
+        """Primitives of the pieces. Without another material they are drawn with the complete material of the file."""
         return [self._primitive(piece, material, poses, wireframe, smooth) for piece in self._pieces]
 
     @staticmethod

@@ -5,8 +5,9 @@ import threading
 
 import numpy as np
 
+from .._array import array_of
 from ..renderer import Item, Renderer, exclusive
-from ._checked import Checked, number
+from ._checked import Checked, codes, number, whole
 from .constants import GLTF, RenderFlags
 from .mesh import context
 
@@ -14,11 +15,14 @@ SHADOWS = {"directional": RenderFlags.SHADOWS_DIRECTIONAL, "point": RenderFlags.
            "spot": RenderFlags.SHADOWS_SPOT}
 
 
+LARGEST = 16384  # pixels of a side of a framebuffer
+
+
 class OffscreenRenderer:
     """Renders scenes into arrays. The framebuffer is kept between frames; delete() drops it."""
 
-    viewport_width = Checked(lambda _, value, name: int(value), "Width of the pictures [pixels].")
-    viewport_height = Checked(lambda _, value, name: int(value), "Height of the pictures [pixels].")
+    viewport_width = Checked(whole(1, LARGEST), "Width of the pictures [pixels].")
+    viewport_height = Checked(whole(1, LARGEST), "Height of the pictures [pixels].")
     point_size = Checked(number(0, or_equal=False), "Side of the squares of points [pixels].")
 
     def __init__(self, viewport_width, viewport_height, point_size=1.0):
@@ -102,7 +106,10 @@ class OffscreenRenderer:
         nodes = [node for node, _ in scene.placed("mesh") if self._is_drawn(node, RenderFlags.SEG, seg_node_map)]
         table = np.zeros((len(nodes) + 1, 3), np.uint8)  # the last row is the background
         for row, node in zip(table, nodes):
-            row[:] = seg_node_map[node]
+            color = codes(array_of(seg_node_map[node], "seg_node_map"), "seg_node_map")
+            if color.shape not in ((), (1,), (3,)):
+                raise ValueError(f"seg_node_map: r, g, b or one number, not an array of shape {color.shape}")
+            row[:] = color
         return table[self._renderer.render_ids(**values)], self._renderer.render_depth(**values)
 
     def __repr__(self):

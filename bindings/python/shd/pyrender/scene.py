@@ -2,7 +2,8 @@
 """Scenes of shd.pyrender."""
 import numpy as np
 
-from ._checked import Boxed, Checked, bounds_of, color, corners_of, text
+from .._model import corners_of
+from ._checked import Boxed, Checked, bounds_of, color, text
 from .camera import Camera
 from .light import DirectionalLight, Light, PointLight, SpotLight
 from .mesh import Mesh

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .._array import pixels_of
-from ._checked import Checked, Shown, anything, instance_of, text
+from ._checked import Checked, Shown, anything, codes, finite, instance_of, text
 from .constants import GLTF
 
 WRAPS = {GLTF.REPEAT: "repeat", GLTF.CLAMP_TO_EDGE: "clamp", GLTF.MIRRORED_REPEAT: "mirror"}
@@ -47,8 +47,8 @@ def with_channels(image, channels):
     if array.dtype.kind not in "fiu" or array.ndim not in (2, 3):
         raise TypeError(f"source: an image [height][width][channels], not {array.dtype} of shape {array.shape}")
     if array.dtype.kind == "f":
-        array = np.rint(255 * np.clip(array, 0, 1))
-    array = (array / 257 if array.dtype == np.uint16 else array).astype(np.uint8)
+        array = np.rint(255 * np.clip(finite(array, "source"), 0, 1))
+    array = (array / 257).astype(np.uint8) if array.dtype == np.uint16 else codes(array, "source")
     array = array[..., np.newaxis] if array.ndim == 2 else array
     have = array.shape[2]
     if channels in (None, "D"):

@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 import oracle
 
-from shd import golden
+from shd import _srgb, golden
 from shd.golden import flip
 
 RANDOM = np.random.default_rng(20)
@@ -107,7 +107,7 @@ class Properties(unittest.TestCase):
 
     def test_fine_patterns_vanish_at_a_distance(self):
         checks = (np.indices((40, 40)).sum(axis=0) % 2)[..., np.newaxis] * np.ones(3)
-        mean = flat(flip.linear_to_srgb(np.float64(0.5)), 40, 40)
+        mean = flat(_srgb.encode(np.float64(0.5)), 40, 40)
         near, far = (flip.flip(checks, mean, ppd)[20, 20] for ppd in (8, 80))
         self.assertLess(far, 0.05)
         self.assertGreater(near, 0.3)

@@ -158,15 +158,15 @@ class Files(Case):
 class Components(Case):
     def test_wheels_have_their_files_and_records(self):
         out = self.folder / "shd_x-1-py3-none-linux_x86_64.whl"
-        files = {"libshd_x.so": b"a", "shd-x-worker": b"b"}
+        files = {"libshd_x.so": b"a", "libx-1f2e": b"b"}
         component.write_wheel(out, "shd_x", files, {"libx": b"licence"}, "1", "summary", "text", "linux_x86_64")
         first = out.read_bytes()
         component.write_wheel(out, "shd_x", files, {"libx": b"licence"}, "1", "summary", "text", "linux_x86_64")
         self.assertEqual(out.read_bytes(), first)
         with zipfile.ZipFile(out) as wheel:
             self.assertIsNone(wheel.testzip())
-            self.assertEqual(wheel.getinfo("shd/shd-x-worker").external_attr >> 16, 0o100755)
-            self.assertEqual(wheel.getinfo("shd/libshd_x.so").external_attr >> 16, 0o100644)
+            self.assertLess({"shd/libshd_x.so", "shd/libx-1f2e"}, set(wheel.namelist()))
+            self.assertEqual({entry.external_attr >> 16 for entry in wheel.infolist()}, {0o100644})
             self.assertEqual(wheel.read("shd_x-1.dist-info/licenses/libx.txt"), b"licence")
             record = wheel.read("shd_x-1.dist-info/RECORD").decode()
             self.assertEqual(len(record.splitlines()), len(wheel.namelist()))
