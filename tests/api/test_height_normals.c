@@ -26,8 +26,7 @@ static shd_context *make_context(uint32_t workers)
 static double half_value(uint16_t half)
 {
     const int exponent = half >> 10 & 31;
-    const double mantissa = half & 1023,
-                 value = exponent ? ldexp(1024 + mantissa, exponent - 25) : ldexp(mantissa, -24);
+    const double mantissa = half & 1023, value = exponent ? ldexp(1024 + mantissa, exponent - 25) : ldexp(mantissa, -24);
     if (exponent == 31) return k_nan;
     return half & 0x8000 ? -value : value;
 }
@@ -64,9 +63,9 @@ static const struct format_case k_heights[] = {
     {"r32f", SHD_FORMAT_R32F, 1, 0},       {"rgba32f", SHD_FORMAT_RGBA32F, 4, 0},
 };
 static const struct format_case k_normals[] = {
-    {"rgb8", SHD_FORMAT_RGB8, 3, 1.0 / 255},           {"rgba8", SHD_FORMAT_RGBA8, 4, 1.0 / 255},
+    {"rgb8", SHD_FORMAT_RGB8, 3, 1.0 / 255},         {"rgba8", SHD_FORMAT_RGBA8, 4, 1.0 / 255},
     {"rgb8_srgb", SHD_FORMAT_RGB8_SRGB, 3, 1.0 / 255}, {"rgba16", SHD_FORMAT_RGBA16, 4, 1.0 / 65535},
-    {"rgba16f", SHD_FORMAT_RGBA16F, 4, 0x1p-11},       {"rgb32f", SHD_FORMAT_RGB32F, 3, 0x1p-24},
+    {"rgba16f", SHD_FORMAT_RGBA16F, 4, 0x1p-11},     {"rgb32f", SHD_FORMAT_RGB32F, 3, 0x1p-24},
     {"rgba32f", SHD_FORMAT_RGBA32F, 4, 0x1p-24},
 };
 
@@ -255,8 +254,7 @@ static void edit_wrap_v(shd_normals_desc *d) { d->wrap_v = (shd_wrap)-1; }
 static const struct bad_case k_bad[] = {
     {"no_format", (shd_format)99, SHD_FORMAT_RGB8, 4, 4, edit_nothing, "heights.format: 99 is not a format"},
     {"blocks", SHD_FORMAT_BC4, SHD_FORMAT_RGB8, 4, 4, edit_nothing, "heights.format: "},
-    {"two_channels", SHD_FORMAT_R8, SHD_FORMAT_RG8, 4, 4, edit_nothing,
-     "out.format: normals need 3 or 4 channels, not 2"},
+    {"two_channels", SHD_FORMAT_R8, SHD_FORMAT_RG8, 4, 4, edit_nothing, "out.format: normals need 3 or 4 channels, not 2"},
     {"width", SHD_FORMAT_R8, SHD_FORMAT_RGB8, 3, 4, edit_nothing, "out.width: 3 is not in 4..4"},
     {"height", SHD_FORMAT_R8, SHD_FORMAT_RGB8, 4, 5, edit_nothing, "out.height: 5 is not in 4..4"},
     {"struct_size", SHD_FORMAT_R8, SHD_FORMAT_RGB8, 4, 4, edit_size, "normals.struct_size: 3"},

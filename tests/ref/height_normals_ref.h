@@ -10,7 +10,7 @@
 
 /** A height map of [height][width] numbers. */
 struct shd_ref_heights {
-  const double* height_at;
+  const double *height_at;
   long width, height;
   shd_wrap wrap_u, wrap_v;
 };
@@ -23,14 +23,14 @@ static inline long shd_ref_beyond(shd_wrap wrap, long i, long n) {
   return i < 0 ? 0 : n - 1; /* one texel beyond the edge, clamps and mirrors read the same texel */
 }
 
-static inline double shd_ref_height(const struct shd_ref_heights* map, long x, long y) {
+static inline double shd_ref_height(const struct shd_ref_heights *map, long x, long y) {
   const long column = shd_ref_beyond(map->wrap_u, x, map->width), row = shd_ref_beyond(map->wrap_v, y, map->height);
   if (column < 0 || row < 0) return 0;
   return isfinite(map->height_at[row * map->width + column]) ? map->height_at[row * map->width + column] : 0;
 }
 
 /** The unit vector along (-s hx, s hy, 1), by 3 x 3 weights: those of the slope along x, transposed for y. */
-static inline void shd_ref_height_normal(const struct shd_ref_heights* map, shd_height_slope slope, double s, long x,
+static inline void shd_ref_height_normal(const struct shd_ref_heights *map, shd_height_slope slope, double s, long x,
                                          long y, double out[3]) {
   static const double kWeights[3][3][3] = {{{0, 0, 0}, {-0.5, 0, 0.5}, {0, 0, 0}},
                                            {{0, 0, 0}, {0, -1, 1}, {0, 0, 0}},
