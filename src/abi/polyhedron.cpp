@@ -178,21 +178,30 @@ void find_wachspress(PointTask* task) {
   if (has_moved) wachspress_weights(cage, task->simd, task->scratch.data(), &task->points, task->weights.data());
 }
 
-/// Sets mean value coordinates of the points that wait, in doubles.
+/// Gives a lane the weights of a point of the surface.
+void put_on_surface(const polygon::SurfacePoint& on, size_t lane, PointTask* task) {
+  const polygon::Cage& cage = task->body.cage;
+  task->pending.inverse[lane] = 1.0;
+  for (size_t v = 0; v < cage.vertex_count; ++v) task->weights[v * kBlock + lane] = 0.0;
+  for (size_t i = 0; i < 3; ++i) task->weights[cage.triangle[on.triangle].vertex[i] * kBlock + lane] = on.weight[i];
+}
+
+/// Sets mean value coordinates of the points that wait, in doubles. Where rounding leaves no finite weights, they are
+/// those of the nearest point of the surface.
 void find_pending(PointTask* task) {
   const polygon::Cage& cage = task->body.cage;
   CagePoints& points = task->pending;
   mean_value_weights(cage, task->simd, task->scratch.data(), &points, task->weights.data());
   for (size_t lane = 0; lane < points.count; ++lane) {
-    if (points.triangle[lane] < 0.0) {
-      task->outside += points.depth[lane] < 0.0;
-      continue;
-    }
-    const auto triangle = static_cast<uint32_t>(points.triangle[lane]);
     const double point[3] = {points.x[lane], points.y[lane], points.z[lane]};
-    const polygon::SurfacePoint on = nearest_on_triangle(cage, triangle, point);
-    for (size_t v = 0; v < cage.vertex_count; ++v) task->weights[v * kBlock + lane] = 0.0;
-    for (size_t i = 0; i < 3; ++i) task->weights[cage.triangle[triangle].vertex[i] * kBlock + lane] = on.weight[i];
+    if (points.triangle[lane] >= 0.0) {
+      const auto triangle = static_cast<uint32_t>(points.triangle[lane]);
+      put_on_surface(nearest_on_triangle(cage, triangle, point), lane, task);
+    } else if (std::isfinite(points.depth[lane]) && std::isfinite(points.inverse[lane])) {
+      task->outside += points.depth[lane] < 0.0;
+    } else {
+      put_on_surface(nearest_on_cage(cage, point), lane, task);
+    }
   }
 }
 
@@ -201,7 +210,7 @@ template <class Emit>
 void flush_pending(PointTask* task, const Emit& emit) {
   if (task->pending.count == 0) return;
   find_pending(task);
-  emit(task->pending_index, task->pending.count, task->weights.data());
+  emit(task->pending_index, task->pending, task->weights.data());
   task->pending.count = 0;
 }
 
@@ -215,7 +224,7 @@ void run_mean_value(PointTask* task, const Emit& emit) {
     doubtful[lane] = points.depth[lane] < 0.0 ? task->index[lane] : kNoPoint;
     if (doubtful[lane] != kNoPoint) task->index[lane] = kNoPoint;
   }
-  emit(task->index, points.count, task->weights.data());
+  emit(task->index, points, task->weights.data());
   for (size_t lane = 0; lane < points.count; ++lane) {
     if (doubtful[lane] == kNoPoint) continue;
     CagePoints& to = task->pending;
@@ -225,7 +234,7 @@ void run_mean_value(PointTask* task, const Emit& emit) {
   }
 }
 
-/// Calls emit(index, count, weights) until all points had their turn, in blocks, on the executor of a context: point
+/// Calls emit(index, points, weights) until all points had their turn, in blocks, on the executor of a context: point
 /// index[lane] has the weights of a lane, unless it is kNoPoint.
 template <class Emit>
 void run_points(const core::Context& context, const Polyhedron& body, const shd_polyhedron_points& points,
@@ -241,7 +250,7 @@ void run_points(const core::Context& context, const Polyhedron& body, const shd_
       put_points(points, first, end, &task);
       if (body.kind == SHD_BARYCENTRIC_WACHSPRESS) {
         find_wachspress(&task);
-        emit(task.index, task.points.count, task.weights.data());
+        emit(task.index, task.points, task.weights.data());
       } else {
         run_mean_value(&task, emit);
       }
@@ -258,9 +267,9 @@ float to_float(double value) {
 }
 
 /// Stores the results of the lanes of a block that are wanted.
-void store_block(const size_t* index, size_t count, const double* from, const shd_f32_out& to) {
-  for (size_t lane = 0; lane < count; ++lane) {
-    if (index[lane] != kNoPoint) data::store(to, index[lane], to_float(from[lane]));
+void store_block(const size_t* index, const CagePoints& points, const double* from, const shd_f32_out& to) {
+  for (size_t lane = 0; lane < points.count; ++lane) {
+    if (index[lane] != kNoPoint) data::store(to, index[lane], to_float(from[lane] * points.inverse[lane]));
   }
 }
 
@@ -358,11 +367,12 @@ shd_result shd_polyhedron_evaluate(const shd_polyhedron* polyhedron, const shd_p
     SHD_TRY(read_desc("weights", out, false, &weights));
     SHD_TRY(check_weights(owner, in, weights, body->cage.vertex_count));
     PointCounts counts;
-    run_points(owner, *body, in, &counts, [&](const size_t* index, size_t count, const double* block) {
-      for (size_t v = 0; v < body->cage.vertex_count; ++v) {
-        if (weights.weight[v].data) store_block(index, count, block + v * kBlock, weights.weight[v]);
-      }
-    });
+    run_points(owner, *body, in, &counts,
+               [&](const size_t* index, const CagePoints& block, const double* block_weights) {
+                 for (size_t v = 0; v < body->cage.vertex_count; ++v) {
+                   if (weights.weight[v].data) store_block(index, block, block_weights + v * kBlock, weights.weight[v]);
+                 }
+               });
     weights.outside_count = counts.outside.load(std::memory_order_relaxed);
     weights.nonfinite_count = counts.nonfinite.load(std::memory_order_relaxed);
     write_desc(weights, out);
@@ -383,11 +393,13 @@ shd_result shd_polyhedron_interpolate(const shd_polyhedron* polyhedron, const sh
     core::Array<double> vertex_values;
     SHD_TRY(read_values(owner, in, values, body->cage.vertex_count, &vertex_values));
     PointCounts counts;
-    run_points(owner, *body, in, &counts, [&](const size_t* index, size_t count, const double* block) {
-      alignas(64) double sums[SHD_MAX_POLYHEDRON_VALUES * kBlock];
-      blend_values(body->cage, owner.simd, block, vertex_values.data(), values.value_count, sums);
-      for (size_t k = 0; k < values.value_count; ++k) store_block(index, count, sums + k * kBlock, values.value[k]);
-    });
+    run_points(owner, *body, in, &counts,
+               [&](const size_t* index, const CagePoints& block, const double* block_weights) {
+                 alignas(64) double sums[SHD_MAX_POLYHEDRON_VALUES * kBlock];
+                 blend_values(body->cage, owner.simd, block_weights, vertex_values.data(), values.value_count, sums);
+                 for (size_t k = 0; k < values.value_count; ++k)
+                   store_block(index, block, sums + k * kBlock, values.value[k]);
+               });
     values.outside_count = counts.outside.load(std::memory_order_relaxed);
     values.nonfinite_count = counts.nonfinite.load(std::memory_order_relaxed);
     write_desc(values, out);

@@ -279,16 +279,12 @@ HWY_INLINE MeanValue<D> AddTriangles(D d, const Cage& cage, const CageTables<hn:
 using Doubles = hn::CappedTag<double, kVectorDoubles>;
 using Floats = hn::CappedTag<float, kBlock>;
 
-/// Divides the weights by their sum. Returns the sum.
-HWY_INLINE hn::Vec<Doubles> Normalise(Doubles d, uint32_t count, double* weights) {
+/// Stores the sum of the weights, and its inverse.
+HWY_INLINE void StoreSum(Doubles d, uint32_t count, const double* weights, size_t lane, CagePoints* points) {
   auto sum = hn::Zero(d);
-  for (uint32_t i = 0; i < count; ++i) sum = sum + hn::Load(d, weights + size_t{i} * kBlock);
-  const auto inverse = hn::Set(d, 1.0) / sum;
-  for (uint32_t i = 0; i < count; ++i) {
-    double* to = weights + size_t{i} * kBlock;
-    hn::Store(hn::Load(d, to) * inverse, d, to);
-  }
-  return sum;
+  for (uint32_t i = 0; i < count; ++i) sum = sum + hn::Load(d, weights + size_t{i} * kBlock + lane);
+  hn::Store(sum, d, points->depth + lane);
+  hn::Store(hn::Set(d, 1.0) / sum, d, points->inverse + lane);
 }
 
 }  // namespace
@@ -299,7 +295,7 @@ void MeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, doubl
     const Vector3<hn::Vec<Doubles>> point = {hn::Load(d, points->x + i), hn::Load(d, points->y + i),
                                              hn::Load(d, points->z + i)};
     const auto m = AddTriangles(d, cage, cage.doubles, scratch, point, weights + i);
-    hn::Store(Normalise(d, cage.vertex_count, weights + i), d, points->depth + i);
+    StoreSum(d, cage.vertex_count, weights, i, points);
     hn::Store(m.triangle, d, points->triangle + i);
   }
 }
@@ -323,7 +319,6 @@ void FastMeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, d
   }
   // The rest in doubles: the sum, and the error of the point that the weights reproduce.
   for (size_t i = 0; i < kBlock; i += hn::Lanes(dd)) {
-    const auto x = hn::Load(dd, points->x + i), y = hn::Load(dd, points->y + i), z = hn::Load(dd, points->z + i);
     auto sum = hn::Zero(dd), at_x = sum, at_y = sum, at_z = sum;
     for (uint32_t v = 0; v < cage.vertex_count; ++v) {
       const double* position = cage.doubles.position.data() + 3 * size_t{v};
@@ -334,15 +329,13 @@ void FastMeanValueBlock(const Cage& cage, double* scratch, CagePoints* points, d
       at_y = at_y + weight * hn::Set(dd, position[1]);
       at_z = at_z + weight * hn::Set(dd, position[2]);
     }
-    const auto inverse = hn::Set(dd, 1.0) / sum;
-    for (uint32_t v = 0; v < cage.vertex_count; ++v) {
-      double* to = weights + size_t{v} * kBlock + i;
-      hn::Store(hn::Load(dd, to) * inverse, dd, to);
-    }
-    const auto error = hn::Max(hn::Abs(at_x - sum * x), hn::Max(hn::Abs(at_y - sum * y), hn::Abs(at_z - sum * z)));
+    const auto error = hn::Max(
+        hn::Abs(at_x - sum * hn::Load(dd, points->x + i)),
+        hn::Max(hn::Abs(at_y - sum * hn::Load(dd, points->y + i)), hn::Abs(at_z - sum * hn::Load(dd, points->z + i))));
     const auto tall = hn::Gt(hn::PromoteTo(dd, hn::Load(half, height + i)), hn::Set(dd, double{kDoubtfulHeight}));
     const auto good = hn::And(tall, hn::Le(error, sum * hn::Set(dd, kDoubtfulError)));
     hn::Store(hn::IfThenElse(good, sum, hn::Set(dd, -1.0)), dd, points->depth + i);
+    hn::Store(hn::Set(dd, 1.0) / sum, dd, points->inverse + i);
   }
 }
 
@@ -359,7 +352,6 @@ void WachspressBlock(const Cage& cage, double* scratch, CagePoints* points, doub
       least = hn::Min(least, height);
       hn::Store(hn::Set(d, 1.0) / hn::Max(height, hn::Set(d, kLeastHeight)), d, scratch + p * lanes);
     }
-    hn::Store(least, d, points->depth + i);
     for (uint32_t v = 0; v < cage.vertex_count; ++v) {
       const uint32_t first = cage.fan_start[v], end = cage.fan_start[v + 1];
       auto sum = hn::Zero(d);
@@ -370,7 +362,8 @@ void WachspressBlock(const Cage& cage, double* scratch, CagePoints* points, doub
       }
       hn::Store(sum * hn::Load(d, scratch + cage.fan_plane[first] * lanes), d, weights + size_t{v} * kBlock + i);
     }
-    Normalise(d, cage.vertex_count, weights + i);
+    StoreSum(d, cage.vertex_count, weights, i, points);
+    hn::Store(least, d, points->depth + i);
   }
 }
 
@@ -382,7 +375,7 @@ void BlendBlock(const Cage& cage, const double* weights, const double* values, s
     for (size_t k = 0; k < value_count; ++k) {
       const double* value = values + k * cage.vertex_count;
       const auto term = [&](uint32_t v) { return weight(v) * hn::Set(d, value[v]); };
-      // Four sums, because each addition waits for the one before. There are at least four vertices.
+      // Four sums hide the latency of additions. There are at least four vertices.
       auto a = term(0), b = term(1), c = term(2), e = term(3);
       uint32_t v = 4;
       for (; v + 3 < cage.vertex_count; v += 4) {

@@ -20,16 +20,18 @@ struct CagePoints {
   /// MEAN_VALUE, written: number of the triangle that the point lies on, whose barycentric coordinates are then the
   /// weights; otherwise -1.
   alignas(64) double triangle[kBlock];
-  /// Written: MEAN_VALUE: the sum of the weights before the division, which is positive inside; in floats negative for
-  /// points without weights. WACHSPRESS: the least distance to the planes of the faces, which is negative outside.
+  /// Written: 1 / the sum of the weights of the kernel. Products with it are the weights of the point.
+  alignas(64) double inverse[kBlock];
+  /// Written: MEAN_VALUE: the sum of the weights, which is positive inside; in floats negative for points without
+  /// weights. WACHSPRESS: the least distance to the planes of the faces, which is negative outside.
   alignas(64) double depth[kBlock];
 };
 
 /// Doubles of working memory that the kernels need.
 size_t scratch_size(const Cage& cage, shd_barycentric kind);
 
-/// Sets the weights of the points of a block; the sum of each point's weights is 1. The bits do not depend on the other
-/// points. |error| <= 1e-7 for points within two sides of the bounding box.
+/// Sets the weights of the points of a block. The bits do not depend on the other points. |error| <= 1e-7 for points
+/// within two sides of the bounding box.
 /// @param scratch  [scratch_size()], aligned
 /// @param weights  [vertex][kBlock], aligned
 void mean_value_weights(const Cage& cage, const core::SimdTarget& simd, double* scratch, CagePoints* points,
