@@ -54,6 +54,7 @@ void register_calls();
 void register_scaling();
 void register_shadow();
 void register_solid();
+void register_polyhedron();
 void register_occlusion();
 void register_quality();
 void register_defaults();

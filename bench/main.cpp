@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   shd::bench::register_scaling();
   shd::bench::register_shadow();
   shd::bench::register_solid();
+  shd::bench::register_polyhedron();
   shd::bench::register_occlusion();
   shd::bench::register_quality();
   shd::bench::register_defaults();

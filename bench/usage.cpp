@@ -25,6 +25,7 @@ constexpr Line kGroups[] = {
     {"scaling", "speed-up by workers"},
     {"shadow", "lookups in shadow maps, and rendering the maps"},
     {"solid", "solid textures: noise, marble, wood"},
+    {"polyhedron", "coordinates on polyhedra, and values interpolated by them"},
     {"volume", "rays through 3D textures"},
     {"occlusion", "ambient occlusion at vertices and in textures"},
     {"environment", "making an environment"},

@@ -36,6 +36,7 @@
 #include <shd/names.h>
 #include <shd/occlusion.h>
 #include <shd/polygon.h>
+#include <shd/polyhedron.h>
 #include <shd/present.h>
 #include <shd/projection.h>
 #include <shd/render.h>
@@ -96,6 +97,8 @@ using light = owner<shd_light, shd_light_retain, shd_light_release>;
 using material = owner<shd_material, shd_material_retain, shd_material_release>;
 /// Vertices and triangles, in object space.
 using mesh = owner<shd_mesh, shd_mesh_retain, shd_mesh_release>;
+/// A closed triangle mesh with the kind of its coordinates.
+using polyhedron = owner<shd_polyhedron, shd_polyhedron_retain, shd_polyhedron_release>;
 /// A filter with its settings, for any texture.
 using sampler = owner<shd_sampler, shd_sampler_retain, shd_sampler_release>;
 #if __has_include(<shd/scene.h>)
@@ -271,6 +274,22 @@ struct polygon_points : shd_polygon_points {
 struct polygon_weights : shd_polygon_weights {
   polygon_weights() noexcept : shd_polygon_weights(shd_polygon_weights_default()) {}
   polygon_weights(const shd_polygon_weights& values) noexcept : shd_polygon_weights(values) {}
+};
+struct polyhedron_desc : shd_polyhedron_desc {
+  polyhedron_desc() noexcept : shd_polyhedron_desc(shd_polyhedron_desc_default()) {}
+  polyhedron_desc(const shd_polyhedron_desc& values) noexcept : shd_polyhedron_desc(values) {}
+};
+struct polyhedron_points : shd_polyhedron_points {
+  polyhedron_points() noexcept : shd_polyhedron_points(shd_polyhedron_points_default()) {}
+  polyhedron_points(const shd_polyhedron_points& values) noexcept : shd_polyhedron_points(values) {}
+};
+struct polyhedron_weights : shd_polyhedron_weights {
+  polyhedron_weights() noexcept : shd_polyhedron_weights(shd_polyhedron_weights_default()) {}
+  polyhedron_weights(const shd_polyhedron_weights& values) noexcept : shd_polyhedron_weights(values) {}
+};
+struct polyhedron_values : shd_polyhedron_values {
+  polyhedron_values() noexcept : shd_polyhedron_values(shd_polyhedron_values_default()) {}
+  polyhedron_values(const shd_polyhedron_values& values) noexcept : shd_polyhedron_values(values) {}
 };
 struct directions : shd_directions {
   directions() noexcept : shd_directions(shd_directions_default()) {}
@@ -586,6 +605,17 @@ struct vdb_info : shd_vdb_info {
   shd_mesh* handle = nullptr;
   const shd_result result = shd_mesh_create_shape(context_, desc, flags, &handle);
   out_mesh.reset(handle);
+  return result;
+}
+
+/// Copy and check vertices and triangles. See shd_polyhedron_create().
+[[nodiscard]] inline shd_result polyhedron_create(
+    shd_context* context_,
+    const shd_polyhedron_desc* desc,
+    shd::polyhedron& out_polyhedron) noexcept {
+  shd_polyhedron* handle = nullptr;
+  const shd_result result = shd_polyhedron_create(context_, desc, &handle);
+  out_polyhedron.reset(handle);
   return result;
 }
 
@@ -1181,6 +1211,29 @@ inline void polygon_evaluate(
     const shd_polygon_points* points,
     shd_polygon_weights* out_) {
   check(shd_polygon_evaluate(context_, desc, points, out_));
+}
+
+/// Copy and check vertices and triangles. See shd_polyhedron_create().
+inline shd::polyhedron polyhedron_create(shd_context* context_, const shd_polyhedron_desc* desc) {
+  shd::polyhedron made;
+  check(polyhedron_create(context_, desc, made));
+  return made;
+}
+
+/// Compute the barycentric coordinates of points. See shd_polyhedron_evaluate().
+inline void polyhedron_evaluate(
+    const shd_polyhedron* polyhedron_,
+    const shd_polyhedron_points* points,
+    shd_polyhedron_weights* out_) {
+  check(shd_polyhedron_evaluate(polyhedron_, points, out_));
+}
+
+/// Interpolate values of the vertices at points, without storing the coordinates. See shd_polyhedron_interpolate().
+inline void polyhedron_interpolate(
+    const shd_polyhedron* polyhedron_,
+    const shd_polyhedron_points* points,
+    shd_polyhedron_values* out_) {
+  check(shd_polyhedron_interpolate(polyhedron_, points, out_));
 }
 
 /// Project directions to points of an image, with derivatives. See shd_projection_project().

@@ -15,10 +15,10 @@ BY_HAND = {("shd_texture_desc", "tiles"), ("shd_context_desc", "allocator"), ("s
            ("shd_scene_desc", "user_data")}
 # The field with the number of rows of the columns.
 ROWS = {"shd_mesh_desc": "vertex_count", "shd_volume_desc": "point_count", "shd_polygon_desc": "vertex_count",
-        "shd_shape_columns": "vertex_count"}
+        "shd_shape_columns": "vertex_count", "shd_polyhedron_desc": "vertex_count"}
 # Columns of another length, with the field that has it.
 OTHER_ROWS = {("shd_mesh_desc", "indices"): "index_count", ("shd_mesh_desc", "indices16"): "index_count",
-              ("shd_shape_columns", "indices"): "index_count"}
+              ("shd_shape_columns", "indices"): "index_count", ("shd_polyhedron_desc", "indices"): "index_count"}
 # Lists whose comments name no length.
 LISTS = {("shd_occlusion_desc", "draws"): "draw_count", ("shd_shadow_render_desc", "draws"): "draw_count",
          ("shd_direction_images", "images"): None}

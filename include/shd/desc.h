@@ -112,6 +112,10 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_TILE_FILE_DESC = 75,      /**< shd_tile_file_desc, of shd/tile_file.h */
     SHD_DESC_KIND_TILE_FILE_INFO = 76,      /**< shd_tile_file_info, of shd/tile_file.h */
     SHD_DESC_KIND_NORMALS_DESC = 77,        /**< shd_normals_desc */
+    SHD_DESC_KIND_POLYHEDRON_DESC = 78,     /**< shd_polyhedron_desc */
+    SHD_DESC_KIND_POLYHEDRON_POINTS = 79,   /**< shd_polyhedron_points */
+    SHD_DESC_KIND_POLYHEDRON_WEIGHTS = 80,  /**< shd_polyhedron_weights */
+    SHD_DESC_KIND_POLYHEDRON_VALUES = 81,   /**< shd_polyhedron_values */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

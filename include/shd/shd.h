@@ -85,6 +85,7 @@
 #include <shd/names.h>
 #include <shd/occlusion.h>
 #include <shd/polygon.h>
+#include <shd/polyhedron.h>
 #include <shd/present.h>
 #include <shd/projection.h>
 #include <shd/render.h>

@@ -25,6 +25,7 @@ enum class ObjectType : uint32_t {
   kEnvironment = 8,
   kVolume = 9,
   kTileCache = 10,
+  kPolyhedron = 11,
 };
 
 /// The memory behind every handle except a context's. It stays mapped, in its context's slabs, until the context is

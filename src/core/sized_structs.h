@@ -84,4 +84,8 @@
   ROW(TILE_CACHE_STATS, shd_tile_cache_stats, struct_size, wait_count, 96)          \
   ROW(TILE_FILE_DESC, shd_tile_file_desc, cache, fill, 40)                          \
   ROW(TILE_FILE_INFO, shd_tile_file_info, file_count, tile_height, 40)              \
-  ROW(NORMALS_DESC, shd_normals_desc, scale, wrap_v, 20)
+  ROW(NORMALS_DESC, shd_normals_desc, scale, wrap_v, 20)                            \
+  ROW(POLYHEDRON_DESC, shd_polyhedron_desc, indices, indices, 88)                   \
+  ROW(POLYHEDRON_POINTS, shd_polyhedron_points, position, position, 64)             \
+  ROW(POLYHEDRON_WEIGHTS, shd_polyhedron_weights, weight, nonfinite_count, 40)      \
+  ROW(POLYHEDRON_VALUES, shd_polyhedron_values, value, nonfinite_count, 48)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: polygon, barycentric coordinates of points on simple polygons.
+/// Stage contract: polygon, barycentric coordinates of points on simple polygons and in polyhedra.
 ///
-/// Input:      vertices of a polygon in order, points.
+/// Input:      vertices of a polygon in order, or of a closed triangle mesh, a cage; points.
 /// Output:     a weight for each vertex at each point.
-/// Invariants: everything is computed in double; the weights of a point sum to 1.
+/// Invariants: everything is computed in double; the weights of a point sum to 1, and do not depend on other points.
 ///
 /// | file            | contents                                                              |
 /// |-----------------|-----------------------------------------------------------------------|
@@ -12,4 +12,6 @@
 /// | harmonic.h      | harmonic coordinates, by linear elements                              |
 /// | triangulate.h   | constrained Delaunay triangulations of polygons                       |
 /// | sparse_solver.h | sparse linear systems; the only user of Eigen                         |
+/// | cage.h          | closed triangle meshes: checks, edges, faces, nearest points          |
+/// | cage_weights.h  | kernels: coordinates in cages, sums of values with them as weights    |
 #pragma once

@@ -257,6 +257,48 @@ static void use_polygon(void)
     expect(value[0] == 0.5f && value[1] == 0.25f && value[2] == 0.25f, "weights of a triangle");
 }
 
+static void use_polyhedron(void)
+{
+    static const float x[4] = {0, 1, 0, 0}, y[4] = {0, 0, 1, 0}, z[4] = {0, 0, 0, 1}, eighth[1] = {0.125f};
+    static const uint32_t indices[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    float value[4] = {7, 7, 7, 7}, sum[1] = {7};
+    shd_f32_out columns[4];
+    shd_f32_in vertex_value;
+    shd_f32_out sums;
+    shd_polyhedron *polyhedron = NULL;
+    int i;
+    MAKE(shd_polyhedron_desc, desc);
+    MAKE(shd_polyhedron_points, points);
+    MAKE(shd_polyhedron_weights, weights);
+    MAKE(shd_polyhedron_values, values);
+    desc->vertex_count = 4;
+    desc->index_count = 12;
+    desc->position[0] = shd_f32_column(x, 0);
+    desc->position[1] = shd_f32_column(y, 0);
+    desc->position[2] = shd_f32_column(z, 0);
+    desc->indices = shd_u32_column(indices, 0);
+    points->count = 1;
+    points->position[0] = points->position[1] = points->position[2] = shd_f32_column(eighth, 0);
+    for (i = 0; i < 4; ++i) columns[i] = shd_f32_out_column(value + i, 0);
+    weights->weight = columns;
+    weights->weight_count = 4;
+    vertex_value = shd_f32_column(x, 0);
+    sums = shd_f32_out_column(sum, 0);
+    values->value_count = 1;
+    values->vertex_value = &vertex_value;
+    values->value = &sums;
+    EXPECT_READ(desc, shd_polyhedron_create(g_context, desc, &polyhedron));
+    expect(shd_polyhedron_create(g_context, desc, &polyhedron) == SHD_OK, "polyhedron");
+    EXPECT_READ(points, shd_polyhedron_evaluate(polyhedron, points, weights));
+    EXPECT_READ(weights, shd_polyhedron_evaluate(polyhedron, points, weights));
+    EXPECT_READ(values, shd_polyhedron_interpolate(polyhedron, points, values));
+    expect(shd_polyhedron_evaluate(polyhedron, points, weights) == SHD_OK, "weights of a polyhedron");
+    expect(fabsf(value[0] - 0.625f) < 1e-6f && fabsf(value[1] - 0.125f) < 1e-6f, "weights of a tetrahedron");
+    expect(shd_polyhedron_interpolate(polyhedron, points, values) == SHD_OK, "values of a polyhedron");
+    expect(fabsf(sum[0] - 0.125f) < 1e-6f, "values of a tetrahedron");
+    shd_polyhedron_release(polyhedron);
+}
+
 static void use_solid(void)
 {
     static const float x[2] = {0.5f, 1.5f};
@@ -656,6 +698,7 @@ int main(int argc, char **argv)
     use_footprint();
     use_solid();
     use_polygon();
+    use_polyhedron();
     use_shapes();
     use_mesh();
     use_render();

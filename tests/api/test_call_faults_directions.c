@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Each allocation of calls about directions and polygons fails in turn, as in api.call_faults. */
+/* Each allocation of calls about directions, polygons and polyhedra fails in turn, as in api.call_faults. */
 #include "support/call_stage.h"
 
 enum { PIXELS = 16 * 8 };
@@ -148,6 +148,39 @@ static shd_result polygon(struct stage *s, shd_barycentric kind)
 static shd_result polygon_mean_value(struct stage *s) { return polygon(s, SHD_BARYCENTRIC_MEAN_VALUE); }
 static shd_result polygon_harmonic(struct stage *s) { return polygon(s, SHD_BARYCENTRIC_HARMONIC); }
 
+static shd_result polyhedron(struct stage *s, shd_barycentric kind)
+{
+    static const float k_vertex[3][4] = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    static const uint32_t k_index[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    shd_polyhedron_desc desc = shd_polyhedron_desc_default();
+    shd_polyhedron_points points = shd_polyhedron_points_default();
+    shd_polyhedron_weights weights = shd_polyhedron_weights_default();
+    shd_polyhedron_values values = shd_polyhedron_values_default();
+    shd_f32_out columns[4] = {{s->columns[0], 0}}, sum = {s->columns[1], 0};
+    shd_polyhedron *made = NULL;
+    shd_result result;
+    int c;
+    desc.kind = kind;
+    desc.vertex_count = weights.weight_count = 4;
+    desc.index_count = 12;
+    desc.indices.data = k_index;
+    points.count = 500;
+    for (c = 0; c < 3; ++c) desc.position[c].data = k_vertex[c], points.position[c].data = s->columns[3] + 7 * c;
+    weights.weight = columns;
+    values.value_count = 1;
+    values.vertex_value = desc.position;
+    values.value = &sum;
+    result = shd_polyhedron_create(s->context, &desc, &made);
+    if (result == SHD_OK) result = shd_polyhedron_evaluate(made, &points, &weights);
+    if (result == SHD_OK) result = shd_polyhedron_interpolate(made, &points, &values);
+    shd_polyhedron_release(made);
+    if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, s->columns[0], 500 * sizeof(float));
+    if (result == SHD_OK) s->hash = shd_hash(s->hash, s->columns[1], 500 * sizeof(float));
+    return result;
+}
+static shd_result polyhedron_mean_value(struct stage *s) { return polyhedron(s, SHD_BARYCENTRIC_MEAN_VALUE); }
+static shd_result polyhedron_wachspress(struct stage *s) { return polyhedron(s, SHD_BARYCENTRIC_WACHSPRESS); }
+
 static const struct call_case k_calls[] = {
     {"environment/radiance", environment_radiance},
     {"environment/lobes", environment_lobes},
@@ -156,6 +189,8 @@ static const struct call_case k_calls[] = {
     {"projection/convert", convert},
     {"polygon/mean_value", polygon_mean_value},
     {"polygon/harmonic", polygon_harmonic},
+    {"polyhedron/mean_value", polyhedron_mean_value},
+    {"polyhedron/wachspress", polyhedron_wachspress},
 };
 
 int main(void)

@@ -250,6 +250,40 @@ static shd_result use_environment(void *handle)
     return shd_environment_sample_irradiance((const shd_environment *)handle, &lookups, &light);
 }
 
+static shd_result create_polyhedron(shd_context *context, void **out)
+{
+    static const float k_position[3][4] = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    static const uint32_t k_indices[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    shd_polyhedron_desc desc = shd_polyhedron_desc_default();
+    shd_polyhedron *polyhedron = (shd_polyhedron *)out;
+    shd_result result;
+    int c;
+    desc.vertex_count = 4;
+    desc.index_count = 12;
+    for (c = 0; c < 3; ++c) desc.position[c].data = k_position[c];
+    desc.indices.data = k_indices;
+    result = shd_polyhedron_create(context, &desc, &polyhedron);
+    *out = polyhedron;
+    return result;
+}
+static void retain_polyhedron(void *handle) { shd_polyhedron_retain((shd_polyhedron *)handle); }
+static void release_polyhedron(void *handle) { shd_polyhedron_release((shd_polyhedron *)handle); }
+static shd_result use_polyhedron(void *handle)
+{
+    const float place = 0.125f, value[4] = {1, 2, 3, 4};
+    float sum;
+    const shd_f32_in vertex_value = {value, 0};
+    const shd_f32_out sums = {&sum, 0};
+    shd_polyhedron_points points = shd_polyhedron_points_default();
+    shd_polyhedron_values values = shd_polyhedron_values_default();
+    points.count = 1;
+    points.position[0].data = points.position[1].data = points.position[2].data = &place;
+    values.value_count = 1;
+    values.vertex_value = &vertex_value;
+    values.value = &sums;
+    return shd_polyhedron_interpolate((const shd_polyhedron *)handle, &points, &values);
+}
+
 /* A material that holds the only references to a texture and a sampler. */
 static shd_result create_textured_material(shd_context *context, void **out)
 {
@@ -312,6 +346,8 @@ static const struct type_row k_types[] = {
      "render.volumes[0]: volume.volume: not a live handle of its type"},
     {"environment", "environment", create_environment, retain_environment, release_environment, use_environment,
      "environment: not a live handle of its type"},
+    {"polyhedron", "polyhedron", create_polyhedron, retain_polyhedron, release_polyhedron, use_polyhedron,
+     "polyhedron: not a live handle of its type"},
     {"textured_material", "material", create_textured_material, retain_material, release_material, use_material,
      "render.draws[0]: draw.material: not a live handle of its type"},
     {"textured_light", "light", create_textured_light, retain_light, release_light, use_light,
