@@ -61,6 +61,14 @@ HWY_API DoubleM<N> operator==(DoubleV<N> a, DoubleV<N> b) {
   return {wasm_f64x2_eq(a.raw, b.raw)};
 }
 template <size_t N>
+HWY_API DoubleM<N> operator<(DoubleV<N> a, DoubleV<N> b) {
+  return {wasm_f64x2_lt(a.raw, b.raw)};
+}
+template <size_t N>
+HWY_API DoubleM<N> operator<=(DoubleV<N> a, DoubleV<N> b) {
+  return {wasm_f64x2_le(a.raw, b.raw)};
+}
+template <size_t N>
 HWY_API DoubleM<N> operator>(DoubleV<N> a, DoubleV<N> b) {
   return {wasm_f64x2_gt(a.raw, b.raw)};
 }
