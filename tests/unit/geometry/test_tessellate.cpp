@@ -297,12 +297,18 @@ void test_adaptive(void** state) {
   assert_true(before > 4000);
 }
 
+void set_look_at(const float* eye, const float* target, const float* up, shd_view* view) {
+  shd::data::Vec3d axes[3];
+  assert_true(shd::data::find_axes(eye, target, up, axes));
+  shd::data::look_at(eye, axes, view->world_to_view);
+}
+
 void test_adaptive_in_pixels(void** state) {
   const Shape& shape = *static_cast<const Shape*>(*state);
   shd_view view = {};
   const float eye[3] = {2.6f, 0.7f, 1.1f}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};  // close to the mesh, or inside it
   const float object_to_world[16] = {0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.5f, 0, 0, 1};
-  shd::data::look_at(eye, target, up, view.world_to_view);
+  set_look_at(eye, target, up, &view);
   shd::data::perspective(1.0f, 1.5f, 0.1f, 100.0f, view.view_to_clip);
   shd_tessellation_desc desc = adaptive(30.0f);
   desc.view = view;
@@ -446,7 +452,7 @@ void test_factor(void**) {
   build_mesh(SHD_MESH_KEEP_NONFINITE);
   shd_view view = {};  // 90 degrees: a unit length at distance d covers 500 / d of 1000 pixels
   const float eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
-  shd::data::look_at(eye, target, up, view.world_to_view);
+  set_look_at(eye, target, up, &view);
   shd::data::perspective(1.5707963267948966f, 1.0f, 0.1f, 100.0f, view.view_to_clip);
   shd_tessellation_desc desc = adaptive(7.0f);
   desc.view = view;
