@@ -305,7 +305,7 @@ shd_result read_values(const core::Context& context, const shd_polyhedron_points
   OutColumn columns[SHD_MAX_POLYHEDRON_VALUES];
   *out = core::Array<double>(context.allocator, values.value_count * vertex_count);
   for (size_t k = 0; k < values.value_count; ++k) {
-    char name[32];
+    char name[48];
     std::snprintf(name, sizeof name, "values.vertex_value[%zu]", k);
     SHD_TRY(check_floats(name, values.vertex_value[k], vertex_count));
     for (size_t v = 0; v < vertex_count; ++v) {
