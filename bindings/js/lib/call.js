@@ -5,7 +5,7 @@ import { arrayOf, enumName, structOf } from "./layout.js";
 import { enumValue, numberOf, writeStruct } from "./write.js";
 import { placeBytes } from "./column.js";
 import { readStruct } from "./read.js";
-import { rowsOf } from "./rows.js";
+import { rowsOf, rowsOfLists } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
 
 // Functions that a program may call.
@@ -28,6 +28,7 @@ export class Call {
     this.placed = new Map();
     this.pinned = [];  // allocations that an object borrows
     this.rows = undefined;
+    this.rowsOfLists = {};
     this.isOut = false;
   }
   /** The handle of an object of this module. */
@@ -172,6 +173,7 @@ export function invoke(module, name, values, made = null) {
   const mark = module.memory.mark();
   const call = new Call(module);
   call.rows = rows;
+  call.rowsOfLists = rowsOfLists(name, values);
   let isDone = false;
   try {
     const { words, results } = new Arguments(call, entry, values);

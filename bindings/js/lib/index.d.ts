@@ -158,6 +158,15 @@ export interface Material extends SharedObject {}
 export interface Light extends SharedObject {}
 export interface Volume extends SharedObject {}
 
+/** A closed mesh of triangles as a cage. */
+export interface Polyhedron extends SharedObject {
+  readonly vertexCount: number;
+  /** The coordinates of points: `out.weight` has a column for each vertex. */
+  evaluate<T extends api.PolyhedronWeights>(points: api.PolyhedronPoints, out: T): T;
+  /** Values of the vertices at points: `out.vertexValue` are read, and `out.value` is written. */
+  interpolate<T extends api.PolyhedronValues>(points: api.PolyhedronPoints, out: T): T;
+}
+
 export interface Mesh extends SharedObject {
   readonly info: api.MeshInfo;
   /** Columns of the vertices as one interleaved array. */
@@ -291,6 +300,7 @@ export interface Shd {
   readonly Shadow: Constructor<Shadow, api.ShadowDesc>;
   readonly TileCache: Constructor<TileCache, api.TileCacheDesc>;
   readonly Volume: Constructor<Volume, api.VolumeDesc>;
+  readonly Polyhedron: Constructor<Polyhedron, api.PolyhedronDesc & { vertexCount: number }>;
   readonly ShdError: typeof ShdError;
   /** The functions of C, with addresses for pointers. */
   readonly raw: api.Raw;

@@ -10,7 +10,7 @@ export async function load(source) {
   return makeShd(callbacks, await instantiate(source, callbacks.imports()));
 }
 
-export { Environment, Light, Material, Mesh, Sampler, Shadow, Texture, TileCache, Volume } from "./objects.js";
+export { Environment, Light, Material, Mesh, Polyhedron, Sampler, Shadow, Texture, TileCache, Volume } from "./objects.js";
 export { Bitmap } from "./bitmap.js";
 export { Framebuffer } from "./framebuffer.js";
 export { Scene } from "./scene.js";

@@ -2,8 +2,8 @@
 // An instance of the library: its memory and references, and what users see of it.
 import { invoke } from "./call.js";
 import { Allocation, Memory } from "./memory.js";
-import { Context as ContextObject, Environment, Light, Material, Mesh, Sampler, Shadow, Texture,
-    TileCache, Volume } from "./objects.js";
+import { Context as ContextObject, Environment, Light, Material, Mesh, Polyhedron, Sampler, Shadow,
+    Texture, TileCache, Volume } from "./objects.js";
 import { Bitmap } from "./bitmap.js";
 import { Framebuffer } from "./framebuffer.js";
 import { Scene } from "./scene.js";
@@ -59,8 +59,8 @@ export function makeShd(callbacks, raw, threads = null) {
     constructor(desc) { super(module, threads ? threads.contextDesc(desc) : desc); }
   }
   const shd = {
-    Bitmap, Context, Environment, Framebuffer, Light, Material, Mesh, Sampler, Scene, Shadow, ShdError, Texture,
-    TileCache, Volume,
+    Bitmap, Context, Environment, Framebuffer, Light, Material, Mesh, Polyhedron, Sampler, Scene, Shadow, ShdError,
+    Texture, TileCache, Volume,
     /** Threads that contexts use, at most. */
     threadCount: threads?.count ?? 1,
     /** Ends the threads. Later calls of an instance with threads throw. */

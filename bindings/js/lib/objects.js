@@ -145,6 +145,21 @@ export class Shadow extends SharedObject {
   sample(lookups, out) { call(this, "shd_shadow_sample", lookups, out); return out; }
 }
 
+/** A closed mesh of triangles as a cage, for coordinates of points. */
+export class Polyhedron extends SharedObject {
+  #vertexCount;
+  constructor(context, desc) {
+    if (typeof desc?.vertexCount !== "number") refuse("desc.vertexCount", "the number of vertices is missing");
+    super(moduleOf(context), "polyhedron", "shd_polyhedron_create", [context, desc]);
+    this.#vertexCount = desc.vertexCount;
+  }
+  get vertexCount() { return this.#vertexCount; }
+  /** The coordinates of points: `out.weight` has a column for each vertex. */
+  evaluate(points, out) { call(this, "shd_polyhedron_evaluate", points, out); return out; }
+  /** Values of the vertices at points: `out.vertexValue` are read, and `out.value` is written. */
+  interpolate(points, out) { call(this, "shd_polyhedron_interpolate", points, out); return out; }
+}
+
 export class Volume extends SharedObject {
   constructor(context, desc) { super(moduleOf(context), "volume", "shd_volume_create", [context, desc]); }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths of output columns that only the other arguments determine. A shorter array is refused before C writes to it.
+// Lengths of columns that only the other arguments determine. A shorter array is refused before C reads or writes it.
 
 const pixels = ({ width, height }) => width * height;
 
@@ -15,6 +15,14 @@ const ROWS = {
 for (const part of ["positions", "normals", "tangents", "uv", "uv1", "attribute"]) {
   ROWS[`shd_mesh_read_${part}`] = ([mesh]) => mesh.info.vertexCount;
 }
+
+// Lists of columns whose length is not that of the other columns of the call.
+const ROWS_OF_LISTS = {
+  shd_polyhedron_interpolate: ([polyhedron]) => ({ vertexValue: polyhedron?.vertexCount }),
+};
+
+/** Lengths of lists of columns of a call, by their fields. */
+export const rowsOfLists = (name, values) => ROWS_OF_LISTS[name]?.(values) ?? {};
 
 /** Rows of the columns of a call, or undefined if the structs of the call have a count. */
 export function rowsOf(name, values) {

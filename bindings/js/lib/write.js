@@ -79,8 +79,10 @@ function writeList(call, field, value, label, state) {
   }
   const { size } = structOf(field.type);
   const address = call.allocate(size * items.length);
+  const rows = call.rowsOfLists[field.name];
+  const outer = rows === undefined ? state : { counts: new Map([["count", rows]]) };
   items.forEach((item, i) => writeStruct(call, field.type, address + i * size, item, isList ? `${label}[${i}]` : label,
-                                         state));
+                                         outer));
   return address;
 }
 

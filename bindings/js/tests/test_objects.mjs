@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
 import { inspect } from "node:util";
 import { grey, load, refused, test, threads } from "./support.mjs";
 
@@ -23,6 +24,42 @@ test("objects/printed", (shd, context) => {
   sampler.close();
   assert.equal(inspect(sampler), "Sampler { isClosed: true }");
   assert(inspect(shd).split("\n").length < 25, inspect(shd));
+});
+
+const OCTAHEDRON = { vertexCount: 6, indexCount: 24,
+                     position: [[1, 0, 0, -1, 0, 0], [0, 1, 0, 0, -1, 0], [0, 0, 1, 0, 0, -1]],
+                     indices: [0, 1, 2, 1, 3, 2, 3, 4, 2, 4, 0, 2, 1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5] };
+// The first bits of SHA-256 of the weights, as native libshd has them.
+const WEIGHTS = { mean_value: "46b2901333d77f14", wachspress: "a2f46c3f2cf58ab0" };
+
+test("objects/polyhedron", (shd, context) => {
+  const count = 1000, position = [0, 1, 2].map(() => new Float32Array(count));
+  for (let i = 0, seed = 1; i < 3 * count; ++i) {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    position[i % 3][Math.floor(i / 3)] = (seed >>> 8) / 2 ** 24 * 3 - 1.5;
+  }
+  for (const kind of ["mean_value", "wachspress"]) {
+    const cage = new shd.Polyhedron(context, { ...OCTAHEDRON, kind }), hash = createHash("sha256");
+    const { weight, outsideCount } = cage.evaluate({ count, position },
+                                                   { weight: OCTAHEDRON.position[0].map(() => new Float32Array(count)) });
+    for (const column of weight) hash.update(new Uint8Array(column.buffer));
+    assert.equal(hash.digest("hex").slice(0, 16), WEIGHTS[kind]);
+    assert(outsideCount > 500 && outsideCount < count, outsideCount);
+    const value = [new Float32Array(1)];
+    cage.interpolate({ count: 1, position: [[0.25], [0.5], [0]] }, { valueCount: 1, vertexValue: [OCTAHEDRON.position[1]],
+                                                                    value });
+    assert(Math.abs(value[0][0] - 0.5) < 1e-6, value[0][0]);
+    cage.close();
+  }
+  const cage = new shd.Polyhedron(context, OCTAHEDRON), points = { count: 2, position: [[0, 0], [0, 0], [0, 0]] };
+  refused(() => cage.interpolate(points, { vertexValue: [[1, 2, 3, 4, 5]], value: [new Float32Array(2)] }),
+          "out.vertexValue[0]: 5 elements, not 6");
+  refused(() => cage.interpolate(points, { vertexValue: [OCTAHEDRON.position[0]], value: [new Float32Array(1)] }),
+          "out.value[0]: 1 elements, not 2");
+  refused(() => cage.evaluate(points, { weight: [new Float32Array(2)] }), "weights.weight_count: 1 is not in 6..6");
+  refused(() => new shd.Polyhedron(context, { ...OCTAHEDRON, vertexCount: undefined }), "desc.vertexCount");
+  refused(() => new shd.Polyhedron(context, { ...OCTAHEDRON, indexCount: 21, indices: OCTAHEDRON.indices.slice(3) }),
+          "polyhedron");
 });
 
 test("objects/no_leak", (shd, context) => {

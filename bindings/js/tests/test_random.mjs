@@ -79,7 +79,7 @@ test("random/classes", (shd, context) => {
   const descs = { Texture: "texture_desc", Sampler: "sampler_desc", Mesh: "mesh_desc", Material: "material_desc",
       Light: "light_desc",
                   Framebuffer: "framebuffer_desc", Environment: "environment_desc", Shadow: "shadow_desc",
-                      Volume: "volume_desc" };
+                      Volume: "volume_desc", Polyhedron: "polyhedron_desc" };
   for (const [name, desc] of Object.entries(descs)) {
     for (let round = 0; round < 10 * ROUNDS; ++round) {
       try {

@@ -31,6 +31,7 @@ _names.update({_api.camel(name): (_api.enum_type, name) for name in _api.enums})
 
 # Modules that are imported when a name is first used, so that a small program starts fast.
 _modules = {"Environment": "_environment", "Shadow": "_shadow", "Volume": "_volume", "evaluate_solid": "_solid",
+            "evaluate_polygon": "_polygon", "Polyhedron": "_polygon",
             "bake": "_bake", "bake_occlusion": "_bake", "occlusion": "_bake", "vertex_occlusion": "_bake",
             "project": "_projection", "unproject": "_projection", "convert_projection": "_projection",
             "save_png": "_png", "TileCache": "_tiles", "Color": "color", "Scene": "scene",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Environments, shadows, volumes, solid textures and projections."""
+"""Environments, shadows, volumes, solid textures, coordinates in polygons, and projections."""
 import gc
 import threading
 
@@ -165,6 +165,55 @@ class Solids(Case):
                 (TypeError, "no field octave; did you mean octaves", {"octave": 2})):
             with self.subTest(message):
                 self.check_refused(kind, message, shd.evaluate_solid, self.context, place, **values)
+
+
+class Polygons(Case):
+    """Coordinates in polygons and polyhedra: their sums, and the points that they reproduce."""
+
+    SQUARE = np.float32([[0, 0], [2, 0], [2, 1], [0, 1]])
+    OCTAHEDRON = np.float32([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]])
+    FACES = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]]
+
+    def test_polygon(self):
+        points = np.float32(np.random.default_rng(2).uniform(0.01, 0.99, (3, 5, 2))) * (2, 1)
+        for kind in ("wachspress", "mean_value", "discrete_harmonic"):
+            weights = shd.evaluate_polygon(self.context, self.SQUARE, points, kind=kind)
+            self.assertEqual((weights.shape, weights.dtype), ((3, 5, 4), np.float32))
+            np.testing.assert_allclose(weights.sum(axis=-1), 1, atol=1e-6)
+            np.testing.assert_allclose(weights @ self.SQUARE, points, atol=1e-6)
+        np.testing.assert_allclose(shd.evaluate_polygon(self.context, self.SQUARE, [[1, 0.5]]), [[0.25] * 4], atol=1e-6)
+        out = np.zeros((15, 4), np.float32)
+        self.assertIs(shd.evaluate_polygon(self.context, self.SQUARE, points.reshape(-1, 2), out=out), out)
+        np.testing.assert_array_equal(out.reshape(3, 5, 4), shd.evaluate_polygon(self.context, self.SQUARE, points))
+        self.check_refused(shd.InvalidArgument, "polygon.vertex_count: 2", shd.evaluate_polygon, self.context,
+                           self.SQUARE[:2], points)
+        self.check_refused(ValueError, "out: columns of .15, 15, 15, 15. rows, not 2", shd.evaluate_polygon, self.context,
+                           self.SQUARE, points[0, :2], out=out)
+        self.check_refused(TypeError, "no field kin", shd.evaluate_polygon, self.context, self.SQUARE, points, kin=1)
+
+    def test_polyhedron(self):
+        points = np.random.default_rng(3).uniform(-0.3, 0.3, (4, 6, 3))
+        moved = self.OCTAHEDRON @ [[0, 2, 0], [1, 0, 1], [0, 0, 3]] + (1, 2, 3)
+        for kind in ("mean_value", "wachspress"):
+            with shd.Polyhedron(self.context, self.OCTAHEDRON, self.FACES, kind=kind) as cage:
+                weights = cage.evaluate(points)
+                self.assertEqual((weights.shape, weights.dtype), ((4, 6, 6), np.float32))
+                np.testing.assert_allclose(weights.sum(axis=-1), 1, atol=1e-6)
+                np.testing.assert_allclose(weights @ self.OCTAHEDRON, points, atol=1e-6)
+                np.testing.assert_allclose(cage.interpolate(points, moved), weights @ moved, atol=2e-6)
+                np.testing.assert_allclose(cage.evaluate(self.OCTAHEDRON), np.eye(6), atol=1e-6)
+                out = np.zeros((24, 1), np.float32)
+                self.assertIs(cage.interpolate(points.reshape(-1, 3), np.ones((6, 1)), out=out), out)
+                np.testing.assert_allclose(out, 1, atol=1e-6)
+                self.assertEqual(cage.evaluate(np.zeros((0, 3))).shape, (0, 6))
+                self.check_refused(ValueError, "value: an array .6..values., not of shape .5, 3.", cage.interpolate,
+                                   points, moved[:5])
+            self.check_refused(ValueError, "closed", cage.evaluate, points)
+        make = shd.Polyhedron
+        self.check_refused(shd.InvalidArgument, "polyhedron", make, self.context, self.OCTAHEDRON, self.FACES[:-1])
+        self.check_refused(ValueError, "polyhedron.indices", make, self.context, self.OCTAHEDRON, -np.int64(self.FACES))
+        self.check_refused(TypeError, "no field kid; did you mean kind", make, self.context, self.OCTAHEDRON, self.FACES,
+                           kid="wachspress")
 
 
 class Memory(Case):

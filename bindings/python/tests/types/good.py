@@ -59,6 +59,8 @@ def components(context: shd.Context, framebuffer: shd.Framebuffer, files: Dict[s
     tracer = shd.embree.Tree(context, scene.draws).tracer
     open_sky = shd.occlusion(context, np.zeros((2, 3)), [(0, 0, 1), (0, 1, 0)], tracer=tracer, ray_count=64)
     noise, slope = shd.evaluate_solid(context, np.zeros((2, 3)), want=("value", "gradient"), kind="perlin")
+    cage = shd.Polyhedron(context, np.zeros((4, 3)), [[0, 1, 2]], kind="mean_value")
+    weights: npt.NDArray[np.float32] = cage.evaluate(np.zeros((2, 3)))
     u, v = shd.project(context, np.eye(3), "octahedral")
     print(bitmap.pixels.shape, shown.shape, stats["fragment_count"], open_sky + noise, slope + u + v, info["tile_width"])
     return scene.warnings
