@@ -136,10 +136,14 @@ class Files(Case):
         bitmap.close()
         np.testing.assert_array_equal(kept, self.pixels)
         self.check_refused(ValueError, "read-only", kept.fill, 0)
-        for kind in (np.float16, np.float32, np.float64):
-            grey, hdr = np.linspace(0, 1, 6).reshape(2, 3).astype(kind), self.folder / "grey.hdr"
-            io.save(grey, hdr)  # of 8 bits and an exponent, which every build writes
-            np.testing.assert_allclose(io.load(self.context, hdr).pixels[..., :3], grey[..., np.newaxis].repeat(3, 2),
+        for kind, name in ((np.float32, "grey.hdr"), (np.float64, "grey.hdr"), (np.float16, "grey.exr")):
+            grey, file = np.linspace(0, 1, 6).reshape(2, 3).astype(kind), self.folder / name
+            try:
+                io.save(grey, file)
+            except shd.Error as problem:
+                self.assertIn("no OpenImageIO for openexr", str(problem))
+                continue
+            np.testing.assert_allclose(io.load(self.context, file).pixels[..., :3], grey[..., np.newaxis].repeat(3, 2),
                                        atol=1 / 256)
         from_memory = io.load(self.context, path.read_bytes(), formats="png")
         self.assertEqual((from_memory.color_space, from_memory.info["file_format"]), ("sRGB", shd.FileFormat.PNG))
