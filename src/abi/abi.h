@@ -20,7 +20,7 @@
 /// | volume.h         | volumes of a frame, checked                                                       |
 /// | lookup.h         | the columns of lookups; whether a texture has the tables that a filter reads      |
 /// | call_in_place.h  | calls of shd_texture_sample() that need few checks                                |
-/// | camera.h         | cameras and look-at matrices                                                      |
+/// | camera.h         | cameras, axes of views and look-at matrices                                       |
 /// | draws.h          | the draws of a frame or a shadow                                                  |
 /// | render.h         | frames and bakes from one desc                                                    |
 /// | bake.h           | statistics of a bake from the states of its texels                                |

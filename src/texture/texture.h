@@ -21,7 +21,7 @@
 /// |----------|-------------------------------------------------------------------------------------|-----------------|
 /// | format/  | component types and compressed blocks: fetch, decode, blend; consumers of streams   | formats.h       |
 /// | store/   | where texels lie: memory, compressed blocks (bc/), tiles (tiles/)                   | stores.h        |
-/// | table/   | builders of mip levels, ripmap levels and sums of areas; creation and updates       | tables.h        |
+/// | table/   | builders of levels, sums of areas, normals of heights; creation and updates         | tables.h        |
 /// | domain/  | coordinates to shapes: planes, slices, directions; wraps and folds beyond edges     | block.h         |
 /// | filter/  | filters, one in each file; emitters, sinks and the loop over a batch                | filters-inl.h   |
 /// | lookup/  | one call: swizzle, magnification, choice of kernels                                 | sample.h        |
