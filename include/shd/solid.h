@@ -26,10 +26,11 @@
  * and Marschner, "Fundamentals of Computer Graphics", solid noise). |n| <= sqrt(3) / 2. The pattern repeats every 256
  * cells. SHD_SOLID_FADE_QUINTIC weighs by 6 t^5 - 15 t^4 + 10 t^3 instead, and SHD_SOLID_GRADIENTS_HASHED chooses one
  * of the twelve gradients (1, 1, 0) .. (0, -1, -1) by a hash of the lattice point (Perlin, "Improving Noise", 2002).
- * The hashed sum is multiplied by 0.9649 (quintic) or 0.957 (cubic), so that |n| <= 1. SIMPLEX has these gradients with
- * weights 76.88 max(0, 1/2 - r^2)^4, so that |n| <= 1 too (Perlin, "Noise Hardware", 2001). WORLEY is exact: F1 and F2
- * are the distances to the nearest and the second nearest of all feature points (Worley, "A Cellular Texture Basis
- * Function", 1996). The rings of WOOD run around the y axis; smooth() is the cubic step (Peachey in Ebert et al.,
+ * SHD_SOLID_FADE_LINEAR weighs by 1 - |t|; its gradients are those of the cell that contains the place. The hashed sum
+ * is multiplied by 0.9649 (quintic), 0.957 (cubic) or 0.9391 (linear), so that |n| <= 1. SIMPLEX has these gradients
+ * with weights 76.88 max(0, 1/2 - r^2)^4, so that |n| <= 1 too (Perlin, "Noise Hardware", 2001). WORLEY is exact: F1
+ * and F2 are the distances to the nearest and the second nearest of all feature points (Worley, "A Cellular Texture
+ * Basis Function", 1996). The rings of WOOD run around the y axis; smooth() is the cubic step (Peachey in Ebert et al.,
  * "Texturing and Modeling", 2002).
  *
  * Band limit: with a `width` w, in cells, an octave of frequency f keeps its full amplitude up to w f = 1/2, where the
@@ -97,7 +98,8 @@ typedef enum shd_solid_gradients {
 /** Weight of a lattice point at distance t along an axis. */
 typedef enum shd_solid_fade {
     SHD_SOLID_FADE_QUINTIC = 0, /**< second derivatives are continuous */
-    SHD_SOLID_FADE_CUBIC = 1,   /**< first derivatives are continuous */
+    SHD_SOLID_FADE_CUBIC = 1,   /**< Hermite interpolation: first derivatives are continuous */
+    SHD_SOLID_FADE_LINEAR = 2,  /**< trilinear interpolation: the borders of the cells show as creases, Mach bands */
     SHD_SOLID_FADE_MAX_ENUM = 0x7fffffff
 } shd_solid_fade;
 

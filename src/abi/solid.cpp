@@ -17,7 +17,7 @@ shd_result check_kind(const char* name, const shd_solid_desc& desc) {
   SHD_TRY(check_enum(FieldName(name, "kind"), desc.kind, 0, SHD_SOLID_WOOD));
   SHD_TRY(check_enum(FieldName(name, "sum"), desc.sum, 0, SHD_SOLID_SUM_TURBULENCE));
   SHD_TRY(check_enum(FieldName(name, "gradients"), desc.gradients, 0, SHD_SOLID_GRADIENTS_TABLE));
-  SHD_TRY(check_enum(FieldName(name, "fade"), desc.fade, 0, SHD_SOLID_FADE_CUBIC));
+  SHD_TRY(check_enum(FieldName(name, "fade"), desc.fade, 0, SHD_SOLID_FADE_LINEAR));
   return check_enum(FieldName(name, "distance"), desc.distance, 0, SHD_SOLID_DISTANCE_F2_F1);
 }
 

@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <shd/solid.h>
+
 #include "procedural/batch-inl.h"
 #include "simd/hash-inl.h"
 #include "simd/integer-inl.h"
@@ -53,9 +55,10 @@ struct Fade {
 };
 
 template <class D, class V>
-HWY_INLINE Fade<V> FadeAt(D d, bool is_cubic, V t) {
+HWY_INLINE Fade<V> FadeAt(D d, shd_solid_fade fade, V t) {
   const V one = hn::Set(d, 1.0f);
-  if (is_cubic) {
+  if (fade == SHD_SOLID_FADE_LINEAR) return {t, one};
+  if (fade == SHD_SOLID_FADE_CUBIC) {
     const V three = hn::Set(d, 3.0f), six = hn::Set(d, 6.0f);
     return {t * t * (three - (t + t)), six * t * (one - t)};
   }

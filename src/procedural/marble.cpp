@@ -24,7 +24,7 @@ struct MarblePattern {
     using simd::HWY_NAMESPACE::SinPi;
     const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f), distortion = hn::Set(d, solid.distortion);
     const Place<V> p = InCells(d, solid, place);
-    const Sample<V> noise = SumOctaves<kGradient>(d, HashedPerlin{solid.is_cubic}, solid, true, p);
+    const Sample<V> noise = SumOctaves<kGradient>(d, HashedPerlin{solid.fade}, solid, true, p);
     const V t = ClampCoordinate(d, p.x) + distortion * noise.value;
     const V height = half * BandLimit(d, half * p.width);
     Sample<V> out = {half + height * SinPi(d, t), noise.dx, noise.dy, noise.dz};

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// One octave, before it is normalised. Perlin, "Improving Noise" (2002), with a hash in place of the permutation.
 struct HashedPerlin {
-  bool is_cubic;
+  shd_solid_fade fade;
 
   template <bool kGradient, class D, class V>
   HWY_INLINE Sample<V> At(D d, V x, V y, V z, uint32_t seed) const {
@@ -36,8 +36,7 @@ struct HashedPerlin {
       out.value = DotEdge(d, hash, px[i], py[j], pz[k]);
       return out;
     };
-    return Interpolate<kGradient, true>(FadeAt(d, is_cubic, ax.at), FadeAt(d, is_cubic, ay.at),
-                                        FadeAt(d, is_cubic, az.at), corner);
+    return Interpolate<kGradient, true>(FadeAt(d, fade, ax.at), FadeAt(d, fade, ay.at), FadeAt(d, fade, az.at), corner);
   }
 };
 

@@ -14,7 +14,7 @@ namespace shd::procedural::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 size_t Perlin(const Solid& solid, const Places& places, const Values& out) {
-  return EvaluateSum(solid, HashedPerlin{solid.is_cubic}, places, out);
+  return EvaluateSum(solid, HashedPerlin{solid.fade}, places, out);
 }
 
 }  // namespace shd::procedural::HWY_NAMESPACE

@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// One octave of the classic noise: gradients G(phi(i + phi(j + phi(k)))) of a table.
 struct TablePerlin {
   const GradientTable& table;
-  bool is_cubic;
+  shd_solid_fade fade;
 
   /// Elements of a table at the two ends of an axis, from the index of the nearer end.
   template <class D, class T, class VI>
@@ -45,13 +45,12 @@ struct TablePerlin {
       }
       return Sample<V>{gx[i] * px[i] + gy[i] * py[j] + gz[i] * pz[k], gx[i], gy[i], gz[i]};
     };
-    return Interpolate<kGradient, true>(FadeAt(d, is_cubic, ax.at), FadeAt(d, is_cubic, ay.at),
-                                        FadeAt(d, is_cubic, az.at), corner);
+    return Interpolate<kGradient, true>(FadeAt(d, fade, ax.at), FadeAt(d, fade, ay.at), FadeAt(d, fade, az.at), corner);
   }
 };
 
 size_t PerlinTable(const Solid& solid, const Places& places, const Values& out) {
-  return EvaluateSum(solid, TablePerlin{solid.table, solid.is_cubic}, places, out);
+  return EvaluateSum(solid, TablePerlin{solid.table, solid.fade}, places, out);
 }
 
 }  // namespace shd::procedural::HWY_NAMESPACE

@@ -21,24 +21,23 @@ struct NoiseInfo {
   float normalizer;
   float mean_absolute;  // mean of |n| over space and seeds, for turbulence
 };
-/// By fade: quintic, cubic. The normalizers are just below the inverse of the largest sum over the lattice points:
+/// By shd_solid_fade. The normalizers are just below the inverse of the largest sum over the lattice points:
 /// unit.procedural.solid_range. The means are measured over 2^24 places.
-constexpr NoiseInfo kHashedPerlin[2] = {{0.9649f, 0.2125f}, {0.957f, 0.2f}};
-constexpr NoiseInfo kTablePerlin[2] = {{1.0f, 0.1561f}, {1.0f, 0.1478f}};
-constexpr NoiseInfo kValue[2] = {{1.0f, 0.3301f}, {1.0f, 0.3028f}};
+constexpr NoiseInfo kHashedPerlin[] = {{0.9649f, 0.2125f}, {0.957f, 0.2f}, {0.9391f, 0.1838f}};
+constexpr NoiseInfo kTablePerlin[] = {{1.0f, 0.1561f}, {1.0f, 0.1478f}, {1.0f, 0.1385f}};
+constexpr NoiseInfo kValue[] = {{1.0f, 0.3301f}, {1.0f, 0.3028f}, {1.0f, 0.2553f}};
 constexpr NoiseInfo kSimplex = {76.88f, 0.314f};
 /// 1 / sqrt(3), and the means of the normalised distances.
 constexpr float kWorleyNormalizer = 0.57735026f;
 constexpr float kWorleyMean[3] = {0.3005f, 0.4139f, 0.1135f};
 
 NoiseInfo noise_info(const shd_solid_desc& desc) {
-  const int fade = desc.fade == SHD_SOLID_FADE_CUBIC;
   switch (desc.kind) {
     case SHD_SOLID_PERLIN:
-      return desc.gradients == SHD_SOLID_GRADIENTS_TABLE ? kTablePerlin[fade] : kHashedPerlin[fade];
-    case SHD_SOLID_VALUE: return kValue[fade];
+      return desc.gradients == SHD_SOLID_GRADIENTS_TABLE ? kTablePerlin[desc.fade] : kHashedPerlin[desc.fade];
+    case SHD_SOLID_VALUE: return kValue[desc.fade];
     case SHD_SOLID_SIMPLEX: return kSimplex;
-    default: return kHashedPerlin[fade];
+    default: return kHashedPerlin[desc.fade];
   }
 }
 
@@ -77,7 +76,7 @@ void build(const shd_solid_desc& desc, Solid* out) noexcept {
   out->kind = desc.kind;
   out->size = desc.size;
   out->inverse_size = 1.0f / desc.size;
-  out->is_cubic = desc.fade == SHD_SOLID_FADE_CUBIC;
+  out->fade = desc.fade;
   out->distance = desc.distance;
   out->distortion = desc.distortion;
   const NoiseInfo info = noise_info(desc);

@@ -26,7 +26,8 @@ struct Solid {
   float size, inverse_size;  // edge of a cell
   Octave octave[kMaxOctaves];
   uint32_t octave_count;
-  bool is_turbulence, is_cubic;
+  shd_solid_fade fade;
+  bool is_turbulence;
   bool has_table;
   shd_solid_distance distance;
   float mean;        // mean value of one octave, which replaces octaves that are too fine

@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// One octave of value noise: hashes of the lattice points as multiples of 2^-23 in [-1, 1), interpolated.
 struct ValueNoise {
-  bool is_cubic;
+  shd_solid_fade fade;
 
   template <bool kGradient, class D, class V>
   HWY_INLINE Sample<V> At(D d, V x, V y, V z, uint32_t seed) const {
@@ -31,13 +31,13 @@ struct ValueNoise {
       out.value = hn::ConvertTo(d, hn::ShiftRight<8>(hn::BitCast(di, hash))) * hn::Set(d, 0x1p-23f);
       return out;
     };
-    return Interpolate<kGradient, false>(FadeAt(d, is_cubic, ax.at), FadeAt(d, is_cubic, ay.at),
-                                         FadeAt(d, is_cubic, az.at), corner);
+    return Interpolate<kGradient, false>(FadeAt(d, fade, ax.at), FadeAt(d, fade, ay.at), FadeAt(d, fade, az.at),
+                                         corner);
   }
 };
 
 size_t Value(const Solid& solid, const Places& places, const Values& out) {
-  return EvaluateSum(solid, ValueNoise{solid.is_cubic}, places, out);
+  return EvaluateSum(solid, ValueNoise{solid.fade}, places, out);
 }
 
 }  // namespace shd::procedural::HWY_NAMESPACE

@@ -20,8 +20,8 @@ template <class D, class V>
 HWY_INLINE Fade<V> SmoothStep(D d, float begin, float end, V t) {
   const V one = hn::Set(d, 1.0f), scale = hn::Set(d, 1.0f / (end - begin));
   const V part = hn::Max(hn::Min((t - hn::Set(d, begin)) * scale, one), hn::Zero(d));
-  const Fade<V> fade = FadeAt(d, true, part);
-  return {fade.weight, fade.slope * scale};
+  const Fade<V> step = FadeAt(d, SHD_SOLID_FADE_CUBIC, part);
+  return {step.weight, step.slope * scale};
 }
 
 /// Rings around the y axis, distorted by Perlin noise: slow growth, then a sharp edge.
@@ -32,7 +32,7 @@ struct WoodPattern {
   HWY_INLINE Sample<V> At(D d, const Place<V>& place) const {
     const V one = hn::Set(d, 1.0f), distortion = hn::Set(d, solid.distortion), mean = hn::Set(d, 0.515f);
     const Place<V> p = InCells(d, solid, place);
-    const Sample<V> noise = SumOctaves<kGradient>(d, HashedPerlin{solid.is_cubic}, solid, false, p);
+    const Sample<V> noise = SumOctaves<kGradient>(d, HashedPerlin{solid.fade}, solid, false, p);
     const V x = ClampCoordinate(d, p.x), z = ClampCoordinate(d, p.z);
     const V radius = hn::Sqrt(x * x + z * z);
     const V t = radius + distortion * noise.value;

@@ -87,7 +87,7 @@ static const struct bad_desc k_bad[] = {
     {"gain_2", FIELD(gain), 1, 2, "solid.gain: 2 is not in 0..1"},
     {"sum", FIELD(sum), 0, 2, "solid.sum: 2 is not in 0..1"},
     {"gradients", FIELD(gradients), 0, 2, "solid.gradients: 2 is not in 0..1"},
-    {"fade", FIELD(fade), 0, 7, "solid.fade: 7 is not in 0..1"},
+    {"fade", FIELD(fade), 0, 7, "solid.fade: 7 is not in 0..2"},
     {"distance", FIELD(distance), 0, 3, "solid.distance: 3 is not in 0..2"},
     {"distortion", FIELD(distortion), 1, 1001, "solid.distortion: 1001 is not in 0..1000"},
     {"distortion_nan", FIELD(distortion), 1, NAN, "solid.distortion: "},

@@ -24,7 +24,7 @@ void choose_desc(Source& source, shd_solid_desc& desc) {
   desc.octaves = source.one_in(32) ? source.word() : 1 + source.below(32);
   desc.sum = source.constant<shd_solid_sum>(2);
   desc.gradients = source.constant<shd_solid_gradients>(2);
-  desc.fade = source.constant<shd_solid_fade>(2);
+  desc.fade = source.constant<shd_solid_fade>(3);
   desc.distance = source.constant<shd_solid_distance>(3);
   desc.size = source.one_in(2) ? 1.0f : std::exp2(source.real(-100.0f, 100.0f));
   desc.lacunarity = source.real(1.0f, 16.0f);

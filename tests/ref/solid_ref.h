@@ -35,15 +35,19 @@ inline double solid_edge(uint32_t hash, double x, double y, double z) {
 }
 
 /// Weight of a lattice point at distance t along an axis.
-inline double solid_weight(bool cubic, double t) {
+inline double solid_weight(shd_solid_fade fade, double t) {
   const double s = 1 - std::fabs(t);
   if (s <= 0) return 0;
-  return cubic ? 2 * std::fabs(t * t * t) - 3 * t * t + 1 : s * s * s * (6 * s * s - 15 * s + 10);
+  switch (fade) {
+    case SHD_SOLID_FADE_LINEAR: return s;
+    case SHD_SOLID_FADE_CUBIC: return 2 * std::fabs(t * t * t) - 3 * t * t + 1;
+    default: return s * s * s * (6 * s * s - 15 * s + 10);
+  }
 }
 
 /// Sum over the eight lattice points around a place of their weights times value(point, x - i, y - j, z - k).
 template <class Value>
-double solid_lattice_sum(bool cubic, const double (&p)[3], const Value& value) {
+double solid_lattice_sum(shd_solid_fade fade, const double (&p)[3], const Value& value) {
   const Lattice cell = {static_cast<int64_t>(std::floor(p[0])), static_cast<int64_t>(std::floor(p[1])),
                         static_cast<int64_t>(std::floor(p[2]))};
   double sum = 0;
@@ -52,8 +56,7 @@ double solid_lattice_sum(bool cubic, const double (&p)[3], const Value& value) {
       for (int64_t k = cell.z; k <= cell.z + 1; ++k) {
         const double u = p[0] - static_cast<double>(i), v = p[1] - static_cast<double>(j),
                      w = p[2] - static_cast<double>(k);
-        sum +=
-            solid_weight(cubic, u) * solid_weight(cubic, v) * solid_weight(cubic, w) * value(Lattice{i, j, k}, u, v, w);
+        sum += solid_weight(fade, u) * solid_weight(fade, v) * solid_weight(fade, w) * value(Lattice{i, j, k}, u, v, w);
       }
     }
   }
@@ -66,8 +69,8 @@ struct SolidTable {
   const float *gx, *gy, *gz;  // [256] G(phi(i))
 };
 
-inline double solid_table_perlin(const SolidTable& table, bool cubic, const double (&p)[3]) {
-  return solid_lattice_sum(cubic, p, [&](Lattice at, double u, double v, double w) {
+inline double solid_table_perlin(const SolidTable& table, shd_solid_fade fade, const double (&p)[3]) {
+  return solid_lattice_sum(fade, p, [&](Lattice at, double u, double v, double w) {
     const int64_t jk = at.y + table.phi[at.z & 255];
     const int64_t ijk = (at.x + table.phi[jk & 255]) & 255;
     return static_cast<double>(table.gx[ijk]) * u + static_cast<double>(table.gy[ijk]) * v +
@@ -75,14 +78,19 @@ inline double solid_table_perlin(const SolidTable& table, bool cubic, const doub
   });
 }
 
-inline double solid_hashed_perlin(bool cubic, const double (&p)[3], uint32_t seed) {
-  const double sum = solid_lattice_sum(
-      cubic, p, [&](Lattice at, double u, double v, double w) { return solid_edge(solid_hash(at, seed), u, v, w); });
-  return (cubic ? 0.957 : 0.9649) * sum;
+/// The factor that brings hashed Perlin noise to -1..1.
+inline double solid_factor(shd_solid_fade fade) {
+  return fade == SHD_SOLID_FADE_LINEAR ? 0.9391 : fade == SHD_SOLID_FADE_CUBIC ? 0.957 : 0.9649;
 }
 
-inline double solid_value(bool cubic, const double (&p)[3], uint32_t seed) {
-  return solid_lattice_sum(cubic, p, [&](Lattice at, double, double, double) {
+inline double solid_hashed_perlin(shd_solid_fade fade, const double (&p)[3], uint32_t seed) {
+  const double sum = solid_lattice_sum(
+      fade, p, [&](Lattice at, double u, double v, double w) { return solid_edge(solid_hash(at, seed), u, v, w); });
+  return solid_factor(fade) * sum;
+}
+
+inline double solid_value(shd_solid_fade fade, const double (&p)[3], uint32_t seed) {
+  return solid_lattice_sum(fade, p, [&](Lattice at, double, double, double) {
     const auto hash = static_cast<int32_t>(solid_hash(at, seed));
     return std::floor(static_cast<double>(hash) / 256) / 8388608;
   });
@@ -138,13 +146,13 @@ inline double solid_worley(shd_solid_distance distance, const double (&p)[3], ui
 
 /// One octave of a kind.
 inline double solid_noise(const shd_solid_desc& desc, const SolidTable& table, const double (&p)[3], uint32_t seed) {
-  const bool cubic = desc.fade == SHD_SOLID_FADE_CUBIC;
+  const shd_solid_fade fade = desc.fade;
   if (desc.kind == SHD_SOLID_PERLIN && desc.gradients == SHD_SOLID_GRADIENTS_TABLE)
-    return solid_table_perlin(table, cubic, p);
-  if (desc.kind == SHD_SOLID_VALUE) return solid_value(cubic, p, seed);
+    return solid_table_perlin(table, fade, p);
+  if (desc.kind == SHD_SOLID_VALUE) return solid_value(fade, p, seed);
   if (desc.kind == SHD_SOLID_SIMPLEX) return solid_simplex(p, seed);
   if (desc.kind == SHD_SOLID_WORLEY) return solid_worley(desc.distance, p, seed);
-  return solid_hashed_perlin(cubic, p, seed);
+  return solid_hashed_perlin(fade, p, seed);
 }
 
 /// Share of an octave that is kept, for waves per pixel.

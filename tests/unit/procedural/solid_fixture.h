@@ -43,7 +43,8 @@ struct solid_case {
   double mean_absolute;  // mean of |n| in one octave; Worley noise: the mean
 };
 constexpr shd_solid_gradients kHashed = SHD_SOLID_GRADIENTS_HASHED, kTable = SHD_SOLID_GRADIENTS_TABLE;
-constexpr shd_solid_fade kQuintic = SHD_SOLID_FADE_QUINTIC, kCubic = SHD_SOLID_FADE_CUBIC;
+constexpr shd_solid_fade kQuintic = SHD_SOLID_FADE_QUINTIC, kCubic = SHD_SOLID_FADE_CUBIC,
+                         kLinear = SHD_SOLID_FADE_LINEAR;
 constexpr shd_solid_distance kF1 = SHD_SOLID_DISTANCE_F1;
 inline const solid_case k_solids[] = {
     {"stripes", SHD_SOLID_STRIPES, kHashed, kQuintic, kF1, 0.5},
@@ -52,13 +53,18 @@ inline const solid_case k_solids[] = {
     {"perlin/cubic", SHD_SOLID_PERLIN, kHashed, kCubic, kF1, 0.2},
     {"perlin/table_quintic", SHD_SOLID_PERLIN, kTable, kQuintic, kF1, 0.1561},
     {"perlin/table_cubic", SHD_SOLID_PERLIN, kTable, kCubic, kF1, 0.1478},
+    {"perlin/linear", SHD_SOLID_PERLIN, kHashed, kLinear, kF1, 0.1838},
+    {"perlin/table_linear", SHD_SOLID_PERLIN, kTable, kLinear, kF1, 0.1385},
     {"value/quintic", SHD_SOLID_VALUE, kHashed, kQuintic, kF1, 0.3301},
     {"value/cubic", SHD_SOLID_VALUE, kHashed, kCubic, kF1, 0.3028},
+    {"value/linear", SHD_SOLID_VALUE, kHashed, kLinear, kF1, 0.2553},
     {"simplex", SHD_SOLID_SIMPLEX, kHashed, kQuintic, kF1, 0.314},
     {"worley/f1", SHD_SOLID_WORLEY, kHashed, kQuintic, kF1, 0.3005},
     {"worley/f2", SHD_SOLID_WORLEY, kHashed, kQuintic, SHD_SOLID_DISTANCE_F2, 0.4139},
     {"worley/f2_f1", SHD_SOLID_WORLEY, kHashed, kQuintic, SHD_SOLID_DISTANCE_F2_F1, 0.1135},
     {"marble", SHD_SOLID_MARBLE, kHashed, kQuintic, kF1, 0.2125},
+    {"marble/linear", SHD_SOLID_MARBLE, kHashed, kLinear, kF1, 0.1838},
+    {"wood/linear", SHD_SOLID_WOOD, kHashed, kLinear, kF1, 0.1838},
     {"wood", SHD_SOLID_WOOD, kHashed, kCubic, kF1, 0.2},
 };
 

@@ -18,21 +18,21 @@ double largest_product(const double (&p)[3]) {
 }
 
 /// The largest value of hashed Perlin noise at a place in a cell, over all gradients of the corners.
-double perlin_bound(const double (&p)[3], bool cubic) {
+double perlin_bound(const double (&p)[3], shd_solid_fade fade) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
     double weight = 1, to[3];
     for (int c = 0; c < 3; ++c) {
       to[c] = p[c] - (corner >> c & 1);
-      weight *= ref::solid_weight(cubic, to[c]);
+      weight *= ref::solid_weight(fade, to[c]);
     }
     sum += weight * largest_product(to);
   }
-  return (cubic ? 0.957 : 0.9649) * sum;
+  return ref::solid_factor(fade) * sum;
 }
 
 /// The largest value of simplex noise at a place.
-double simplex_bound(const double (&p)[3], bool) {
+double simplex_bound(const double (&p)[3], shd_solid_fade) {
   double sum = 0;
   for (int n = 0; n < 64; ++n) {
     const int i = n % 4 - 1, j = n / 4 % 4 - 1, k = n / 16 - 1;
@@ -47,7 +47,7 @@ double simplex_bound(const double (&p)[3], bool) {
 /// Noise lies in -1..1 for every choice of gradients, and the range is used: the largest sum over a grid of places,
 /// refined around its maximum.
 template <class Bound>
-void check_bound(const Bound& bound, bool cubic) {
+void check_bound(const Bound& bound, shd_solid_fade fade) {
   double best = 0, centre[3] = {0.5, 0.5, 0.5}, half = 0.5;
   for (int round = 0; round < 6; ++round) {
     double next[3] = {centre[0], centre[1], centre[2]};
@@ -56,7 +56,7 @@ void check_bound(const Bound& bound, bool cubic) {
       const int at[3] = {n % (kSteps + 1), n / (kSteps + 1) % (kSteps + 1), n / ((kSteps + 1) * (kSteps + 1))};
       double p[3];
       for (int c = 0; c < 3; ++c) p[c] = centre[c] + half * (2.0 * at[c] / kSteps - 1.0);
-      const double value = bound(p, cubic);
+      const double value = bound(p, fade);
       if (value <= best) continue;
       best = value;
       std::copy_n(p, 3, next);
@@ -69,9 +69,10 @@ void check_bound(const Bound& bound, bool cubic) {
 }
 
 void test_bounds(void**) {
-  check_bound(perlin_bound, false);
-  check_bound(perlin_bound, true);
-  check_bound(simplex_bound, false);
+  check_bound(perlin_bound, SHD_SOLID_FADE_QUINTIC);
+  check_bound(perlin_bound, SHD_SOLID_FADE_CUBIC);
+  check_bound(perlin_bound, SHD_SOLID_FADE_LINEAR);
+  check_bound(simplex_bound, SHD_SOLID_FADE_QUINTIC);
 }
 
 /// Random places stay in the range of their kind, and the means that replace octaves are those of the noise.
