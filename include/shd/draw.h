@@ -45,6 +45,16 @@ typedef enum shd_draw_flag {
     SHD_DRAW_NONE = 0,
     SHD_DRAW_KEEP_DEPTH = 1,     /**< test depth without writing it */
     SHD_DRAW_SAMPLE_SHADING = 2, /**< shade every sample at its own position, instead of every pixel once */
+    /**
+     * Interpolate attributes linearly on the screen, between the projected vertices (X / W, Y / W) of the unclipped
+     * triangle, instead of linearly on the triangle. A fragment then shows another point of its triangle: position,
+     * normal, texture coordinates, tangent, attributes of the mesh, barycentric coordinates, perspective varyings and
+     * derivatives are those of this point. Coverage and depth do not change. Triangles of one W have the same values
+     * either way, and triangles with a vertex of W < 2^-100 or |X| or |Y| > 2^60 W, such as one behind the eye, have
+     * those without this flag. Textures swim, as on consoles without a division for each pixel (PlayStation 1): only
+     * teaching and such looks need this flag. No effect on bakes and shadow maps.
+     */
+    SHD_DRAW_AFFINE = 4,
     SHD_DRAW_FLAG_MAX_ENUM = 0x7fffffff
 } shd_draw_flag;
 typedef uint32_t shd_draw_flags; /**< shd_draw_flag bits */

@@ -22,7 +22,7 @@ shd_result read_draw(const shd_draw* in, frame::Draw* out, Instances* instances)
   SHD_TRY(check_enum("draw.frequency", draw.frequency, 0, SHD_FREQUENCY_FLAT));
   SHD_TRY(check_enum("draw.cull", draw.cull, 0, SHD_CULL_FRONT));
   SHD_TRY(check_enum("draw.compare", draw.compare, 0, SHD_COMPARE_NEVER));
-  SHD_TRY(check_flags("draw.flags", draw.flags, SHD_DRAW_KEEP_DEPTH | SHD_DRAW_SAMPLE_SHADING));
+  SHD_TRY(check_flags("draw.flags", draw.flags, SHD_DRAW_KEEP_DEPTH | SHD_DRAW_SAMPLE_SHADING | SHD_DRAW_AFFINE));
   SHD_TRY(check_range("draw.depth_bias", static_cast<double>(draw.depth_bias), -1.0, 1.0));
   SHD_TRY(check_finite("draw.depth_bias_slope", &draw.depth_bias_slope, 1));
   SHD_TRY(check_matrix("draw.object_to_world", draw.object_to_world));
@@ -46,6 +46,7 @@ shd_result read_draw(const shd_draw* in, frame::Draw* out, Instances* instances)
   out->depth = {draw.compare, !(draw.flags & SHD_DRAW_KEEP_DEPTH), draw.depth_bias, draw.depth_bias_slope};
   out->depth_falls = draw.compare == SHD_COMPARE_GREATER || draw.compare == SHD_COMPARE_GREATER_EQUAL;
   out->sample_shading = (draw.flags & SHD_DRAW_SAMPLE_SHADING) != 0;
+  out->affine = (draw.flags & SHD_DRAW_AFFINE) != 0;
   out->uniforms = draw.uniforms;
   out->outline = {draw.fill, geometry::outline_reach(draw.fill_width), draw.edges, draw.crease_cosine};
   std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);

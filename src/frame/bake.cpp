@@ -15,7 +15,7 @@ core::Buffer<Draw> solid_draws(const core::Context& context, const Frame& frame)
   for (size_t i = 0; i < frame.draw_count; ++i) {
     Draw draw = frame.draws[i];
     draw.cull = SHD_CULL_NONE;
-    draw.sample_shading = false;
+    draw.sample_shading = draw.affine = false;
     draw.outline = {SHD_FILL_SOLID, 0, 0, 0.0f};
     draws.push_back(draw);
   }

@@ -69,6 +69,7 @@ struct Draw {
   raster::DepthState depth;
   bool depth_falls;  // depth decreases with the distance from the eye
   bool sample_shading;
+  bool affine;           // SHD_DRAW_AFFINE
   const void* uniforms;  // input of the material's programs
   geometry::Outline outline;
   uint32_t begin, end;  // triangles of the mesh

@@ -93,6 +93,7 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
     const Draw& draw = frame.draws[i];
     geometry::allocate_window(context.allocator, *draw.mesh, draw.begin, draw.end,
                               draw.material ? draw.material->varying_count : 0, &scene->vertices[i]);
+    scene->vertices[i].affine = draw.affine;
     if (draw.material) {
       uint32_t extras = shade::needed_extras(*draw.material);
       if (frame.bake && frame.bake->uv_set == 1) extras |= geometry::kExtraTexture1;

@@ -30,7 +30,7 @@ core::Buffer<Draw> casters(const core::Context& context, const ShadowFrame& fram
     draw.cull = options.caster_cull;
     draw.depth = {falls ? SHD_COMPARE_GREATER : SHD_COMPARE_LESS, true, 0.0f, 0.0f};
     draw.depth_falls = falls;
-    draw.sample_shading = false;
+    draw.sample_shading = draw.affine = false;
     draws.push_back(draw);
   }
   return draws;

@@ -81,6 +81,7 @@ struct Vertices {
   core::Array<float> texture1;      // [padded][4] u, v of the second set, 0, 0; or empty
   core::Array<float> attribute[2];  // [padded][4] columns of the mesh, 0 if absent; or empty
   bool has_attribute[SHD_MAX_ATTRIBUTES] = {};
+  bool affine = false;  // attributes are linear on the screen, not on the triangle (SHD_DRAW_AFFINE)
 
   // Rows of the corners of each triangle: see row_of().
   const uint32_t* indices = nullptr;  // indices of the mesh, or own_indices

@@ -39,17 +39,34 @@ struct CornerWeights {
   Linear e[3], sum;
 };
 
+/// Whether all corners have places on the screen, near enough for sums of their products.
+bool are_on_screen(const geometry::Vertices& vertices, const uint32_t (&row)[3]) {
+  for (const uint32_t k : row) {
+    const float* corner = vertices.raster.data() + 4 * size_t{k};
+    const double reach = 0x1p60 * double{corner[3]};
+    if (!(corner[3] >= geometry::kMinW)) return false;
+    if (!(std::fabs(double{corner[0]}) <= reach && std::fabs(double{corner[1]}) <= reach)) return false;
+  }
+  return true;
+}
+
 /// The weights are the cross products of the corners, translated to the middle of the cell. Their sum is a multiple of
-/// the inverse of w, whose sign is that of the determinant of the corners.
+/// the inverse of w, whose sign is that of the determinant of the corners. Weights that are linear on the screen are
+/// those of the projected corners, whose w is 1.
 CornerWeights weights_of(const geometry::Vertices& vertices, const uint32_t (&row)[3], double middle_x,
                          double middle_y) {
   double x[3], y[3], w[3], determinant = 0.0;
   CornerWeights result;
+  const bool projects = vertices.affine && are_on_screen(vertices, row);
   for (size_t k = 0; k < 3; ++k) {
     const float* corner = vertices.raster.data() + 4 * size_t{row[k]};
     w[k] = double{corner[3]};
     x[k] = double{corner[0]} - middle_x * w[k];
     y[k] = double{corner[1]} - middle_y * w[k];
+    if (!projects) continue;
+    x[k] /= w[k];
+    y[k] /= w[k];
+    w[k] = 1.0;
   }
   for (size_t k = 0; k < 3; ++k) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;

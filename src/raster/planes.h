@@ -43,7 +43,8 @@ using CoordinatePlane = CoordinatePlaneOf<float>;
 /// The attributes of a triangle as functions of the position in one cell. A value that is linear on the triangle is the
 /// quotient of a plane and of the plane `inverse_w`. The planes of barycentric coordinates are the cross products of
 /// the corners in homogeneous raster coordinates (Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous
-/// Coordinates", 1997), computed in double and rounded once, in units of the largest inverse of w in the cell.
+/// Coordinates", 1997), computed in double and rounded once, in units of the largest inverse of w in the cell. With
+/// Vertices::affine the corners are projected first, so that w is 1 and values are linear on the screen.
 template <class T>
 struct TrianglePlanesOf {
   T middle_x, middle_y;         // middle of the cell [pixels]

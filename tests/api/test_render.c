@@ -171,7 +171,7 @@ static void draw_0_frequency(struct frame *f) { f->draws[0].frequency = (shd_fre
 static void draw_1_frequency(struct frame *f) { f->draws[1].frequency = SHD_FREQUENCY_MAX_ENUM; }
 static void draw_1_cull(struct frame *f) { f->draws[1].cull = (shd_cull)-1; }
 static void draw_1_compare(struct frame *f) { f->draws[1].compare = (shd_compare)8; }
-static void draw_1_flags(struct frame *f) { f->draws[1].flags = SHD_DRAW_SAMPLE_SHADING | 4; }
+static void draw_1_flags(struct frame *f) { f->draws[1].flags = SHD_DRAW_SAMPLE_SHADING | 8; }
 static void draw_1_bias(struct frame *f) { f->draws[1].depth_bias = NAN; }
 static void draw_1_slope(struct frame *f) { f->draws[1].depth_bias_slope = INFINITY; }
 static void draw_1_matrix_nan(struct frame *f) { f->draws[1].object_to_world[13] = NAN; }
@@ -276,7 +276,7 @@ static const struct edit_case k_edits[] = {
     {"draws[1].frequency/max", draw_1_frequency, REFUSED, "render.draws[1]: draw.frequency: 2147483647"},
     {"draws[1].cull/-1", draw_1_cull, REFUSED, "render.draws[1]: draw.cull: 4294967295 is not in 0..2"},
     {"draws[1].compare/8", draw_1_compare, REFUSED, "render.draws[1]: draw.compare: 8 is not in 0..7"},
-    {"draws[1].flags/4", draw_1_flags, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw.flags: bits 0x4 "},
+    {"draws[1].flags/8", draw_1_flags, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw.flags: bits 0x8 "},
     {"draws[1].depth_bias/nan", draw_1_bias, REFUSED, "render.draws[1]: draw.depth_bias: nan"},
     {"draws[1].depth_bias_slope/inf", draw_1_slope, REFUSED, "render.draws[1]: draw.depth_bias_slope"},
     {"draws[1].object_to_world/nan", draw_1_matrix_nan, REFUSED, "render.draws[1]: draw.object_to_world[13]: nan"},

@@ -15,6 +15,7 @@ typedef struct scene {
     shd_interpolation mode[k_max];
     uint32_t count; /* number of varyings */
     shd_frequency frequency;
+    int affine; /* the draw has SHD_DRAW_AFFINE: PERSPECTIVE is AFFINE */
     size_t rows, mistakes;
     double worst[3]; /* largest error of each interpolation */
     double rest;     /* largest expected |blend - value|, to check that the test is sensitive */
@@ -79,6 +80,7 @@ typedef struct varying_case {
     double perspective, affine; /* largest allowed error for values in -10..10, from measured errors */
     uint32_t samples;
     int at_samples;
+    int affine_draw;
 } varying_case;
 
 static void fill(scene *s, const varying_case *c, uint32_t count)
@@ -87,6 +89,7 @@ static void fill(scene *s, const varying_case *c, uint32_t count)
     memset(s, 0, sizeof *s);
     g_seed = 11;
     s->count = count;
+    s->affine = c->affine_draw;
     for (i = 0; i < k_max; ++i) s->mode[i] = (shd_interpolation)(i % 3);
     for (t = 0; t < k_triangles; ++t) c->make(s, t);
     for (t = 0; t < 3 * k_triangles; ++t) {
@@ -122,7 +125,9 @@ static void compare(scene *s, const shd_fragments *in, size_t i, size_t c)
     const double got = (double)in->varying[c][i];
     double error;
     if (s->frequency == SHD_FREQUENCY_PHONG) {
-        error = got - shd_ref_varying(s->raster[first], a, (double)in->x[i], (double)in->y[i], s->mode[c]);
+        const int projects = s->affine && s->mode[c] == SHD_INTERPOLATION_PERSPECTIVE;
+        error = got - shd_ref_varying(s->raster[first], a, (double)in->x[i], (double)in->y[i],
+                                      projects ? SHD_INTERPOLATION_AFFINE : s->mode[c]);
     } else if (s->mode[c] == SHD_INTERPOLATION_FLAT) {
         error = got - (double)a[0];
     } else if (s->frequency == SHD_FREQUENCY_GOURAUD) {
@@ -168,6 +173,7 @@ static void open_scene(shd_frame *f, scene *s, uint32_t width, uint32_t height, 
     shd_frame_open_samples(f, width, height, samples);
     shd_frame_draw(f, vertices, 3 * k_triangles, &m)->uniforms = s;
     f->draw[0].frequency = s->frequency;
+    f->draw[0].flags = s->affine ? SHD_DRAW_AFFINE : SHD_DRAW_NONE;
     one.worker_count = 1;
     shd_context_release(f->context);
     shd_assert_ok(shd_context_create(&one, &f->context));
@@ -180,7 +186,7 @@ static void test_interpolation(void **state)
     shd_frame f;
     fill(&s, c, k_max);
     open_scene(&f, &s, k_width, k_height, c->samples);
-    if (c->at_samples) f.draw[0].flags = SHD_DRAW_SAMPLE_SHADING;
+    if (c->at_samples) f.draw[0].flags |= SHD_DRAW_SAMPLE_SHADING;
     shd_frame_render(&f);
     print_message("  %s: %zu rows, errors %.3g (perspective) %.3g (affine)\n", c->name, s.rows, s.worst[0], s.worst[1]);
     assert_int_equal(s.mistakes, 0);
@@ -193,17 +199,23 @@ static void test_interpolation(void **state)
 }
 
 static const varying_case k_cases[] = {
-    {"ordinary", make_ordinary, 1e-4, 1e-4, 1, 0},
-    {"ordinary/4_samples", make_ordinary, 2e-3, 2e-3, 4, 0},
-    {"ordinary/16_samples_shaded", make_ordinary, 2e-3, 2e-3, 16, 1},
-    {"w_ratio_1000", make_wide, 2e-4, 1e-4, 1, 0},
-    {"same_w", make_same_w, 1e-4, 1e-4, 1, 0},
-    {"clipped/near", make_near, 1e-3, 2e-3, 1, 0},
-    {"clipped/far", make_far, 1e-3, 2e-3, 1, 0},
-    {"clipped/behind_the_eye", make_behind, 2e-4, 1e-4, 1, 0},
-    {"clipped/behind_the_eye/8_samples", make_behind, 2e-4, 2e-4, 8, 0},
-    {"clipped/w_0", make_w_0, 1e-4, 1e-4, 1, 0},
-    {"clipped/guard_band", make_beyond_guard, 1e-4, 1e-4, 1, 0},
+    {"ordinary", make_ordinary, 1e-4, 1e-4, 1, 0, 0},
+    {"ordinary/4_samples", make_ordinary, 2e-3, 2e-3, 4, 0, 0},
+    {"ordinary/16_samples_shaded", make_ordinary, 2e-3, 2e-3, 16, 1, 0},
+    {"w_ratio_1000", make_wide, 2e-4, 1e-4, 1, 0, 0},
+    {"same_w", make_same_w, 1e-4, 1e-4, 1, 0, 0},
+    {"clipped/near", make_near, 1e-3, 2e-3, 1, 0, 0},
+    {"clipped/far", make_far, 1e-3, 2e-3, 1, 0, 0},
+    {"clipped/behind_the_eye", make_behind, 2e-4, 1e-4, 1, 0, 0},
+    {"clipped/behind_the_eye/8_samples", make_behind, 2e-4, 2e-4, 8, 0, 0},
+    {"clipped/w_0", make_w_0, 1e-4, 1e-4, 1, 0, 0},
+    {"clipped/guard_band", make_beyond_guard, 1e-4, 1e-4, 1, 0, 0},
+    {"affine/ordinary", make_ordinary, 1e-4, 1e-4, 1, 0, 1},
+    {"affine/16_samples_shaded", make_ordinary, 2e-3, 2e-3, 16, 1, 1},
+    {"affine/w_ratio_1000", make_wide, 2e-4, 1e-4, 1, 0, 1},
+    {"affine/near", make_near, 1e-3, 2e-3, 1, 0, 1},
+    {"affine/behind_the_eye", make_behind, 2e-4, 1e-4, 1, 0, 1},
+    {"affine/guard_band", make_beyond_guard, 1e-4, 1e-4, 4, 0, 1},
 };
 
 /* If all three w are equal, both interpolations have the same bits. */
@@ -220,6 +232,36 @@ static void test_affine_is_perspective(void **state)
     assert_true(s.rows > 2000);
     assert_memory_equal(f.plane[SHD_PLANE_R], f.plane[SHD_PLANE_G], sizeof(float) * k_width * k_height);
     shd_frame_close(&f);
+}
+
+/* SHD_DRAW_AFFINE changes neither coverage nor depth, and nothing where all w are equal. */
+static void test_affine_draw(void **state)
+{
+    static scene s;
+    static float depth[k_width * k_height], red[k_width * k_height];
+    static uint32_t triangle[k_width * k_height];
+    size_t k;
+    int affine;
+    (void)state;
+    for (k = 0; k < 2; ++k) {
+        for (affine = 0; affine < 2; ++affine) {
+            shd_frame f;
+            fill(&s, &k_cases[k ? 4 : 0], 1);
+            s.affine = affine;
+            open_scene(&f, &s, k_width, k_height, 1);
+            shd_frame_render(&f);
+            if (affine) {
+                const int same = memcmp(red, f.plane[SHD_PLANE_R], sizeof red) == 0;
+                assert_memory_equal(depth, f.plane[SHD_PLANE_DEPTH], sizeof depth);
+                assert_memory_equal(triangle, f.triangle, sizeof triangle);
+                assert_int_equal(same, (int)k);
+            }
+            memcpy(depth, f.plane[SHD_PLANE_DEPTH], sizeof depth);
+            memcpy(red, f.plane[SHD_PLANE_R], sizeof red);
+            memcpy(triangle, f.triangle, sizeof triangle);
+            shd_frame_close(&f);
+        }
+    }
 }
 
 /* Rows of Gouraud and flat shading are vertices and centroids. */
@@ -248,9 +290,9 @@ static void test_gouraud_picture(void **state)
     static scene s;
     shd_frame f;
     size_t at, c;
-    (void)state;
     fill(&s, &k_cases[0], 3);
     s.frequency = SHD_FREQUENCY_GOURAUD;
+    s.affine = *state != NULL;
     open_scene(&f, &s, k_width, k_height, 1);
     shd_frame_render(&f);
     for (at = 0; at < k_width * k_height; ++at) {
@@ -259,7 +301,8 @@ static void test_gouraud_picture(void **state)
         for (c = 0; c < 3; ++c) {
             const float a[3] = {s.value[first][c], s.value[first + 1][c], s.value[first + 2][c]};
             const double x = (double)(at % k_width) + 0.5, y = (double)(at / k_width) + 0.5;
-            const shd_interpolation mode = c == 2 ? SHD_INTERPOLATION_FLAT : SHD_INTERPOLATION_PERSPECTIVE;
+            const shd_interpolation smooth = s.affine ? SHD_INTERPOLATION_AFFINE : SHD_INTERPOLATION_PERSPECTIVE;
+            const shd_interpolation mode = c == 2 ? SHD_INTERPOLATION_FLAT : smooth;
             shd_assert_close("colour", 3 * at + c, (double)f.plane[c][at],
                              shd_ref_varying(s.raster[first], a, x, y, mode), 1e-4, 0);
         }
@@ -366,7 +409,9 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"affine_is_perspective", test_affine_is_perspective, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"rows", test_rows, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"affine_draw", test_affine_draw, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"gouraud_picture", test_gouraud_picture, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"gouraud_picture/affine", test_gouraud_picture, NULL, NULL, (void *)k_cases};
     tests[n++] = (struct CMUnitTest){"windows", test_windows, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"counts", test_counts, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"extremes", test_extremes, NULL, NULL, NULL};

@@ -15,7 +15,7 @@ static inline void shd_ref_normalise(const double e[3], double b[3]) {
 
 /** Weights of three vertices v, [3][4] raster X, Y, Z, W, at raster position (x, y). Linear on the triangle: by areas
     of the vertices translated so that (x, y) is the origin. Linear on the screen: by areas between (X / W, Y / W), if
-    all three exist. */
+    all three exist; all attributes of a draw with SHD_DRAW_AFFINE have these weights. */
 static inline void shd_ref_weights(const double* v, double x, double y, shd_interpolation mode, double b[3]) {
   int on_screen = mode == SHD_INTERPOLATION_AFFINE, k;
   double p[3][2], e[3];

@@ -182,6 +182,74 @@ void test_extremes(void**) {
     }
     if (!first) compare_table(target.name);
   });
+  g->vertices.affine = true;
+  for_each_target([&](const core::SimdTarget& target, bool first) {
+    raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+    if (first) keep_rows();
+    compare_rows(target.name);
+    for (size_t i = 0; i < kBatch; ++i) {
+      for (const float* bary : g->fragments.bary) assert_true(bary[i] >= 0.0f && bary[i] <= 1.0f);
+      assert_true(std::isfinite(g->fragments.u[i]) && std::isfinite(g->fragments.dudx[i]));
+    }
+  });
+  g->vertices.affine = false;
+}
+
+/// Compares the attributes of a row with the oracle, if its point is in front of the eye: their weights, and a texture
+/// coordinate with its derivatives, which are the same at all pixels.
+void check_affine_row(size_t i) {
+  const raster::Fragments& f = g->fragments;
+  double v[12], b[3], a[3], u = 0.0, px = 0.0;
+  float corners[3][4];
+  bool on_screen = true;
+  for (size_t k = 0; k < 3; ++k) {
+    memcpy(corners[k], row(g->vertices.raster, vertex_of(f.triangle[i], k)), sizeof corners[k]);
+    for (size_t c = 0; c < 4; ++c) v[4 * k + c] = double{corners[k][c]};
+    on_screen = on_screen && corners[k][3] > 0.0f;
+  }
+  if (!(ref::interpolated_w(corners, ref::homogeneous_weights(corners, f.x[i], f.y[i])) > 0)) return;
+  shd_ref_weights(v, double{f.x[i]}, double{f.y[i]}, SHD_INTERPOLATION_AFFINE, b);
+  for (size_t k = 0; k < 3; ++k) {
+    const float* world = row(g->vertices.world, vertex_of(f.triangle[i], k));
+    a[k] = double{world[3]};
+    u += b[k] * a[k];
+    px += b[k] * double{world[0]};
+    shd_assert_close("bary", i, double{f.bary[k][i]}, b[k], 2e-6, 0.0);
+  }
+  shd_assert_close("px", i, double{f.px[i]}, px, 1e-5, 0.0);
+  if (!on_screen) return;
+  if (b[0] > 0.01 && b[1] > 0.01 && b[2] > 0.01) shd_assert_close("u", i, double{f.u[i]}, u, 1e-5, 0.0);
+  double x[3], y[3];
+  for (size_t k = 0; k < 3; ++k) x[k] = v[4 * k] / v[4 * k + 3], y[k] = v[4 * k + 1] / v[4 * k + 3];
+  const double x1 = x[1] - x[0], y1 = y[1] - y[0], x2 = x[2] - x[0], y2 = y[2] - y[0];
+  const double area = x1 * y2 - x2 * y1, a1 = a[1] - a[0], a2 = a[2] - a[0];
+  shd_assert_close("dudx", i, double{f.dudx[i]}, (a1 * y2 - a2 * y1) / area, 1e-6, 1e-5);
+  shd_assert_close("dudy", i, double{f.dudy[i]}, (a2 * x1 - a1 * x2) / area, 1e-6, 1e-5);
+}
+
+/// Attributes of a draw with SHD_DRAW_AFFINE.
+void test_affine_draw(void**) {
+  const shd_interpolation modes[2] = {SHD_INTERPOLATION_PERSPECTIVE, SHD_INTERPOLATION_AFFINE};
+  for (const bool behind : {false, true}) {
+    Random random = {29};
+    make_batch(17, 5, 2, behind);
+    for (float& value : g->vertices.world) value = random.real(-2.0, 2.0);
+    for (float& value : g->vertices.normal) value = random.real(-2.0, 2.0);
+    for (size_t i = 0; i < kVertices; ++i) g->vertices.varying[2 * i + 1] = g->vertices.varying[2 * i];
+    g->vertices.affine = true;
+    for_each_target([&](const core::SimdTarget& target, bool first) {
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+      if (first) keep_rows();
+      compare_rows(target.name);
+      for (size_t i = 0; i < kBatch && first; ++i) check_affine_row(i);
+      run(target, modes, &g_table->got);
+      for (size_t i = 0; i < kBatch && !behind; ++i) {
+        shd_assert_close("varying", i, double{g_table->got.column[0][i]}, double{g_table->got.column[1][i]}, 5e-3, 0.0);
+      }
+      compare_lit(target);
+    });
+    g->vertices.affine = false;
+  }
 }
 
 }  // namespace
@@ -194,6 +262,7 @@ int main() {
       {"bits/spans", test_spans, nullptr, nullptr, nullptr},
       {"bits/counts_1..200", test_counts, nullptr, nullptr, nullptr},
       {"extremes", test_extremes, nullptr, nullptr, nullptr},
+      {"affine_draw", test_affine_draw, nullptr, nullptr, nullptr},
   };
   return _cmocka_run_group_tests("unit.raster.varyings", tests, sizeof tests / sizeof tests[0], set_up_table,
                                  tear_down_table);
