@@ -51,6 +51,7 @@ constexpr Filter kFilters[] = {
     {"nearest", SHD_FILTER_NEAREST, SHD_TABLE_MIPMAP, false, "nearest", PeerFilter::kNearest, 1, true},
     {"bilinear", SHD_FILTER_BILINEAR, SHD_TABLE_MIPMAP, false, "bilinear", PeerFilter::kBilinear, 1, true},
     {"bicubic", SHD_FILTER_BICUBIC, SHD_TABLE_MIPMAP, false, "", PeerFilter::kNone, 1, false},
+    {"hermite", SHD_FILTER_HERMITE, SHD_TABLE_MIPMAP, false, "", PeerFilter::kNone, 1, false},
     {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_TABLE_MIPMAP, true, "nearest_mip", PeerFilter::kNearestMip, 1, false},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_TABLE_MIPMAP, true, "bilinear_mip", PeerFilter::kBilinearMip, 1,
      false},

@@ -36,6 +36,7 @@ static const struct figure {
     {"nearest", SHD_FILTER_NEAREST, SHD_BOX_BOUNDING, 1},
     {"bilinear", SHD_FILTER_BILINEAR, SHD_BOX_BOUNDING, 1},
     {"bicubic", SHD_FILTER_BICUBIC, SHD_BOX_BOUNDING, 1},
+    {"hermite", SHD_FILTER_HERMITE, SHD_BOX_BOUNDING, 1},
     {"nearest-mip", SHD_FILTER_NEAREST_MIP, SHD_BOX_BOUNDING, 1},
     {"nearest-mip-linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_BOX_BOUNDING, 1},
     {"bilinear-mip", SHD_FILTER_BILINEAR_MIP, SHD_BOX_BOUNDING, 1},

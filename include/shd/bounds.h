@@ -37,8 +37,9 @@
  * Supported: the filters NEAREST, BILINEAR, NEAREST_MIP, NEAREST_MIP_LINEAR, BILINEAR_MIP, TRILINEAR and ANISOTROPIC,
  * with and without comparisons; 2D textures, arrays, 3D textures, and directions except SHD_PROJECTION_LAT_LONG,
  * because no standard defines its lookups along parallels; every format, wrap and store. Missing tiles are loaded, for
- * any missing_tiles. Other filters, bicubic magnification, blur, a level_blend other than 1, nearest magnification of
- * ANISOTROPIC, and SHD_PRECISION_FAST of ANISOTROPIC in LEAST_ERROR and EXACT return SHD_ERROR_UNSUPPORTED.
+ * any missing_tiles. Other filters, bicubic and Hermite magnification, blur, a level_blend other than 1, nearest
+ * magnification of ANISOTROPIC, and SHD_PRECISION_FAST of ANISOTROPIC in LEAST_ERROR and EXACT return
+ * SHD_ERROR_UNSUPPORTED.
  *
  * Directions within 2^-20 of an edge of the cube, or of a fold of an octahedral map, may be on either side. Filters
  * read beyond the edges of an image, where the directions continue. The missing texel of a corner of the cube is the

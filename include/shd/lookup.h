@@ -25,8 +25,8 @@
  *
  * All filters but RIPMAP and SUMMED_AREA filter 3D textures, with LEAST_ERROR or EXACT and without blur. J is then the
  * 3 x 2 matrix of derivatives, s the root mean square of its two singular values, and the footprint lies in space, in
- * the plane of the derivatives. BILINEAR is linear and BICUBIC cubic on all three axes, and other filters accordingly;
- * docs/volumes.md has their definitions. SHD_PRECISION_FAST has no effect.
+ * the plane of the derivatives. BILINEAR is linear, HERMITE smooth and BICUBIC cubic on all three axes, and other
+ * filters accordingly; docs/volumes.md has their definitions. SHD_PRECISION_FAST has no effect.
  *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. A texel of weight 0 has no effect, even if it is NaN. Finite texels and
@@ -95,11 +95,11 @@ typedef struct shd_texels {
     shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; NULL = not wanted */
     /**
      * d/du and d/dv of the channels, with u and v normalised and the footprint held constant; NULL = not wanted.
-     * Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
-     * filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel centres; the result
-     * there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
-     * derivative of the weights. du, dv and dw of a texture of directions are the derivatives in the three components
-     * of the direction, not normalised, with the footprint held constant in the image.
+     * Available for BILINEAR, BICUBIC, HERMITE, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a
+     * magnification filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel
+     * centres; the result there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the
+     * result there is the derivative of the weights. du, dv and dw of a texture of directions are the derivatives in
+     * the three components of the direction, not normalised, with the footprint held constant in the image.
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];

@@ -84,6 +84,12 @@ typedef enum shd_filter {
      * VK_FILTER_NEAREST with VK_SAMPLER_MIPMAP_MODE_LINEAR, GL_NEAREST_MIPMAP_LINEAR, D3D's MIN_MAG_POINT_MIP_LINEAR.
      */
     SHD_FILTER_NEAREST_MIP_LINEAR = 12,
+    /**
+     * The texels of BILINEAR with smooth weights: the fraction s of the way between two texels becomes 3 s^2 - 2 s^3
+     * (Hermite interpolation with slopes of 0 at the texels; Perlin 1985). Derivatives are continuous, so no creases
+     * show as Mach bands, and values stay between those of the texels. Each texel becomes a flat spot.
+     */
+    SHD_FILTER_HERMITE = 13,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
@@ -93,13 +99,14 @@ typedef enum shd_filter {
  */
 typedef enum shd_magnification {
     /**
-     * The default of the filter: nearest for NEAREST, NEAREST_MIP and NEAREST_MIP_LINEAR, bicubic for BICUBIC, bilinear
-     * for all others.
+     * The default of the filter: nearest for NEAREST, NEAREST_MIP and NEAREST_MIP_LINEAR, bicubic for BICUBIC, Hermite
+     * for HERMITE, bilinear for all others.
      */
     SHD_MAGNIFICATION_DEFAULT = 0,
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
+    SHD_MAGNIFICATION_HERMITE = 4,  /**< SHD_FILTER_HERMITE */
     SHD_MAGNIFICATION_MAX_ENUM = 0x7fffffff
 } shd_magnification;
 
@@ -236,8 +243,8 @@ typedef enum shd_missing_tiles {
     /**
      * Never load and wait for no callback: filter from the finest levels with resident tiles, and request missing ones
      * (shd_tile_cache_load_requested()). A lookup that needs a missing tile of level l is done again with a level of
-     * detail of at least l + 1, and so on; BILINEAR and BICUBIC become BILINEAR_MIP, and NEAREST becomes NEAREST_MIP.
-     * If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
+     * detail of at least l + 1, and so on; BILINEAR, BICUBIC and HERMITE become BILINEAR_MIP, and NEAREST becomes
+     * NEAREST_MIP. If no tile of any level is resident, the result is 0. shd_texels has the column `coarser`.
      */
     SHD_MISSING_TILES_COARSER = 1,
     SHD_MISSING_TILES_MAX_ENUM = 0x7fffffff

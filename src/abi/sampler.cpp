@@ -65,7 +65,7 @@ shd_result check_footprint(const shd_sampler_desc& desc) {
 shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.filter", desc.filter, SHD_FILTER_TRILINEAR, texture::last_filter()));
   SHD_TRY(
-      check_enum("sampler.magnification", desc.magnification, SHD_MAGNIFICATION_DEFAULT, SHD_MAGNIFICATION_BICUBIC));
+      check_enum("sampler.magnification", desc.magnification, SHD_MAGNIFICATION_DEFAULT, SHD_MAGNIFICATION_HERMITE));
   SHD_TRY(check_enum("sampler.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("sampler.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("sampler.wrap_w", desc.wrap_w, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));

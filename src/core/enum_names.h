@@ -67,26 +67,28 @@
   NAME(SHD_WRAP_BORDER, "border") \
   NAME(SHD_WRAP_MIRROR_ONCE, "mirror_once")
 
-#define SHD_NAMES_OF_FILTER(NAME)               \
-  NAME(SHD_FILTER_TRILINEAR, "trilinear")       \
-  NAME(SHD_FILTER_NEAREST, "nearest")           \
-  NAME(SHD_FILTER_BILINEAR, "bilinear")         \
-  NAME(SHD_FILTER_BICUBIC, "bicubic")           \
-  NAME(SHD_FILTER_NEAREST_MIP, "nearest_mip")   \
-  NAME(SHD_FILTER_BILINEAR_MIP, "bilinear_mip") \
-  NAME(SHD_FILTER_RIPMAP, "ripmap")             \
-  NAME(SHD_FILTER_SUMMED_AREA, "summed_area")   \
-  NAME(SHD_FILTER_ANISOTROPIC, "anisotropic")   \
-  NAME(SHD_FILTER_EWA, "ewa")                   \
-  NAME(SHD_FILTER_STOCHASTIC, "stochastic")     \
-  NAME(SHD_FILTER_EXACT, "exact")               \
-  NAME(SHD_FILTER_NEAREST_MIP_LINEAR, "nearest_mip_linear")
+#define SHD_NAMES_OF_FILTER(NAME)                           \
+  NAME(SHD_FILTER_TRILINEAR, "trilinear")                   \
+  NAME(SHD_FILTER_NEAREST, "nearest")                       \
+  NAME(SHD_FILTER_BILINEAR, "bilinear")                     \
+  NAME(SHD_FILTER_BICUBIC, "bicubic")                       \
+  NAME(SHD_FILTER_NEAREST_MIP, "nearest_mip")               \
+  NAME(SHD_FILTER_BILINEAR_MIP, "bilinear_mip")             \
+  NAME(SHD_FILTER_RIPMAP, "ripmap")                         \
+  NAME(SHD_FILTER_SUMMED_AREA, "summed_area")               \
+  NAME(SHD_FILTER_ANISOTROPIC, "anisotropic")               \
+  NAME(SHD_FILTER_EWA, "ewa")                               \
+  NAME(SHD_FILTER_STOCHASTIC, "stochastic")                 \
+  NAME(SHD_FILTER_EXACT, "exact")                           \
+  NAME(SHD_FILTER_NEAREST_MIP_LINEAR, "nearest_mip_linear") \
+  NAME(SHD_FILTER_HERMITE, "hermite")
 
 #define SHD_NAMES_OF_MAGNIFICATION(NAME)       \
   NAME(SHD_MAGNIFICATION_DEFAULT, "default")   \
   NAME(SHD_MAGNIFICATION_NEAREST, "nearest")   \
   NAME(SHD_MAGNIFICATION_BILINEAR, "bilinear") \
-  NAME(SHD_MAGNIFICATION_BICUBIC, "bicubic")
+  NAME(SHD_MAGNIFICATION_BICUBIC, "bicubic")   \
+  NAME(SHD_MAGNIFICATION_HERMITE, "hermite")
 
 #define SHD_NAMES_OF_CUBIC(NAME)             \
   NAME(SHD_CUBIC_CATMULL_ROM, "catmull_rom") \

@@ -164,6 +164,10 @@ inline bool needs_w(const Texture& texture) {
   return texture.depth != 0 || texture.projection != SHD_PROJECTION_NONE;
 }
 
+/// Weight of the second of the two texels that a bilinear lookup blends on an axis: the fraction s of the way between
+/// them, s rounded to 8 bits, or 3 s^2 - 2 s^3.
+enum class Weights : uint32_t { kLinear, kRounded, kHermite };
+
 /// A checked sampler desc; lod_min <= lod_max.
 struct Sampler {
   shd_filter filter;
@@ -180,7 +184,7 @@ struct Sampler {
   uint32_t seed;
   float tolerance;
   shd_profile profile;
-  bool rounded_weights;  // weights of bilinear lookups are rounded to 8 bits
+  Weights weights;
   shd_precision precision;
   float probe_slack;
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
@@ -199,6 +203,16 @@ inline bool has_border(const Sampler& sampler) {
 inline bool has_border(const Texture& texture, const Sampler& sampler) {
   if (texture.projection != SHD_PROJECTION_NONE) return false;
   return has_border(sampler) || (texture.depth != 0 && sampler.wrap_w == SHD_WRAP_BORDER);
+}
+
+/// Copies a sampler with another filter.
+inline Sampler with_filter(const Sampler& sampler, shd_filter filter) {
+  Sampler other = sampler;
+  other.filter = filter;
+  if (filter == SHD_FILTER_HERMITE || sampler.weights == Weights::kHermite) {
+    other.weights = filter == SHD_FILTER_HERMITE ? Weights::kHermite : Weights::kLinear;
+  }
+  return other;
 }
 
 /// Copies a sampler and removes width and blur from the copy.

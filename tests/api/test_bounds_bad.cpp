@@ -132,6 +132,8 @@ const Refused kRefused[] = {
     {"exact", [](auto *, auto *s) { s->filter = SHD_FILTER_EXACT; }, "sampler.filter: EXACT has no bounds"},
     {"bicubic", [](auto *, auto *s) { s->magnification = SHD_MAGNIFICATION_BICUBIC; },
      "sampler.magnification: BICUBIC"},
+    {"hermite", [](auto *, auto *s) { s->magnification = SHD_MAGNIFICATION_HERMITE; },
+     "sampler.magnification: HERMITE"},
     {"nearest",
      [](auto *, auto *s) { s->filter = SHD_FILTER_ANISOTROPIC, s->magnification = SHD_MAGNIFICATION_NEAREST; },
      "sampler.magnification: NEAREST of ANISOTROPIC"},

@@ -321,6 +321,7 @@ void test_refused(void **)
         {"ewa", [](auto *s) { s->filter = SHD_FILTER_EWA; }, "sampler.filter: EWA has no comparison"},
         {"stochastic", [](auto *s) { s->filter = SHD_FILTER_STOCHASTIC; }, "sampler.filter: STOCHASTIC has no comp"},
         {"exact", [](auto *s) { s->filter = SHD_FILTER_EXACT; }, "sampler.filter: EXACT has no comparison"},
+        {"hermite", [](auto *s) { s->filter = SHD_FILTER_HERMITE; }, "sampler.filter: HERMITE has no comparison"},
         {"magnification", [](auto *s) { s->magnification = SHD_MAGNIFICATION_BICUBIC; },
          "sampler.magnification: BICUBIC has no comparison"},
     };

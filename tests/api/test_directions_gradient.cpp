@@ -52,11 +52,12 @@ void check_radial(const DirectionLookups &at, size_t i, const char *name)
     if (!(std::fabs(along) <= bound)) fail_msg("%s [%zu]: n . gradient is %g", name, i, along);
 }
 
-/// Bilinear against central differences of the oracle, in noise of even and odd sizes and of one texel.
-void test_bilinear(void **)
+/// Bilinear or Hermite against central differences of the oracle, in noise of even and odd sizes and of one texel.
+void test_bilinear(void **state)
 {
+    const bool smooth = *state != nullptr;
     DirectionImage *image = nullptr;
-    shd_sampler *sampler = make_sampler(g_context, SHD_FILTER_BILINEAR);
+    shd_sampler *sampler = make_sampler(g_context, smooth ? SHD_FILTER_HERMITE : SHD_FILTER_BILINEAR);
     for (shd_projection projection : {SHD_PROJECTION_LAT_LONG, SHD_PROJECTION_CUBE, SHD_PROJECTION_OCTAHEDRAL}) {
         for (uint32_t size : {16u, 7u, 2u, 1u}) {
             shd_texture *texture = noise(projection, size, &image);
@@ -77,7 +78,7 @@ void test_bilinear(void **)
                     double value[3];
                     for (int k = 0; k < 3; ++k) {
                         n[c] = middle + (k - 1) * h;
-                        value[k] = ref::bilinear(texels, n);
+                        value[k] = ref::bilinear(texels, n, smooth ? ::ref::hermite_weight : ref::linear_weight);
                     }
                     const double step = static_cast<double>(h), before = (value[1] - value[0]) / step;
                     const double after = (value[2] - value[1]) / step;
@@ -272,6 +273,7 @@ int main()
     using namespace shd::tests;
     const CMUnitTest tests[] = {
         {"bilinear", test_bilinear, nullptr, nullptr, nullptr},
+        {"hermite", test_bilinear, nullptr, nullptr, &g_context},
         {"differences", test_differences, nullptr, nullptr, nullptr},
         {"targets", test_targets, nullptr, nullptr, nullptr},
     };

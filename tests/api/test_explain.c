@@ -23,6 +23,7 @@ static const struct {
 } k_filters[] = {{"nearest", SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR},
                  {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR},
                  {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR},
+                 {"hermite", SHD_FILTER_HERMITE, SHD_FILTER_TRILINEAR},
                  {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_FILTER_TRILINEAR},
                  {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_TRILINEAR},
                  {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR},

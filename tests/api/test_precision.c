@@ -279,6 +279,7 @@ static const struct magnification_case k_magnifications[] = {
     {"magnification/nearest", SHD_FILTER_NEAREST, SHD_MAGNIFICATION_NEAREST},
     {"magnification/nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_MAGNIFICATION_NEAREST},
     {"magnification/bicubic", SHD_FILTER_BICUBIC, SHD_MAGNIFICATION_BICUBIC},
+    {"magnification/hermite", SHD_FILTER_HERMITE, SHD_MAGNIFICATION_HERMITE},
     {"magnification/bilinear", SHD_FILTER_BILINEAR, SHD_MAGNIFICATION_BILINEAR},
     {"magnification/bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_MAGNIFICATION_BILINEAR},
     {"magnification/trilinear", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_BILINEAR},

@@ -8,7 +8,8 @@ enum { WIDTH = 203, HEIGHT = 151, PIXELS = WIDTH * HEIGHT };
 
 static unsigned char g_got[16 * PIXELS], g_want[16 * PIXELS];
 
-enum { SCENE, PARALLEL, FLOOR }; /* a scene in perspective, or without; a surface that covers the whole picture */
+/* A scene in perspective, or without; a surface that covers the whole picture. AFFINE: with SHD_DRAW_AFFINE */
+enum { SCENE, PARALLEL, FLOOR, AFFINE = 4 };
 
 struct way {
     const char *name;
@@ -123,6 +124,14 @@ static const struct way k_ways[] = {
      FLOOR},
     {"floor, samples", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
      SHD_FORMAT_RGBA8, 4, 1, 0, 0, FLOOR},
+    {"affine", SHD_FORMAT_RGBA8, SHD_FILTER_HERMITE, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0, SHD_FORMAT_RGBA8, 1,
+     2, 0, 2, SCENE | AFFINE},
+    {"affine, floor", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 1, 1, 0, 2, FLOOR | AFFINE},
+    {"affine, floor, samples", SHD_FORMAT_RGBA8, SHD_FILTER_ANISOTROPIC, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA32F, 4, 3, 0, 0, FLOOR | AFFINE},
+    {"hermite", SHD_FORMAT_RGBA8, SHD_FILTER_HERMITE, SHD_WRAP_MIRROR, SHD_PRECISION_FAST, WHITE, 0, SHD_FORMAT_RGBA8,
+     1, 1, 0, 0, FLOOR},
     {"parallel, samples", SHD_FORMAT_RGBA8, SHD_FILTER_ANISOTROPIC, SHD_WRAP_REPEAT, SHD_PRECISION_FAST, WHITE, 0,
      SHD_FORMAT_RGBA32F, 4, 1, 0, 0, PARALLEL},
 };
@@ -256,15 +265,18 @@ static void test_way(void **state)
         desc.worker_count = way->workers;
         shd_assert_ok(shd_context_create(&desc, &context));
         shd_scene_open(&scene, SHD_SCENE_MIXED, context);
-        if (way->view == PARALLEL) shd_scene_look_parallel(&scene);
-        if (way->view == FLOOR) floor = make_floor(&scene);
+        if ((way->view & 3) == PARALLEL) shd_scene_look_parallel(&scene);
+        if ((way->view & 3) == FLOOR) floor = make_floor(&scene);
         sampler_desc.filter = way->filter;
         sampler_desc.wrap_u = sampler_desc.wrap_v = way->wrap;
         sampler_desc.precision = way->precision;
         shd_assert_ok(shd_sampler_create(context, &sampler_desc, &sampler));
         texture = make_texture(context, way->texture);
         material = make_material(context, way, texture, sampler);
-        for (i = 0; i < scene.desc.draw_count; ++i) scene.draw[i].material = material;
+        for (i = 0; i < scene.desc.draw_count; ++i) {
+            scene.draw[i].material = material;
+            scene.draw[i].flags = way->view & AFFINE ? SHD_DRAW_AFFINE : SHD_DRAW_NONE;
+        }
         draw(way, &scene, 0, g_got, &own);
         draw(way, &scene, SHD_AOV_OVERDRAW, g_want, &general);
         if (memcmp(g_got, g_want, PIXELS * shd_format_size(way->color))) {
@@ -273,7 +285,13 @@ static void test_way(void **state)
         assert_int_equal(own.fragment_count, general.fragment_count);
         assert_int_equal(own.nonfinite_fragment_count, general.nonfinite_fragment_count);
         assert_true(own.fragment_count > (way->window == 1 ? 5000u : 10000u));
-        if (way->view == FLOOR && way->window != 1) assert_true(own.fragment_count >= PIXELS);
+        if ((way->view & 3) == FLOOR && way->window != 1) assert_true(own.fragment_count >= PIXELS);
+        if (way->view & AFFINE) {
+            for (i = 0; i < scene.desc.draw_count; ++i) scene.draw[i].flags = SHD_DRAW_NONE;
+            draw(way, &scene, 0, g_want, &general);
+            assert_int_equal(own.fragment_count, general.fragment_count);
+            assert_memory_not_equal(g_got, g_want, PIXELS * shd_format_size(way->color));
+        }
         shd_material_release(material);
         shd_mesh_release(floor);
         shd_texture_release(texture);

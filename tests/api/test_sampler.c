@@ -15,7 +15,7 @@ static void edit_nothing(shd_sampler_desc *d) { (void)d; }
 static void edit_size_zero(shd_sampler_desc *d) { d->struct_size = 0; }
 static void edit_size_small(shd_sampler_desc *d) { d->struct_size = 7; }
 static void edit_size_huge(shd_sampler_desc *d) { d->struct_size = 0x7fffffffu; }
-static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)13; }
+static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)14; }
 static void edit_filter_negative(shd_sampler_desc *d) { d->filter = (shd_filter)-1; }
 static void edit_wrap_u(shd_sampler_desc *d) { d->wrap_u = (shd_wrap)5; }
 static void edit_wrap_v(shd_sampler_desc *d) { d->wrap_v = SHD_WRAP_MAX_ENUM; }
@@ -38,7 +38,7 @@ static void edit_min_above_max(shd_sampler_desc *d)
     d->lod_max = 2;
 }
 static void edit_mirror_once(shd_sampler_desc *d) { d->wrap_u = d->wrap_v = SHD_WRAP_MIRROR_ONCE; }
-static void edit_magnification(shd_sampler_desc *d) { d->magnification = (shd_magnification)4; }
+static void edit_magnification(shd_sampler_desc *d) { d->magnification = (shd_magnification)5; }
 static void edit_width_x_negative(shd_sampler_desc *d) { d->width_x = -1; }
 static void edit_width_y_65(shd_sampler_desc *d) { d->width_y = 65; }
 static void edit_width_nan(shd_sampler_desc *d) { d->width_x = NAN; }
@@ -98,7 +98,7 @@ static const struct create_case k_create[] = {
     {"create/struct_size_zero", edit_size_zero, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 0"},
     {"create/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size"},
     {"create/struct_size_huge", edit_size_huge, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 2147483647"},
-    {"create/filter_unknown", edit_filter, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 13 is not in 0..12"},
+    {"create/filter_unknown", edit_filter, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 14 is not in 0..13"},
     {"create/filter_negative", edit_filter_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 4294967295"},
     {"create/wrap_u_unknown", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_u: 5 is not in 0..4"},
     {"create/wrap_v_unknown", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_v: 2147483647"},
@@ -116,7 +116,7 @@ static const struct create_case k_create[] = {
     {"create/anisotropy_1", edit_anisotropy_1, SHD_OK, ""},
     {"create/anisotropy_64", edit_anisotropy_64, SHD_OK, ""},
     {"create/magnification_unknown", edit_magnification, SHD_ERROR_INVALID_ARGUMENT,
-     "sampler.magnification: 4 is not in 0..3"},
+     "sampler.magnification: 5 is not in 0..4"},
     {"create/width_x_negative", edit_width_x_negative, SHD_ERROR_INVALID_ARGUMENT,
      "sampler.width_x: -1 is not in 0..64"},
     {"create/width_y_65", edit_width_y_65, SHD_ERROR_INVALID_ARGUMENT, "sampler.width_y: 65"},

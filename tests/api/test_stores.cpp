@@ -90,10 +90,18 @@ struct Batch {
     }
 };
 
-const shd_filter kFilters[] = {
-    SHD_FILTER_NEAREST,    SHD_FILTER_BILINEAR,    SHD_FILTER_BICUBIC,           SHD_FILTER_NEAREST_MIP,
-    SHD_FILTER_TRILINEAR,  SHD_FILTER_ANISOTROPIC, SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_EWA,
-    SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT,       SHD_FILTER_NEAREST_MIP_LINEAR};
+const shd_filter kFilters[] = {SHD_FILTER_NEAREST,
+                               SHD_FILTER_BILINEAR,
+                               SHD_FILTER_BICUBIC,
+                               SHD_FILTER_NEAREST_MIP,
+                               SHD_FILTER_TRILINEAR,
+                               SHD_FILTER_ANISOTROPIC,
+                               SHD_FILTER_BILINEAR_MIP,
+                               SHD_FILTER_EWA,
+                               SHD_FILTER_STOCHASTIC,
+                               SHD_FILTER_EXACT,
+                               SHD_FILTER_NEAREST_MIP_LINEAR,
+                               SHD_FILTER_HERMITE};
 const shd_wrap kWraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_MIRROR, SHD_WRAP_CLAMP, SHD_WRAP_BORDER, SHD_WRAP_MIRROR_ONCE};
 
 shd_sampler *make_sampler(shd_context *context, shd_filter filter, shd_wrap wrap)

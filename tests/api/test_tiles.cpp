@@ -13,10 +13,10 @@ namespace
 
 constexpr shd_format kFormats[] = {SHD_FORMAT_R8,  SHD_FORMAT_RG8,     SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB,
                                    SHD_FORMAT_R16, SHD_FORMAT_RGBA16F, SHD_FORMAT_R32F,  SHD_FORMAT_RGBA32F};
-constexpr shd_filter kFilters[] = {SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_BICUBIC,
-                                   SHD_FILTER_NEAREST_MIP,       SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC,
-                                   SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_EWA,       SHD_FILTER_STOCHASTIC,
-                                   SHD_FILTER_NEAREST_MIP_LINEAR};
+constexpr shd_filter kFilters[] = {
+    SHD_FILTER_NEAREST,    SHD_FILTER_BILINEAR,           SHD_FILTER_BICUBIC,      SHD_FILTER_NEAREST_MIP,
+    SHD_FILTER_TRILINEAR,  SHD_FILTER_ANISOTROPIC,        SHD_FILTER_BILINEAR_MIP, SHD_FILTER_EWA,
+    SHD_FILTER_STOCHASTIC, SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_HERMITE};
 constexpr shd_wrap kWraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_MIRROR, SHD_WRAP_CLAMP, SHD_WRAP_BORDER, SHD_WRAP_MIRROR_ONCE};
 struct Size {
     uint32_t width, height, layers;

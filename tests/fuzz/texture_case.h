@@ -10,7 +10,7 @@
 namespace shd::fuzz {
 
 constexpr uint32_t kFormats = 21;  // SHD_FORMAT_NONE included
-constexpr uint32_t kFilters = 12;
+constexpr uint32_t kFilters = 14;
 constexpr uint32_t kAllTables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
 
 inline bool is_half(shd_format format) {
@@ -94,7 +94,7 @@ inline void choose_texture(Source& source, TextureCase& c, uint32_t max_edge) {
 
 inline void choose_sampler(Source& source, shd_sampler_desc& desc) {
   desc.filter = source.constant<shd_filter>(kFilters);
-  desc.magnification = source.constant<shd_magnification>(4);
+  desc.magnification = source.constant<shd_magnification>(5);
   desc.max_anisotropy = source.one_in(8) ? source.real(1, 64) : 1.0f + static_cast<float>(source.below(8));
   desc.probe_weights = source.constant<shd_probe_weights>(2);
   desc.cubic = source.constant<shd_cubic>(3);

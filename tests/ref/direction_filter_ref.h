@@ -69,24 +69,30 @@ inline FaceTexel texel_at(const DirectionTexels& image, int x, int y, uint32_t f
   return {modulo(static_cast<int>(std::floor(middle)), w), row >= h ? 2 * h - 1 - row : row, face};
 }
 
+/// Weight of the second of two texels, from the fraction s of the way between them.
+using TwoWeights = double (*)(double s);
+inline double linear_weight(double s) {
+  return s;
+}
+
 /// The value of a row of LAT_LONG at u. Rows beyond a pole go on along the opposite meridian.
-inline double lat_long_row(const DirectionTexels& image, double u, int y) {
+inline double lat_long_row(const DirectionTexels& image, double u, int y, TwoWeights weight) {
   if (is_outside(y, image.height)) u += 0.5, y = y < 0 ? -1 - y : 2 * image.height - 1 - y;
   const double x = u * image.width - 0.5, left = std::floor(x);
   const int i = static_cast<int>(left);
   const double a = image.at(modulo(i, image.width), y, 0), b = image.at(modulo(i + 1, image.width), y, 0);
-  return a + (x - left) * (b - a);
+  return a + weight(x - left) * (b - a);
 }
 
 /// The bilinear value in a direction. Not for discs.
-inline double bilinear(const DirectionTexels& image, const long double* n) {
+inline double bilinear(const DirectionTexels& image, const long double* n, TwoWeights weight_of = linear_weight) {
   const ref_place place = ref_project(image.projection, n);
   const double u = static_cast<double>(place.u), v = static_cast<double>(place.v);
   const double x = u * image.width - 0.5, y = v * image.height - 0.5;
   const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
-  const double s = x - left, t = y - top;
+  const double s = weight_of(x - left), t = weight_of(y - top);
   if (image.projection == SHD_PROJECTION_LAT_LONG)
-    return (1.0 - t) * lat_long_row(image, u, top) + t * lat_long_row(image, u, top + 1);
+    return (1.0 - t) * lat_long_row(image, u, top, weight_of) + t * lat_long_row(image, u, top + 1, weight_of);
   double sum = 0.0, weights = 0.0, values = 0.0, missing = 0.0;
   for (int k = 0; k < 4; ++k) {
     const int tx = left + k % 2, ty = top + k / 2;

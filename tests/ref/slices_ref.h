@@ -44,17 +44,27 @@ inline Place texels_of(const Solid& solid, int level, const Place& p, double shi
           reduce(s.wrap_w, p.w) * static_cast<double>(l.depth) + shift};
 }
 
-inline double linear(const Solid& solid, int level, const Place& p, int c) {
+/// The eight texels of a level around a place, with the weights weight(s) of the fractions.
+template <class Weight>
+double blend_eight(const Solid& solid, int level, const Place& p, const Weight& weight, int c) {
   const Place t = texels_of(solid, level, p, -0.5);
   const auto i = static_cast<int64_t>(floor(t.u)), j = static_cast<int64_t>(floor(t.v));
   const auto k = static_cast<int64_t>(floor(t.w));
   const auto slice = [&](int64_t z) {
     const auto row = [&](int64_t y) {
-      return mix(texel(solid, level, i, y, z, c), texel(solid, level, i + 1, y, z, c), t.u - floor(t.u));
+      return mix(texel(solid, level, i, y, z, c), texel(solid, level, i + 1, y, z, c), weight(t.u - floor(t.u)));
     };
-    return mix(row(j), row(j + 1), t.v - floor(t.v));
+    return mix(row(j), row(j + 1), weight(t.v - floor(t.v)));
   };
-  return mix(slice(k), slice(k + 1), t.w - floor(t.w));
+  return mix(slice(k), slice(k + 1), weight(t.w - floor(t.w)));
+}
+
+inline double linear(const Solid& solid, int level, const Place& p, int c) {
+  return blend_eight(
+      solid, level, p, [](double s) { return s; }, c);
+}
+inline double hermite(const Solid& solid, const Place& p, int c) {
+  return blend_eight(solid, 0, p, hermite_weight, c);
 }
 
 /// The texel that contains a place moved by texels of the level.

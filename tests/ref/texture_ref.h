@@ -148,14 +148,30 @@ inline double mix(double a, double b, double s) {
   return (1 - s) * a + s * b;
 }
 
-inline double bilinear(const Image& image, int level, double u, double v, int c) {
+/// Hermite interpolation between 0 and 1 with slopes of 0 at both ends (Shirley and Marschner, "Fundamentals of
+/// Computer Graphics", solid noise).
+inline double hermite_weight(double s) {
+  return 3 * s * s - 2 * s * s * s;
+}
+
+/// The four texels of a level around (u, v), with the weights weight(s) and weight(t) of the fractions.
+template <class Weight>
+double blend_four(const Image& image, int level, double u, double v, const Weight& weight, int c) {
   const Level& l = image.levels[level];
   const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) - 0.5;
   const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) - 0.5;
   const auto i = static_cast<int64_t>(floor(x)), j = static_cast<int64_t>(floor(y));
-  const double s = x - floor(x), t = y - floor(y);
+  const double s = weight(x - floor(x)), t = weight(y - floor(y));
   return mix(mix(texel(image, level, i, j, c), texel(image, level, i + 1, j, c), s),
              mix(texel(image, level, i, j + 1, c), texel(image, level, i + 1, j + 1, c), s), t);
+}
+
+inline double bilinear(const Image& image, int level, double u, double v, int c) {
+  return blend_four(
+      image, level, u, v, [](double s) { return s; }, c);
+}
+inline double hermite(const Image& image, double u, double v, int c) {
+  return blend_four(image, 0, u, v, hermite_weight, c);
 }
 
 /// log2 of the larger singular value of [dudx dudy; dvdx dvdy] in texels of a w x h base; NaN entries count as 0.

@@ -190,7 +190,8 @@ inline Value unit_filter(const UnitImage& image, const Unit& unit, const UnitLoo
   const int level = std::min(unit_level(unit, lod), image.level_count - 1);
   switch (image.sampler.filter) {
     case SHD_FILTER_NEAREST: return Texels{image, unit, layer, 0}.nearest(p);
-    case SHD_FILTER_BILINEAR: return Texels{image, unit, layer, 0}.linear(p);
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_HERMITE: return Texels{image, unit, layer, 0}.linear(p);
     case SHD_FILTER_NEAREST_MIP: return unit_nearest(image, unit, layer, level, p);
     case SHD_FILTER_BILINEAR_MIP: return unit_linear(image, unit, layer, level, p);
     case SHD_FILTER_NEAREST_MIP_LINEAR:

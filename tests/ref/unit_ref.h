@@ -249,6 +249,7 @@ struct Texels {
       const double x = fixed(coordinate(p[static_cast<size_t>(a)], a) - 0.5, a);
       first[a] = static_cast<int64_t>(floor(x));
       s[a] = x - floor(x);
+      if (image.sampler.filter == SHD_FILTER_HERMITE) s[a] = hermite_weight(s[a]);
     }
     if (unit.bug == Bug::kSwappedWeights) std::swap(s[0], s[1]);
     double& one = s[unit.option % image.axes()];

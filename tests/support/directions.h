@@ -141,6 +141,7 @@ constexpr DirectionFilter kDirectionFilters[] = {
     {"nearest_mip", SHD_FILTER_NEAREST_MIP},   {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR},
     {"anisotropic", SHD_FILTER_ANISOTROPIC},   {"ewa", SHD_FILTER_EWA},
+    {"hermite", SHD_FILTER_HERMITE},
 };
 
 /// Whether values have steps at the edges of texels.

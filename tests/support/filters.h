@@ -21,6 +21,7 @@ static const shd_filter_row k_filters[] = {
     {"nearest", SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, 1, 0},
     {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR, 4, 0},
     {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_BILINEAR, 16, 0.6f},
+    {"hermite", SHD_FILTER_HERMITE, SHD_FILTER_BILINEAR, 4, 0},
     {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR, 1, 0},
     {"nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_BILINEAR, 2, 0},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_FILTER_BILINEAR, 4, 0},

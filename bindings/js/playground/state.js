@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The settings of a picture, and their text in the address of the page. Values that are defaults are left out.
 
-const FILTERS = ["nearest", "bilinear", "bicubic", "nearest_mip", "bilinear_mip", "trilinear", "anisotropic", "ewa"];
+const FILTERS = ["nearest", "bilinear", "bicubic", "hermite", "nearest_mip", "bilinear_mip", "trilinear", "anisotropic",
+    "ewa"];
 
 const side = (filter) => ({
   filter: { label: "Filter", options: FILTERS, value: filter },

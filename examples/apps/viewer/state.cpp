@@ -8,9 +8,10 @@
 
 namespace viewer {
 
-const Choices<13> kFilters = {{{"nearest", "Nearest", SHD_FILTER_NEAREST},
+const Choices<14> kFilters = {{{"nearest", "Nearest", SHD_FILTER_NEAREST},
                                {"bilinear", "Bilinear", SHD_FILTER_BILINEAR},
                                {"bicubic", "Bicubic", SHD_FILTER_BICUBIC},
+                               {"hermite", "Hermite", SHD_FILTER_HERMITE},
                                {"nearest-mip", "Nearest, nearest level", SHD_FILTER_NEAREST_MIP},
                                {"nearest-mip-linear", "Nearest, two levels", SHD_FILTER_NEAREST_MIP_LINEAR},
                                {"bilinear-mip", "Bilinear, nearest level", SHD_FILTER_BILINEAR_MIP},

@@ -118,7 +118,7 @@ struct Choice {
 template <size_t N>
 using Choices = std::array<Choice, N>;
 
-extern const Choices<13> kFilters;
+extern const Choices<14> kFilters;
 extern const Choices<5> kProfiles;
 extern const Choices<2> kPrecisions;
 extern const Choices<10> kModels;

@@ -87,10 +87,12 @@ uint32_t nearest_level(const Sampler& sampler, float lod) {
   }
 }
 
-bool has_rounded_weights(const shd_sampler_desc& desc) {
-  if (desc.profile != SHD_PROFILE_VULKAN && desc.profile != SHD_PROFILE_D3D11) return false;
-  return desc.filter == SHD_FILTER_BILINEAR || desc.filter == SHD_FILTER_ANISOTROPIC ||
-         reads_isotropic_levels(desc.filter);
+Weights weights_of(const shd_sampler_desc& desc) {
+  if (desc.filter == SHD_FILTER_HERMITE) return Weights::kHermite;
+  if (desc.profile != SHD_PROFILE_VULKAN && desc.profile != SHD_PROFILE_D3D11) return Weights::kLinear;
+  const bool rounded = desc.filter == SHD_FILTER_BILINEAR || desc.filter == SHD_FILTER_ANISOTROPIC ||
+                       reads_isotropic_levels(desc.filter);
+  return rounded ? Weights::kRounded : Weights::kLinear;
 }
 
 }  // namespace shd::texture

@@ -35,7 +35,7 @@ inline bool uses_profile(const Sampler& sampler, LodRounding rounding) {
 /// Returns the mip level that a level of detail >= 0 selects under the sampler's profile.
 uint32_t nearest_level(const Sampler& sampler, float lod);
 
-/// Returns whether the weights of bilinear lookups are rounded to 8 bits.
-bool has_rounded_weights(const shd_sampler_desc& desc);
+/// Returns the weights of bilinear lookups.
+Weights weights_of(const shd_sampler_desc& desc);
 
 }  // namespace shd::texture

@@ -136,7 +136,7 @@ Sampler SamplerOfDirections(const Texture& texture, const Sampler& sampler) {
   Sampler inside = sampler;
   inside.wrap_u = TraitsOf(texture.projection).repeats_across ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
   inside.wrap_v = SHD_WRAP_CLAMP;
-  inside.rounded_weights = false;
+  if (sampler.weights == Weights::kRounded) inside.weights = Weights::kLinear;
   inside.precision = SHD_PRECISION_FULL;
   return inside;
 }

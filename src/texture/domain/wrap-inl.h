@@ -17,6 +17,7 @@
 #include "simd/kernel_part.h"
 #include "simd/round-inl.h"
 #include "texture/store/level-inl.h"
+#include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -248,6 +249,26 @@ HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
   taps->s = hn::IfThenZeroElse(next, s);
   taps->i0 = hn::IfThenElse(hn::RebindMask(di, next), taps->i1, taps->i0);
   taps->in0 = hn::Or(hn::And(next, taps->in1), hn::AndNot(next, taps->in0));
+}
+
+/// Makes weights smooth: s becomes 3 s^2 - 2 s^3.
+template <class D>
+HWY_INLINE void SmoothWeights(D d, LinearTaps<D>* taps) {
+  const auto s = taps->s, one = hn::Set(d, 1.0f);
+  taps->rate = taps->rate * (hn::Set(d, 6.0f) * s * (one - s));
+  taps->s = hn::Min(s * s * (hn::Set(d, 3.0f) - (s + s)), hn::Set(d, 0x1.fffffep-1f));
+}
+
+/// Changes the linear weights of both axes to others.
+template <class D>
+HWY_INLINE void ChangeWeights(D d, Weights weights, LinearTaps<D>* x, LinearTaps<D>* y) {
+  if (weights == Weights::kHermite) {
+    SmoothWeights(d, x);
+    SmoothWeights(d, y);
+  } else {
+    RoundWeights(d, x);
+    RoundWeights(d, y);
+  }
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

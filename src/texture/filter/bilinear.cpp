@@ -16,6 +16,10 @@ namespace shd::texture::HWY_NAMESPACE {
 size_t RunBilinear(const FilterCall& call) {
   return Run<Bilinear>(call);
 }
+/// Sinks change the weights (Weights::kHermite).
+size_t RunHermite(const FilterCall& call) {
+  return RunBilinear(call);
+}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -37,7 +37,8 @@ class DirectionSink {
       : stream_(call),
         projection_(call.texture.projection),
         layer_units_(static_cast<int32_t>(call.texture.layout.layer_units)),
-        traits_(TraitsOf(projection_)) {}
+        traits_(TraitsOf(projection_)),
+        smooth_(call.sampler.weights == Weights::kHermite) {}
 
   HWY_INLINE const Sampler& sampler() const { return stream_.sampler(); }
   /// Calls with rates compute no values: their elements at edges differ.
@@ -125,14 +126,27 @@ class DirectionSink {
   struct Taps {
     V x, y;  // first column and first row, whole numbers
     V s, t;
+    V rate_s, rate_t;  // ds/du and dt/dv
     VI face;
   };
 
-  HWY_INLINE static Taps TapsAt(D d, const Level<D>& level, V u, V v, VI face) {
+  HWY_INLINE Taps TapsAt(D d, const Level<D>& level, V u, V v, VI face) const {
     const V half = hn::Set(d, 0.5f), below_one = hn::Set(d, 0x1.fffffep-1f);
     const V x = u * level.across.real - half, y = v * level.down.real - half;
     const V left = RoundDown(x), top = RoundDown(y);
-    return {left, top, hn::Min(x - left, below_one), hn::Min(y - top, below_one), face};
+    const V s = hn::Min(x - left, below_one), t = hn::Min(y - top, below_one);
+    if (HWY_UNLIKELY(smooth_)) return SmoothTaps(d, level, {left, top, s, t, s, t, face});
+    return {left, top, s, t, level.across.real, level.down.real, face};
+  }
+
+  /// Makes the weights of linear taps smooth.
+  HWY_NOINLINE static Taps SmoothTaps(D d, const Level<D>& level, const Taps& taps) {
+    LinearTaps<D> x = {}, y = {};
+    x.s = taps.s, x.rate = level.across.real;
+    y.s = taps.t, y.rate = level.down.real;
+    SmoothWeights(d, &x);
+    SmoothWeights(d, &y);
+    return {taps.x, taps.y, x.s, y.s, x.rate, y.rate, taps.face};
   }
 
   /// Lanes whose four texels lie inside the image.
@@ -160,8 +174,8 @@ class DirectionSink {
     const hn::RebindToSigned<D> di;
     const auto in = hn::Eq(u, u);
     const VI x = ToInt(taps.x), y = ToInt(taps.y), one = hn::Set(di, 1);
-    const LinearTaps<D> across = {taps.s, level.across.real, x, x + one, in, in};
-    const LinearTaps<D> down = {taps.t, level.down.real, y, y + one, in, in};
+    const LinearTaps<D> across = {taps.s, taps.rate_s, x, x + one, in, in};
+    const LinearTaps<D> down = {taps.t, taps.rate_t, y, y + one, in, in};
     stream_.quad(d, op, level, across, down, share);
   }
 
@@ -219,14 +233,14 @@ class DirectionSink {
   HWY_NOINLINE void rated_at_edge(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps,
                                   const PointRates<D>& rates, MaskOf<D> inside, V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    const QuadFractions<D> at(level, rates, taps.s, taps.t);
+    const QuadFractions<D> at(rates, taps);
     const Share<D> all = {one, zero, zero}, none = {zero, zero, zero};
     const bool starts = (op & kHow) == kStart;
     const V last_x = level.across.real - one, last_y = level.down.real - one;
     const VI x = ToInt(hn::Min(hn::Max(taps.x, zero), last_x)), y = ToInt(hn::Min(hn::Max(taps.y, zero), last_y));
     const VI next_x = ToInt(hn::Min(taps.x + one, last_x)), next_y = ToInt(hn::Min(taps.y + one, last_y));
-    const LinearTaps<D> across = {taps.s, level.across.real, x, next_x, inside, inside};
-    const LinearTaps<D> down = {taps.t, level.down.real, y, next_y, inside, inside};
+    const LinearTaps<D> across = {taps.s, taps.rate_s, x, next_x, inside, inside};
+    const LinearTaps<D> down = {taps.t, taps.rate_t, y, next_y, inside, inside};
     stream_.quad(d, op, level, across, down, starts ? share : hn::IfThenElseZero(inside, share));
     TexelPlace<D> quad[4];
     WeightedTexels<D> texels;
@@ -238,7 +252,7 @@ class DirectionSink {
         texels.add(d, quad, at.s, at.t, Complement(d, beyond));
         const Taps other = opposite_of(d, level, u, taps);
         fold_quad(d, fold, level, other, quad);
-        texels.add(d, quad, {other.s, at.s.rate_u, at.s.rate_v}, at.t, beyond);
+        texels.add(d, quad, QuadFractions<D>(rates, other).s, at.t, beyond);
       }
     });
     if (!traits_.turns_at_poles) texels.add(d, quad, at.s, at.t, all);
@@ -279,7 +293,7 @@ class DirectionSink {
   HWY_INLINE static V Plain(D d, V share) { return hn::Min(share, hn::Set(d, 1.0f)); }
 
   /// The quad of a row at u + 1/2.
-  HWY_INLINE static Taps opposite_of(D d, const Level<D>& level, V u, const Taps& taps) {
+  HWY_INLINE Taps opposite_of(D d, const Level<D>& level, V u, const Taps& taps) const {
     const V half = hn::Set(d, 0.5f), turned = u + half;
     Taps other = TapsAt(d, level, turned - RoundDown(turned), half, taps.face);
     other.y = taps.y;
@@ -366,6 +380,7 @@ class DirectionSink {
   const shd_projection projection_;
   const int32_t layer_units_;
   const FoldTraits traits_;
+  const bool smooth_;  // weights are those of SHD_FILTER_HERMITE
   bool stretched_ = false;
   VI face_ = hn::Zero(hn::RebindToSigned<D>());
   V stretch_ = hn::Zero(D()), most_ = hn::Zero(D());

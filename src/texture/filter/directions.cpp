@@ -22,7 +22,8 @@ namespace shd::texture::HWY_NAMESPACE {
 RunFilter DirectionFilterOf(shd_filter filter) {
   switch (filter) {
     case SHD_FILTER_NEAREST: return RunDirections<Nearest>;
-    case SHD_FILTER_BILINEAR: return RunDirections<Bilinear>;
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_HERMITE: return RunDirections<Bilinear>;
     case SHD_FILTER_BICUBIC: return RunDirections<CubicDirections>;
     case SHD_FILTER_NEAREST_MIP: return RunDirections<NearestMip>;
     case SHD_FILTER_BILINEAR_MIP: return RunDirections<BilinearMip>;

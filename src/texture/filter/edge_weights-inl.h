@@ -41,9 +41,10 @@ template <class D>
 struct QuadFractions {
   Share<D> s, t;
 
-  HWY_INLINE QuadFractions(const Level<D>& level, const PointRates<D>& rates, hn::Vec<D> at_s, hn::Vec<D> at_t)
-      : s{at_s, rates.u_u * level.across.real, rates.u_v * level.across.real},
-        t{at_t, rates.v_u * level.down.real, rates.v_v * level.down.real} {}
+  template <class Taps>
+  HWY_INLINE QuadFractions(const PointRates<D>& rates, const Taps& taps)
+      : s{taps.s, rates.u_u * taps.rate_s, rates.u_v * taps.rate_s},
+        t{taps.t, rates.v_u * taps.rate_t, rates.v_v * taps.rate_t} {}
 };
 
 /// Texels with weights whose sum is 1.

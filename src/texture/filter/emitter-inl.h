@@ -82,10 +82,7 @@ class Emitter {
     const Sampler& sampler = self().sampler();
     LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
     LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
-    if (HWY_UNLIKELY(sampler.rounded_weights)) {
-      RoundWeights(d, &x);
-      RoundWeights(d, &y);
-    }
+    if (HWY_UNLIKELY(sampler.weights != Weights::kLinear)) ChangeWeights(d, sampler.weights, &x, &y);
     quad(d, op, level, x, y, share...);
   }
 

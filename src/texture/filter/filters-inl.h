@@ -17,20 +17,21 @@
 #include "texture/stream.h"
 
 #ifndef SHD_TEXTURE_FILTERS
-#define SHD_TEXTURE_FILTERS(ROW)                     \
-  ROW(SHD_FILTER_NEAREST, RunNearest, false)         \
-  ROW(SHD_FILTER_BILINEAR, RunBilinear, true)        \
-  ROW(SHD_FILTER_BICUBIC, RunBicubic, true)          \
-  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMip, false)  \
-  ROW(SHD_FILTER_BILINEAR_MIP, RunBilinearMip, true) \
-  ROW(SHD_FILTER_TRILINEAR, RunTrilinear, true)      \
-  ROW(SHD_FILTER_RIPMAP, RunRipmap, true)            \
-  ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)  \
-  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)  \
-  ROW(SHD_FILTER_EWA, RunEwa, true)                  \
-  ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)   \
-  ROW(SHD_FILTER_EXACT, RunExact, false)             \
-  ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinear, false)
+#define SHD_TEXTURE_FILTERS(ROW)                                 \
+  ROW(SHD_FILTER_NEAREST, RunNearest, false)                     \
+  ROW(SHD_FILTER_BILINEAR, RunBilinear, true)                    \
+  ROW(SHD_FILTER_BICUBIC, RunBicubic, true)                      \
+  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMip, false)              \
+  ROW(SHD_FILTER_BILINEAR_MIP, RunBilinearMip, true)             \
+  ROW(SHD_FILTER_TRILINEAR, RunTrilinear, true)                  \
+  ROW(SHD_FILTER_RIPMAP, RunRipmap, true)                        \
+  ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)              \
+  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)              \
+  ROW(SHD_FILTER_EWA, RunEwa, true)                              \
+  ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)               \
+  ROW(SHD_FILTER_EXACT, RunExact, false)                         \
+  ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinear, false) \
+  ROW(SHD_FILTER_HERMITE, RunHermite, true)
 
 // The filters of 3D textures.
 #define SHD_TEXTURE_SLICE_FILTERS(ROW)                            \
@@ -44,7 +45,8 @@
   ROW(SHD_FILTER_NEAREST_MIP_LINEAR, RunNearestMipLinearInSlices) \
   ROW(SHD_FILTER_EWA, RunEwaInSlices)                             \
   ROW(SHD_FILTER_STOCHASTIC, RunStochasticInSlices)               \
-  ROW(SHD_FILTER_EXACT, RunExactInSlices)
+  ROW(SHD_FILTER_EXACT, RunExactInSlices)                         \
+  ROW(SHD_FILTER_HERMITE, RunHermiteInSlices)
 #endif
 
 HWY_BEFORE_NAMESPACE();

@@ -88,16 +88,13 @@ HWY_INLINE void AddressWrapped(const Texture& texture, const Sampler& sampler, c
   const hn::RebindToSigned<BatchTag> di;
   const auto level = SameLevel(d, texture, hn::Zero(di), number);
   const auto one = hn::Set(di, 1);
-  const bool rounded = sampler.rounded_weights;
+  const Weights weights = sampler.weights;
   const size_t lanes = hn::Lanes(d), count = block.count;
   out->down = static_cast<int32_t>(level_size(texture.width, number));
   for (size_t i = 0; i < count; i += lanes) {
     auto x = WrapLinear(d, wrap_u, hn::Load(d, block.u + i), level.across);
     auto y = WrapLinear(d, wrap_v, hn::Load(d, block.v + i), level.down);
-    if (HWY_UNLIKELY(rounded)) {
-      RoundWeights(d, &x);
-      RoundWeights(d, &y);
-    }
+    if (HWY_UNLIKELY(weights != Weights::kLinear)) ChangeWeights(d, weights, &x, &y);
     const bool split = !hn::AllTrue(di, hn::And(hn::Eq(x.i1, x.i0 + one), hn::Eq(y.i1, y.i0 + one)));
     WriteQuads<kPlaced>(d, level, x, y, split, i, out);
   }
@@ -109,7 +106,7 @@ inline HWY_NOINLINE void AddressQuads(const Texture& texture, const Sampler& sam
   const shd_wrap u = sampler.wrap_u, v = sampler.wrap_v;
   if (HWY_UNLIKELY(!is_in_memory(texture))) {
     AddressWrapped<true>(texture, sampler, block, level, u, v, out);
-  } else if (u == v && u == SHD_WRAP_REPEAT && !sampler.rounded_weights) {
+  } else if (u == v && u == SHD_WRAP_REPEAT && sampler.weights == Weights::kLinear) {
     const std::integral_constant<shd_wrap, SHD_WRAP_REPEAT> repeat;
     AddressWrapped<false>(texture, sampler, block, level, repeat, repeat, out);
   } else {
@@ -165,10 +162,7 @@ class RowSink {
   HWY_NOINLINE void write(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, size_t quad) {
     LinearTaps<D> x = WrapLinear(d, sampler_.wrap_u, u, level.across);
     LinearTaps<D> y = WrapLinear(d, sampler_.wrap_v, v, level.down);
-    if (HWY_UNLIKELY(sampler_.rounded_weights)) {
-      RoundWeights(d, &x);
-      RoundWeights(d, &y);
-    }
+    if (HWY_UNLIKELY(sampler_.weights != Weights::kLinear)) ChangeWeights(d, sampler_.weights, &x, &y);
     WriteQuads<false>(d, level, x, y, true, at_, &rows_.quads[quad]);
   }
   /// Makes the second quads of a vector without them, with the share 0, for blocks in which other vectors have them.

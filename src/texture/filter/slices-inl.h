@@ -85,7 +85,10 @@ struct Cube {
       : slices(of_slices),
         x(WrapLinear(d, sampler.wrap_u, u, slices.level.across)),
         y(WrapLinear(d, sampler.wrap_v, v, slices.level.down)),
-        z(WrapLinear(d, sampler.wrap_w, w, slices.deep)) {}
+        z(WrapLinear(d, sampler.wrap_w, w, slices.deep)) {
+    if (HWY_LIKELY(sampler.weights != Weights::kHermite)) return;
+    for (LinearTaps<D>* taps : {&x, &y, &z}) SmoothWeights(d, taps);
+  }
 
   /// Emits the quads of the first and of the second slice.
   template <class Sink, class... AnyShare>

@@ -22,6 +22,9 @@ size_t RunNearestMipInSlices(const FilterCall& call) {
 size_t RunLinearInSlices(const FilterCall& call) {
   return Run<LinearInSlices>(call);
 }
+size_t RunHermiteInSlices(const FilterCall& call) {
+  return RunLinearInSlices(call);
+}
 size_t RunLinearMipInSlices(const FilterCall& call) {
   return Run<LinearMipInSlices>(call);
 }

@@ -7,10 +7,13 @@ Sampler sampler_from_level(const Sampler& sampler, uint32_t level) {
   Sampler coarser = sampler;
   coarser.lod_min = std::max(sampler.lod_min, static_cast<float>(level));
   coarser.lod_max = std::max(sampler.lod_max, coarser.lod_min);
-  shd_filter filter = sampler.filter == SHD_FILTER_STOCHASTIC ? sampler.stochastic_filter : sampler.filter;
-  if (filter == SHD_FILTER_NEAREST) coarser.filter = SHD_FILTER_NEAREST_MIP;
-  if (filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BICUBIC) coarser.filter = SHD_FILTER_BILINEAR_MIP;
-  return coarser;
+  switch (sampler.filter == SHD_FILTER_STOCHASTIC ? sampler.stochastic_filter : sampler.filter) {
+    case SHD_FILTER_NEAREST: return with_filter(coarser, SHD_FILTER_NEAREST_MIP);
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_BICUBIC:
+    case SHD_FILTER_HERMITE: return with_filter(coarser, SHD_FILTER_BILINEAR_MIP);
+    default: return coarser;
+  }
 }
 
 size_t rows_of_level(const uint8_t* needed, size_t count, uint32_t level, uint16_t* rows) {

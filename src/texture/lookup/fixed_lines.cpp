@@ -141,7 +141,8 @@ class LineSink {
 
   explicit LineSink(const FilterCall& call)
       : sampler_(call.sampler),
-        repeats_(sampler_.wrap_u == SHD_WRAP_REPEAT && sampler_.wrap_v == SHD_WRAP_REPEAT && !sampler_.rounded_weights),
+        repeats_(sampler_.wrap_u == SHD_WRAP_REPEAT && sampler_.wrap_v == SHD_WRAP_REPEAT &&
+                 sampler_.weights == Weights::kLinear),
         source_(call.texture),
         words_(source_.channels == 4 && !source_.borrowed ? source_.origin : nullptr),
         out_(call.out),
@@ -261,10 +262,7 @@ class LineSink {
       const V number = hn::Set(d, static_cast<float>(k)), position = line.position(d, number);
       LinearTaps<D> x = WrapLinear(d, line.wrap_u, line.u_at(position), level.across);
       LinearTaps<D> y = WrapLinear(d, line.wrap_v, line.v_at(position), level.down);
-      if (HWY_UNLIKELY(sampler_.rounded_weights)) {
-        RoundWeights(d, &x);
-        RoundWeights(d, &y);
-      }
+      if (HWY_UNLIKELY(sampler_.weights != Weights::kLinear)) ChangeWeights(d, sampler_.weights, &x, &y);
       const auto upper = RowIndex(d, level, y.i0) + x.i0, lower = RowIndex(d, level, y.i1) + x.i0;
       Ints<D> texel[4];
       fetch(upper, x.i1 - x.i0, lower, texel);

@@ -178,7 +178,8 @@ RunFew FewOf([[maybe_unused]] const Texture& texture, [[maybe_unused]] shd_filte
 #if HWY_MAX_BYTES == 16
   if (texture.component != image::Component::kUnorm8 || texture.channels != 4) return nullptr;
   switch (filter) {
-    case SHD_FILTER_BILINEAR: return FilterFew<Bilinear>;
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_HERMITE: return FilterFew<Bilinear>;
     case SHD_FILTER_TRILINEAR: return FilterFew<Trilinear>;
     case SHD_FILTER_ANISOTROPIC: return FilterFew<Anisotropic>;
     case SHD_FILTER_EWA: return FilterFew<Ewa>;

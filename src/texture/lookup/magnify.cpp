@@ -48,14 +48,14 @@ void sample_rows(const Texture& texture, const Sampler& sampler, const core::Sim
 }  // namespace
 
 Sampler magnifier(const Sampler& sampler) {
-  Sampler magnifier = minifier(sampler);
+  const Sampler plain = minifier(sampler);
   switch (sampler.magnification) {
-    case SHD_MAGNIFICATION_NEAREST: magnifier.filter = SHD_FILTER_NEAREST; break;
-    case SHD_MAGNIFICATION_BILINEAR: magnifier.filter = SHD_FILTER_BILINEAR; break;
-    case SHD_MAGNIFICATION_BICUBIC: magnifier.filter = SHD_FILTER_BICUBIC; break;
-    default: break;
+    case SHD_MAGNIFICATION_NEAREST: return with_filter(plain, SHD_FILTER_NEAREST);
+    case SHD_MAGNIFICATION_BILINEAR: return with_filter(plain, SHD_FILTER_BILINEAR);
+    case SHD_MAGNIFICATION_BICUBIC: return with_filter(plain, SHD_FILTER_BICUBIC);
+    case SHD_MAGNIFICATION_HERMITE: return with_filter(plain, SHD_FILTER_HERMITE);
+    default: return plain;
   }
-  return magnifier;
 }
 
 Sampler minifier(const Sampler& sampler) {

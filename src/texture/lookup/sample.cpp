@@ -253,7 +253,8 @@ size_t sample_any(const Texture& given, const Sampler& sampler, const core::Simd
 
 /// Whether a filter blends the quads of at most two levels.
 bool is_linear(shd_filter filter) {
-  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
+  return filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_HERMITE || filter == SHD_FILTER_BILINEAR_MIP ||
+         filter == SHD_FILTER_TRILINEAR;
 }
 
 /// Whether the stored channels of lookups are what a filter of one image in memory gives, in full precision.

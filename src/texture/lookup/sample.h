@@ -17,6 +17,7 @@ struct Recording;
 /// bound of bicubic is m (6e-6 + 8e-6 (w + h + d)):
 ///   nearest    the texel lies within 4e-7 w and 4e-7 h texels of the point; relative error of its value 1.2e-7
 ///   bilinear   m (3e-7 + 8e-7 (w + h)); m 3e-7 where u w - 1/2 and v h - 1/2 are floats
+///   hermite    m (1e-6 + 12e-7 (w + h)): the largest slope of a weight is 3/2; m 1e-6 where that of bilinear is m 3e-7
 ///   trilinear  bound of bilinear, plus m 4e-6 for the level of detail
 ///   bicubic    m (3e-6 + 4e-6 (w + h)): slopes and lobes of the kernels are at most 5 times those of bilinear
 ///   mip        bound of nearest or bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6

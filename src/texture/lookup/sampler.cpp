@@ -61,7 +61,7 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.seed = desc.seed;
   sampler.tolerance = desc.tolerance;
   sampler.profile = desc.profile;
-  sampler.rounded_weights = has_rounded_weights(desc);
+  sampler.weights = weights_of(desc);
   sampler.precision = desc.compares ? SHD_PRECISION_FULL : desc.precision;
   sampler.probe_slack = desc.probe_slack;
   sampler.level_steepness = desc.level_blend < 0x1p-24f ? 0.0f : 1.0f / desc.level_blend;

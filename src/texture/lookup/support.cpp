@@ -30,7 +30,7 @@ constexpr Refusal kRefusals[] = {
      "it is not a tree of blends with derivatives"},
     {bits(SHD_FILTER_SUMMED_AREA, SHD_FILTER_EXACT), kAny, kAny, bits(Use::kExplanation), "it is not a tree of blends"},
     {bits(SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC,
-          SHD_FILTER_EXACT),
+          SHD_FILTER_EXACT, SHD_FILTER_HERMITE),
      kAny, kAny, bits(Use::kBounds, Use::kComparison), "no standard defines the filter"},
     // Fixed point: the other cells have the values of SHD_PRECISION_FULL.
     {~bits(SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC), kAny, kAny,

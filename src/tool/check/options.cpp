@@ -166,7 +166,7 @@ shd_bounds_desc bounds_of(const Options& options, shd_rules rules) {
 
 std::vector<Name<shd_filter>> filters_with_bounds() {
   return names_of(shd_filter_name, {SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_EWA,
-                                    SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT});
+                                    SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT, SHD_FILTER_HERMITE});
 }
 
 bool read_options(int argc, const char* const* argv, Options& out) {

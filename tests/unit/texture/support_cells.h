@@ -23,11 +23,20 @@ namespace cells {
 using namespace shd::texture;
 using shd::tests::Random;
 
-constexpr shd_filter kFilters[] = {
-    SHD_FILTER_NEAREST,           SHD_FILTER_BILINEAR,  SHD_FILTER_BICUBIC,    SHD_FILTER_NEAREST_MIP,
-    SHD_FILTER_BILINEAR_MIP,      SHD_FILTER_TRILINEAR, SHD_FILTER_RIPMAP,     SHD_FILTER_SUMMED_AREA,
-    SHD_FILTER_ANISOTROPIC,       SHD_FILTER_EWA,       SHD_FILTER_STOCHASTIC, SHD_FILTER_EXACT,
-    SHD_FILTER_NEAREST_MIP_LINEAR};
+constexpr shd_filter kFilters[] = {SHD_FILTER_NEAREST,
+                                   SHD_FILTER_BILINEAR,
+                                   SHD_FILTER_BICUBIC,
+                                   SHD_FILTER_NEAREST_MIP,
+                                   SHD_FILTER_BILINEAR_MIP,
+                                   SHD_FILTER_TRILINEAR,
+                                   SHD_FILTER_RIPMAP,
+                                   SHD_FILTER_SUMMED_AREA,
+                                   SHD_FILTER_ANISOTROPIC,
+                                   SHD_FILTER_EWA,
+                                   SHD_FILTER_STOCHASTIC,
+                                   SHD_FILTER_EXACT,
+                                   SHD_FILTER_NEAREST_MIP_LINEAR,
+                                   SHD_FILTER_HERMITE};
 constexpr size_t kFilterCount = sizeof kFilters / sizeof *kFilters;
 
 template <class Body>

@@ -26,6 +26,13 @@ const filter_case k_cases[] = {
     {"bilinear/128x32", SHD_FILTER_BILINEAR, 128, 32},
     {"bilinear/1023x511", SHD_FILTER_BILINEAR, 1023, 511},
     {"bilinear/4096x1", SHD_FILTER_BILINEAR, 4096, 1},
+    {"hermite/1x1", SHD_FILTER_HERMITE, 1, 1},
+    {"hermite/1x7", SHD_FILTER_HERMITE, 1, 7},
+    {"hermite/5x3", SHD_FILTER_HERMITE, 5, 3},
+    {"hermite/64x64", SHD_FILTER_HERMITE, 64, 64},
+    {"hermite/128x32", SHD_FILTER_HERMITE, 128, 32},
+    {"hermite/1023x511", SHD_FILTER_HERMITE, 1023, 511},
+    {"hermite/4096x1", SHD_FILTER_HERMITE, 4096, 1},
     {"trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1},
     {"trilinear/1x7", SHD_FILTER_TRILINEAR, 1, 7},
     {"trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3},
@@ -41,6 +48,7 @@ Batch t_batch, t_first;
 double bound(const filter_case& c, shd_format format, double border) {
   const double m = fmax(magnitude(format), border), range = 2 * m;
   const double linear = 3e-7 * m + 4e-7 * (c.width + c.height) * range;
+  if (c.filter == SHD_FILTER_HERMITE) return 1.5 * linear + 7e-7 * m;
   return c.filter == SHD_FILTER_TRILINEAR ? linear + 2e-6 * range : linear;
 }
 
@@ -72,10 +80,12 @@ void check_point(const ref::Image& image, const filter_case& c, const Batch& bat
       }
       continue;
     }
-    const bool bilinear = c.filter == SHD_FILTER_BILINEAR;
-    const double want =
-        bilinear ? ref::bilinear(image, 0, u, v, channel) : ref::trilinear(image, u, v, lambda, channel);
-    shd_assert_close(c.name, i, got, want, bilinear && exact_input ? tight : tolerance, 0);
+    const bool hermite = c.filter == SHD_FILTER_HERMITE, bilinear = hermite || c.filter == SHD_FILTER_BILINEAR;
+    const double want = hermite    ? ref::hermite(image, u, v, channel)
+                        : bilinear ? ref::bilinear(image, 0, u, v, channel)
+                                   : ref::trilinear(image, u, v, lambda, channel);
+    const double exact = hermite ? 4 * tight : tight;
+    shd_assert_close(c.name, i, got, want, bilinear && exact_input ? exact : tolerance, 0);
   }
 }
 
@@ -99,7 +109,7 @@ void test_filter(void** state) {
 }
 
 void test_tails(void**) {
-  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_HERMITE}) {
     shd_sampler_desc desc = shd_sampler_desc_default();
     desc.filter = filter;
     check_tails_of_formats(desc, true);
@@ -116,14 +126,15 @@ void test_unwanted_channels(void**) {
 
 /// Points along one row, as in a span of fragments, use other loads than random points, with equal bits.
 void test_rows(void**) {
+  const shd_filter filters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_HERMITE};
   const float steps[] = {0.25f, 0.9f, 1.0f, 1.9f, 2.1f, -0.7f, -2.0f, 0.0f};
   for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB}) {
     Texture* texture = random_texture(format, 96, 8, true);
-    for (uint32_t combination = 0; combination < 64; ++combination) {
+    for (uint32_t combination = 0; combination < 96; ++combination) {
       const float step = steps[combination % 8];
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.wrap_u = desc.wrap_v = static_cast<shd_wrap>(combination / 8 % 4);
-      desc.filter = combination / 32 ? SHD_FILTER_TRILINEAR : SHD_FILTER_BILINEAR;
+      desc.filter = filters[combination / 32];
       const Sampler sampler = make_sampler(desc);
       t_batch.count = kPoints;
       for (size_t i = 0; i < kPoints; ++i) {
@@ -148,7 +159,7 @@ void test_rows(void**) {
 }
 
 void test_constant(void**) {
-  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_HERMITE}) {
     const shd_wrap wraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR};
     check_constant_mipmap(3, [&](uint32_t k) {
       shd_sampler_desc desc = shd_sampler_desc_default();
@@ -214,7 +225,7 @@ void test_ramp(void**) {
 }  // namespace
 
 int main() {
-  CMUnitTest tests[32];
+  CMUnitTest tests[40];
   size_t n = 0;
   for (const filter_case& c : k_cases) {
     tests[n++] = {c.name, test_filter, nullptr, nullptr, const_cast<filter_case*>(&c)};

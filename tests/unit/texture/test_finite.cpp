@@ -26,6 +26,7 @@ const filter_case k_filters[] = {
     {"catmull_rom", SHD_FILTER_BICUBIC, SHD_CUBIC_CATMULL_ROM, true},
     {"mitchell", SHD_FILTER_BICUBIC, SHD_CUBIC_MITCHELL, true},
     {"b_spline", SHD_FILTER_BICUBIC, SHD_CUBIC_B_SPLINE, true},
+    {"hermite", SHD_FILTER_HERMITE, SHD_CUBIC_CATMULL_ROM, true},
     {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_CUBIC_CATMULL_ROM, true},
     {"trilinear", SHD_FILTER_TRILINEAR, SHD_CUBIC_CATMULL_ROM, true},
     {"ripmap", SHD_FILTER_RIPMAP, SHD_CUBIC_CATMULL_ROM, true},

@@ -336,8 +336,8 @@ void test_fallback(void**) {
     for (const shd_filter filter : kFixedFilters) assert_int_equal(same_bits(*texture, fast_desc(filter, 0)), !bytes);
     free_texture(texture);
   }
-  for (const shd_filter filter :
-       {SHD_FILTER_NEAREST, SHD_FILTER_BICUBIC, SHD_FILTER_NEAREST_MIP, SHD_FILTER_EWA, SHD_FILTER_STOCHASTIC}) {
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BICUBIC, SHD_FILTER_NEAREST_MIP, SHD_FILTER_EWA,
+                                  SHD_FILTER_STOCHASTIC, SHD_FILTER_HERMITE}) {
     assert_true(same_bits(*rgba8, fast_desc(filter, 0)));
   }
   for (const shd_filter filter : kFixedFilters) {

@@ -12,13 +12,10 @@ struct gradient_case {
   shd_filter filter;
 };
 const gradient_case k_cases[] = {
-    {"bilinear", SHD_FILTER_BILINEAR},
-    {"bicubic", SHD_FILTER_BICUBIC},
-    {"trilinear", SHD_FILTER_TRILINEAR},
-    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP},
-    {"ripmap", SHD_FILTER_RIPMAP},
-    {"anisotropic", SHD_FILTER_ANISOTROPIC},
-    {"ewa", SHD_FILTER_EWA},
+    {"bilinear", SHD_FILTER_BILINEAR},         {"bicubic", SHD_FILTER_BICUBIC},
+    {"hermite", SHD_FILTER_HERMITE},           {"trilinear", SHD_FILTER_TRILINEAR},
+    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"ripmap", SHD_FILTER_RIPMAP},
+    {"anisotropic", SHD_FILTER_ANISOTROPIC},   {"ewa", SHD_FILTER_EWA},
 };
 
 constexpr uint32_t kWidth = 32, kHeight = 16;
@@ -47,6 +44,7 @@ double value(const gradient_case& c, const ref::Image& image, size_t i, double d
   const double lod = static_cast<double>(t_batch.lod[i]);
   if (c.filter == SHD_FILTER_BILINEAR) return ref::bilinear(image, 0, u, v, channel);
   if (c.filter == SHD_FILTER_BICUBIC) return ref::bicubic(image, u, v, channel);
+  if (c.filter == SHD_FILTER_HERMITE) return ref::hermite(image, u, v, channel);
   if (c.filter == SHD_FILTER_BILINEAR_MIP) return ref::bilinear(image, lod > 0.5 ? 1 : 0, u, v, channel);
   return ref::trilinear(image, u, v, lod, channel);
 }

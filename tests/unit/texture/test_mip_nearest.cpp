@@ -152,6 +152,9 @@ const magnification_case k_magnifications[] = {
     {"magnification/nearest_mip_bicubic", SHD_FILTER_NEAREST_MIP, SHD_MAGNIFICATION_BICUBIC, SHD_FILTER_BICUBIC, 0},
     {"magnification/nearest_mip_linear", SHD_FILTER_NEAREST_MIP_LINEAR, SHD_MAGNIFICATION_BILINEAR, SHD_FILTER_BILINEAR,
      0},
+    {"magnification/trilinear_hermite", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_HERMITE, SHD_FILTER_HERMITE, 0},
+    {"magnification/nearest_hermite", SHD_FILTER_NEAREST, SHD_MAGNIFICATION_HERMITE, SHD_FILTER_HERMITE, 0},
+    {"magnification/hermite_bilinear", SHD_FILTER_HERMITE, SHD_MAGNIFICATION_BILINEAR, SHD_FILTER_BILINEAR, 0},
     {"magnification/never_above_lod_min", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_NEAREST, SHD_FILTER_NEAREST, 0.5f},
 };
 

@@ -57,6 +57,7 @@ bool matches(const ref::Solid& solid, const SolidSize& size, const ref::Place& p
              is_near_blend(solid, size, ref::clamp_lod(solid, lod - 2e-6), p, c, got, 4e-6 * m) ||
              is_near_blend(solid, size, ref::clamp_lod(solid, lod + 2e-6), p, c, got, 4e-6 * m);
     case SHD_FILTER_BILINEAR: return shd_is_close(got, ref::linear(solid, 0, p, c), linear, 0);
+    case SHD_FILTER_HERMITE: return shd_is_close(got, ref::hermite(solid, p, c), 1.5 * linear + 1e-6 * m, 0);
     case SHD_FILTER_BILINEAR_MIP:
       return shd_is_close(got, ref::linear(solid, level[0], p, c), linear, 0) ||
              shd_is_close(got, ref::linear(solid, level[1], p, c), linear, 0);
@@ -99,9 +100,9 @@ void check_solid(const Texture& texture, const SolidSize& size, const shd_sample
 
 void test_oracle(void** state) {
   const auto& size = *static_cast<const SolidSize*>(*state);
-  const shd_filter filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,          SHD_FILTER_NEAREST_MIP,
-                                SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,         SHD_FILTER_ANISOTROPIC,
-                                SHD_FILTER_BICUBIC,      SHD_FILTER_NEAREST_MIP_LINEAR};
+  const shd_filter filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,           SHD_FILTER_NEAREST_MIP,
+                                SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,          SHD_FILTER_ANISOTROPIC,
+                                SHD_FILTER_BICUBIC,      SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_HERMITE};
   make_places(&t_batch);
   uint32_t triple = 0;
   for (const shd_format format : kSolidFormats) {
@@ -124,7 +125,7 @@ void test_one_slice(void**) {
     assert_int_equal(solid->level_count, flat->level_count);
     assert_memory_equal(solid->texels.data(), flat->texels.data(), flat->texels.size());
     for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
-                                    SHD_FILTER_NEAREST_MIP_LINEAR}) {
+                                    SHD_FILTER_NEAREST_MIP_LINEAR, SHD_FILTER_HERMITE}) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = filter;
       desc.wrap_w = SHD_WRAP_MIRROR;
@@ -211,7 +212,7 @@ void test_gradient(void**) {
   for (const shd_format format : kSolidFormats) {
     Texture* texture = random_solid(format, size);
     for (const shd_filter filter :
-         {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_BICUBIC}) {
+         {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC, SHD_FILTER_BICUBIC, SHD_FILTER_HERMITE}) {
       const shd_sampler_desc desc = solid_sampler(filter, 5 * (filter % 4) + 1);
       ref::SolidLevel levels[shd::texture::kMaxLevels];
       const ref::Solid solid = oracle_solid(*texture, desc, levels);
@@ -220,6 +221,7 @@ void test_gradient(void**) {
         (axis == 0 ? p.u : axis == 1 ? p.v : p.w) += step / (axis == 0 ? 16 : axis == 1 ? 8 : 4);
         return filter == SHD_FILTER_BILINEAR  ? ref::linear(solid, 0, p, c)
                : filter == SHD_FILTER_BICUBIC ? ref::tricubic(solid, p, c)
+               : filter == SHD_FILTER_HERMITE ? ref::hermite(solid, p, c)
                                               : ref::trilinear(solid, p, static_cast<double>(t_batch.lod[i]), c);
       };
       for_each_target([&](int64_t target) {
