@@ -75,6 +75,7 @@ Draws make_draws(shd_context* context, const Options& options, const Model& mode
     draw.frequency = options.frequency;
     draw.cull = instance.cull;
     if (options.sample_shading) draw.flags |= SHD_DRAW_SAMPLE_SHADING;
+    if (options.affine) draw.flags |= SHD_DRAW_AFFINE;
     if (options.wire_width > 0.0f) {
       draw.fill = SHD_FILL_WIREFRAME;
       draw.fill_width = options.wire_width;

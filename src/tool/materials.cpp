@@ -13,6 +13,7 @@ namespace {
 shd_sampler* make_sampler(shd_context* context, const Options& options, std::vector<Sampler>& out) {
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = options.filter;
+  desc.magnification = options.magnification;
   desc.lod_bias = options.lod_bias;
   desc.wrap_u = desc.wrap_v = SHD_WRAP_REPEAT;
   Sampler sampler;

@@ -46,6 +46,7 @@ shd_result load_input(shd_context* context, const std::string& name, const shd_s
 Scene load_scene(shd_context* context, const Options& options) {
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = options.filter;
+  sampler.magnification = options.magnification;
   sampler.lod_bias = options.lod_bias;
   shd_load_desc texture = shd_load_desc_default();
   texture.tables = tables_of(options.filter);

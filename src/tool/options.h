@@ -65,8 +65,10 @@ struct Options {
   std::optional<double> time;  // place in the animation [s]; absent = its first key
   uint32_t frames = 0;         // pictures from the first to the last key; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
+  shd_magnification magnification = SHD_MAGNIFICATION_DEFAULT;
   bool any_folder = false;  // names of the model may leave its folder
-  bool has_filter = false;  // `filter` was given, and replaces those of the file
+  bool has_filter = false;  // `filter` or `magnification` was given, and both replace those of the file
+  bool affine = false;      // attributes are linear on the screen
   float lod_bias = 0.0f;
   shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials

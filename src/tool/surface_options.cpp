@@ -34,8 +34,12 @@ Group surface_options(Options& out) {
         "The size of its cells, stripes or rings, in world units."},
        {"--filter", "F", marked(named(out.filter, names_of(shd_filter_name)), out.has_filter),
         "Filter of textures, instead of the model's."},
+       {"--magnify", "F", marked(named(out.magnification, names_of(shd_magnification_name)), out.has_filter),
+        "Filter of textures where they are magnified; --filter then replaces the model's filters, even if not given."},
        {"--lod-bias", "B", number(out.lod_bias, -15, 15),
         "Added to the level of detail: below 0 is sharper, above 0 smoother."},
+       {"--affine", "", flag(out.affine),
+        "Interpolate textures and normals linearly on the screen, without perspective, as old consoles did."},
        {"--uv-scale", "S", number(out.uv_scale, 0, 1e6), "Textures S times as often."},
        {"--normal-map", "FILE", file(out.normal_map), "Tangent-space normals on everything, instead of the model's."},
        {"--keep-roughness", "K", named(out.keep, kKeep), "What its mip levels do about bumps that they lose."}}};

@@ -146,6 +146,16 @@ other --wireframe 1 -- --wireframe 3
 other --samples 4 --shape plane --texture checker --uv-scale 9 -- \
   --samples 4 --shape plane --texture checker --uv-scale 9 --sample-shading
 same -- --sample-shading
+other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
+  --shape plane --texture checker --uv-scale 4 --orbit 30,10 --affine
+for filter in nearest bicubic hermite; do
+  other --shape plane --texture checker --uv-scale 0.01 -- \
+    --shape plane --texture checker --uv-scale 0.01 --magnify $filter
+done
+same --shape plane --texture checker --uv-scale 0.01 -- \
+  --shape plane --texture checker --uv-scale 0.01 --magnify bilinear
+same --shape plane --texture checker --uv-scale 0.01 --filter bilinear --magnify hermite -- \
+  --shape plane --texture checker --uv-scale 0.01 --filter hermite
 other --lines 1 -- --lines 3
 same --show normal -- --show normal --height checker --displace 0
 other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
@@ -245,7 +255,7 @@ for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; do
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
 same --shape plane -- --shape plane --supersampling 1
 for filter in nearest bilinear bicubic nearest-mip nearest-mip-linear bilinear-mip ripmap summed-area anisotropic ewa \
-  stochastic exact; do
+  stochastic exact hermite; do
   other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
     --shape plane --texture checker --uv-scale 4 --orbit 30,10 --filter $filter
 done
