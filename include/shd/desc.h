@@ -116,6 +116,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_POLYHEDRON_POINTS = 79,   /**< shd_polyhedron_points */
     SHD_DESC_KIND_POLYHEDRON_WEIGHTS = 80,  /**< shd_polyhedron_weights */
     SHD_DESC_KIND_POLYHEDRON_VALUES = 81,   /**< shd_polyhedron_values */
+    SHD_DESC_KIND_TABLE_DESC = 82,          /**< shd_table_desc */
+    SHD_DESC_KIND_TABLE_INFO = 83,          /**< shd_table_info */
+    SHD_DESC_KIND_SHADOW_INFO = 84,         /**< shd_shadow_info */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -193,6 +193,50 @@ static inline shd_shadow_render_desc shd_shadow_render_desc_default(void)
 SHD_NODISCARD SHD_API shd_result shd_shadow_render(shd_context *context, shd_shadow *shadow,
                                                    const shd_shadow_render_desc *desc);
 
+/** Size and range of a rendered map. */
+typedef struct shd_shadow_info {
+    uint32_t struct_size;     /**< set by shd_shadow_info_default() */
+    shd_shadow_filter filter; /**< as in its desc */
+    uint32_t width;           /**< elements of a row of a face: size, or size + 1 of SUMMED_AREA_VARIANCE */
+    uint32_t height;          /**< rows of a face, = width */
+    size_t face_count;        /**< 1; 6 for points and wide spots: +X, -X, +Y, -Y, +Z, -Z; 0 before rendering */
+    float near_plane;         /**< least depth of the map, as in shd_shadow_render_desc; 0 before rendering */
+    float far_plane;          /**< largest depth */
+    size_t byte_size;         /**< bytes of the map */
+    /* ---- end of 0.1; append below ---- */
+} shd_shadow_info;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_shadow_info shd_shadow_info_default(void)
+{
+    shd_shadow_info info = SHD_ZERO_INIT;
+    info.struct_size = (uint32_t)sizeof info;
+    return info;
+}
+
+/**
+ * Get size and range of a rendered map.
+ * @param out_info  its struct_size is read; the rest is written, all zero on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_shadow_get_info(const shd_shadow *shadow, shd_shadow_info *out_info);
+
+/**
+ * Copy a face of the map out, as its filter reads it, row by row from the top.
+ *
+ * HARD, PCF and PCSS: the first column has the depth of the surface at the centre of each texel, +infinity where there
+ * is none; the second column must be NULL. Depths are world lengths, measured as near_plane is. VARIANCE: mean and
+ * variance of depths in taps x taps texels, where empty texels have the far depth. SUMMED_AREA_VARIANCE: sums of s and
+ * of s^2 over all texels left of column x and above row y, not normalised, with
+ * s = (depth - (near_plane + far_plane) / 2) / (far_plane - near_plane), 1/2 where there is no surface. Each sum is
+ * rounded to a float.
+ * @param face  0..face_count - 1. A shadow that was not rendered is SHD_ERROR_INVALID_ARGUMENT
+ * @param out   [2] columns of shd_shadow_info.width * height elements; NULL data = not wanted. They must not overlap
+ *              (checked)
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_shadow_read_map(const shd_shadow *shadow, uint32_t face, const shd_f32_out *out);
+
 /** Points on surfaces; borrowed for the call. */
 typedef struct shd_shadow_lookups {
     uint32_t struct_size;   /**< set by shd_shadow_lookups_default() */

@@ -8,8 +8,8 @@
  * Each group needs the groups before it only.
  * - Rules: this page; shd/result.h for errors, shd/desc.h for structs that may grow, shd/column.h for batches.
  * - Filtering: shd/context.h, shd/image.h, shd/texture.h, shd/sampler.h, shd/lookup.h; then shd/mip.h, shd/footprint.h
- *   and shd/projection.h for other levels, footprints and directions, shd/explain.h and shd/bounds.h to judge lookups,
- *   shd/tile_cache.h and shd/tiles.h for textures larger than memory.
+ *   and shd/projection.h for other levels, footprints and directions, shd/explain.h, shd/bounds.h and shd/table.h to
+ *   judge lookups and tables, shd/tile_cache.h and shd/tiles.h for textures larger than memory.
  * - A first frame: shd/transform.h, shd/view.h, shd/mesh.h, shd/material.h, shd/light.h, shd/draw.h, shd/framebuffer.h
  *   and shd/render.h. examples/triangle.c is the shortest program.
  * - Surfaces: shd/slot.h puts textures on a material; shd/solid.h, shd/shapes.h, shd/tessellate.h, shd/edges.h.
@@ -95,6 +95,7 @@
 #include <shd/shapes.h>
 #include <shd/slot.h>
 #include <shd/solid.h>
+#include <shd/table.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
 #include <shd/tile_cache.h>

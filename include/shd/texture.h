@@ -231,6 +231,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture
 /**
  * Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
  * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
+ * shd_texture_read_table() gives linear values of all tables.
  * @param layer  0..layer_count - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
  * @param out    image of that size, and of the format in shd_texture_info; blocks are copied as they are

@@ -12,6 +12,7 @@
 #include <shd/column.h>
 
 #include "core/executor.h"
+#include "core/status.h"
 #include "data/column.h"
 
 namespace shd::abi {
@@ -88,6 +89,19 @@ shd_result check_batch(const Batch<kIn, kOut>& batch) {
   if (const shd_result result = check_columns(batch.in.data(), kIn, batch.count)) return result;
   if (const shd_result result = check_columns(batch.out.data(), kOut, batch.count)) return result;
   return check_overlap(batch.in.data(), kIn, batch.out.data(), kOut, batch.count);
+}
+
+/// All of the above for `kOut` optional outputs alone, which messages name out[0] and on. A null `out` fails.
+template <size_t kOut>
+shd_result check_outputs(const shd_f32_out* out, uint64_t count) {
+  if (!out) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out: NULL");
+  if (count > PTRDIFF_MAX) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out: %llu elements exceed the address space",
+                      static_cast<unsigned long long>(count));
+  }
+  Batch<0, kOut> batch = {static_cast<size_t>(count), {}, {}};
+  for (size_t c = 0; c < kOut; ++c) batch.out[c] = out_column("out", out[c], Need::kOptional, static_cast<int>(c));
+  return check_batch(batch);
 }
 
 namespace batch_detail {

@@ -92,6 +92,11 @@ shd_result render_shadow(const core::Context& context, const core::Context& owne
   return SHD_OK;
 }
 
+shd_result check_rendered(const light::Shadow& shadow) {
+  if (shadow.is_rendered) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
+}
+
 /// Positions and normals in, light out.
 using ShadowBatch = Batch<6, 1>;
 
@@ -165,6 +170,43 @@ shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd
   });
 }
 
+shd_result shd_shadow_get_info(const shd_shadow* shadow, shd_shadow_info* out_info) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(begin_output("out_info", out_info));
+    const light::Shadow* body = nullptr;
+    SHD_TRY(read_handle("shadow", shadow, kShadowType, &body));
+    shd_shadow_info info = shd_shadow_info_default();
+    info.filter = body->options.filter;
+    info.width = info.height = light::face_size(body->options);
+    if (body->is_rendered) {
+      info.face_count = body->map.placement.face_count;
+      const double origin = light::origin_depth(body->map.placement);
+      info.near_plane = static_cast<float>(static_cast<double>(body->map.placement.near) + origin);
+      info.far_plane = static_cast<float>(static_cast<double>(body->map.placement.far) + origin);
+      info.byte_size = light::byte_size(body->map);
+    }
+    write_desc(info, out_info);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_shadow_read_map(const shd_shadow* shadow, uint32_t face, const shd_f32_out* out) {
+  return guard([&]() -> shd_result {
+    const light::Shadow* body = nullptr;
+    SHD_TRY(read_handle("shadow", shadow, kShadowType, &body));
+    SHD_TRY(check_rendered(*body));
+    SHD_TRY(check_count("face", face, 0, body->map.placement.face_count - 1));
+    const uint32_t size = light::face_size(body->options);
+    SHD_TRY(check_outputs<2>(out, uint64_t{size} * size));
+    if (out[1].data && body->map.depth.size()) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out[1].data: not NULL, but filter %d has depths alone",
+                        static_cast<int>(body->options.filter));
+    }
+    light::read_face(*body, face, out);
+    return SHD_OK;
+  });
+}
+
 shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, shd_shadow_values* out) {
   return guard([&]() -> shd_result {
     const light::Shadow* body = nullptr;
@@ -172,7 +214,7 @@ shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups*
     ShadowBatch batch;
     shd_shadow_values values;
     SHD_TRY(read_batch(lookups, out, &batch, &values));
-    if (!body->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
+    SHD_TRY(check_rendered(*body));
     values.nonfinite_count = sample_batch(*object_of(shadow)->context, *body, batch);
     write_desc(values, out);
     return SHD_OK;

@@ -88,4 +88,7 @@
   ROW(POLYHEDRON_DESC, shd_polyhedron_desc, indices, indices, 88)                   \
   ROW(POLYHEDRON_POINTS, shd_polyhedron_points, position, position, 64)             \
   ROW(POLYHEDRON_WEIGHTS, shd_polyhedron_weights, weight, nonfinite_count, 40)      \
-  ROW(POLYHEDRON_VALUES, shd_polyhedron_values, value, nonfinite_count, 48)
+  ROW(POLYHEDRON_VALUES, shd_polyhedron_values, value, nonfinite_count, 48)         \
+  ROW(TABLE_DESC, shd_table_desc, table, level_v, 24)                               \
+  ROW(TABLE_INFO, shd_table_info, height, y, 28)                                    \
+  ROW(SHADOW_INFO, shd_shadow_info, height, byte_size, 40)

@@ -111,6 +111,24 @@ void allocate(const core::Allocator& allocator, const ShadowOptions& options, co
 void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
                   ShadowMap* map);
 
+/// Returns the elements of a row of what read_face() copies, and the number of its rows.
+inline uint32_t face_size(const ShadowOptions& options) {
+  return options.size + (options.filter == SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE ? 1 : 0);
+}
+
+/// Returns the size of a map [bytes].
+inline size_t byte_size(const ShadowMap& map) {
+  return (map.depth.size() + map.moments.size()) * sizeof(float) + map.sums.size() * sizeof(double);
+}
+
+/// Returns the depth of the origin of a map: what depths of a map lack to those from the origin of the world along the
+/// direction of a directional light. Other lights are the origin.
+double origin_depth(const ShadowPlacement& placement);
+
+/// Copies the depths of a face, or its moments or sums to two columns. Depths include origin_depth(). Columns without
+/// data are left out.
+void read_face(const Shadow& shadow, uint32_t face, const shd_f32_out* out);
+
 /// Points on surfaces, packed columns.
 struct ShadowLookups {
   size_t count;

@@ -141,6 +141,23 @@ static void use_texture(void)
     expect(shd_sampler_create(g_context, sampler, &g_sampler) == SHD_OK, "sampler");
 }
 
+static void use_table(void)
+{
+    float red[4 * 4];
+    shd_f32_out out[4];
+    MAKE(shd_table_desc, desc);
+    MAKE(shd_table_info, info);
+    memset(out, 0, sizeof out);
+    out[0] = shd_f32_out_column(red, 0);
+    desc->table = SHD_TABLE_MIPMAP;
+    SPOIL(info);
+    EXPECT_READ(desc, shd_texture_get_table_info(g_texture, desc, info));
+    expect(shd_texture_get_table_info(g_texture, desc, info) == SHD_OK, "table info");
+    EXPECT_WRITTEN(info, info->width == 4 && info->height == 4);
+    EXPECT_READ(desc, shd_texture_read_table(g_texture, desc, out));
+    expect(shd_texture_read_table(g_texture, desc, out) == SHD_OK && red[15] > 0.5f, "table");
+}
+
 static void use_normals(const shd_image *heights)
 {
     unsigned char pixels[4 * 4 * 3];
@@ -412,6 +429,7 @@ static void use_shadow(const shd_light *light, const shd_draw *draws)
     MAKE(shd_shadow_render_desc, render);
     MAKE(shd_shadow_lookups, lookups);
     MAKE(shd_shadow_values, values);
+    MAKE(shd_shadow_info, info);
     EXPECT_READ(desc, shd_shadow_create(g_context, desc, &shadow));
     expect(shd_shadow_create(g_context, desc, &shadow) == SHD_OK, "shadow");
     render->light = light;
@@ -419,6 +437,9 @@ static void use_shadow(const shd_light *light, const shd_draw *draws)
     render->draw_count = 2;
     EXPECT_READ(render, shd_shadow_render(g_context, shadow, render));
     expect(shd_shadow_render(g_context, shadow, render) == SHD_OK, "shadow map");
+    SPOIL(info);
+    expect(shd_shadow_get_info(shadow, info) == SHD_OK, "shadow info");
+    EXPECT_WRITTEN(info, info->width == 1024 && info->height == 1024);
     lookups->count = 1;
     for (c = 0; c < 3; ++c) lookups->position[c] = shd_f32_column(zero, 0);
     values->visibility = shd_f32_out_column(visible, 0);
@@ -693,6 +714,7 @@ int main(int argc, char **argv)
     use_kinds();
     use_context();
     use_texture();
+    use_table();
     use_mip();
     use_lookups();
     use_footprint();

@@ -111,6 +111,32 @@ static shd_result texture_solid(struct stage *s)
     return result;
 }
 
+/* The picture of the mipmap of compressed blocks, whose levels are decoded into temporary memory. */
+static shd_result read_table(struct stage *s)
+{
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_table_desc table = shd_table_desc_default();
+    shd_image half = shd_image_default();
+    shd_texture *texture = NULL;
+    shd_f32_out out[4];
+    shd_result result;
+    int c;
+    for (c = 0; c < 4; ++c) out[c] = shd_f32_out_column(s->columns[c], 0);
+    desc.format = half.format = SHD_FORMAT_BC1_RGBA;
+    desc.width = desc.height = 16;
+    half.width = half.height = 8;
+    desc.texels = half.pixels = s->texels;
+    desc.tables = table.table = SHD_TABLE_MIPMAP;
+    desc.level_images = &half;
+    desc.level_count = 1;
+    table.view = SHD_TABLE_VIEW_PICTURE;
+    result = shd_texture_create(s->context, &desc, &texture);
+    if (result == SHD_OK) result = shd_texture_read_table(texture, &table, out);
+    if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, s->columns[0], 24 * 16 * 4);
+    shd_texture_release(texture);
+    return result;
+}
+
 /* A volume, and a frame with it. */
 static shd_result volume(struct stage *s)
 {
@@ -463,6 +489,7 @@ static const struct call_case k_calls[] = {
     {"texture/all_tables", texture_all_tables},
     {"texture/array", texture_array},
     {"texture/update", texture_update},
+    {"texture/read_table", read_table},
     {"mips/box", mips_box},
     {"mips/kaiser", mips_kaiser},
     {"mips/normals", mips_normal},

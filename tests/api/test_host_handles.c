@@ -17,6 +17,16 @@ static shd_result texture_level(struct fixture *f, void *handle)
     image.pixels = f->column;
     return shd_texture_read_level((const shd_texture *)handle, 0, 0, &image);
 }
+static shd_result texture_table(struct fixture *f, void *handle)
+{
+    shd_table_desc desc = shd_table_desc_default();
+    shd_f32_out out[4];
+    memset(out, 0, sizeof out);
+    out[0].data = f->column;
+    desc.table = SHD_TABLE_MIPMAP;
+    desc.level_u = desc.level_v = 5; /* one texel */
+    return shd_texture_read_table((const shd_texture *)handle, &desc, out);
+}
 static shd_result sample(struct fixture *f, void *texture, void *sampler)
 {
     shd_lookups lookups = shd_lookups_default();
@@ -143,6 +153,7 @@ static shd_result framebuffer_context(struct fixture *f, void *handle)
 static const struct entry k_entries[] = {
     {"shd_texture_get_info", k_texture, texture_info, "texture: ", 0},
     {"shd_texture_read_level", k_texture, texture_level, "texture: ", 0},
+    {"shd_texture_read_table", k_texture, texture_table, "texture: ", 0},
     {"shd_texture_sample/texture", k_texture, sample_texture, "texture: ", 0},
     {"shd_texture_sample/sampler", k_sampler, sample_sampler, "sampler: ", 0},
     {"shd_mesh_get_info", k_mesh, mesh_info, "mesh: ", 0},

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Stores: compressed blocks, borrowed blocks, tiles, and tiles of compressed blocks have the bits of the same texels in
-// memory, for every domain, filter, wrap and target, with derivatives and explanations. Blocks can be copied out.
+// memory, for every domain, filter, wrap and target, with derivatives and explanations. Blocks can be copied out, and
+// tables are read as equal columns.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "support/stored_textures.h"
+#include "support/tables.h"
 #include "support/tiles.h"
 
 namespace shd::tests
@@ -259,14 +261,63 @@ void test_domain(void **state)
     }
 }
 
+/// Every level, sum and picture of a table. The pictures of slices show the slices below.
+void check_table(const shd_texture *memory, const shd_texture *other, const TextureShape &shape, shd_table table)
+{
+    const shd_table_info levels = table_info(memory, {table});
+    const auto equal = [&](const TablePart &part) {
+        const TableRead want(memory, part), got(other, part);
+        for (int c = 0; c < 4; ++c) assert_true(want.column[c] == got.column[c]);
+        return want;
+    };
+    for (uint32_t i = 0; i < levels.level_count_u * levels.level_count_v; ++i) {
+        const uint32_t u = i % levels.level_count_u, v = i / levels.level_count_u;
+        if (table == SHD_TABLE_MIPMAP && u != v) continue;
+        const uint32_t images = shape.depth ? std::max(1u, shape.depth >> u) : shape.layers;
+        for (uint32_t image = 0; image < images; ++image) equal({table, SHD_TABLE_VIEW_LEVEL, image, u, v});
+    }
+    const uint32_t last = std::max(shape.layers, shape.depth) - 1;
+    const TableRead picture = equal({table, SHD_TABLE_VIEW_PICTURE, last});
+    if (!shape.depth || levels.level_count_u < 2) return;
+    const uint32_t slice = std::min(last >> 1, std::max(1u, shape.depth >> 1) - 1);
+    const TableRead below(memory, {table, SHD_TABLE_VIEW_LEVEL, slice, 1, 1});
+    assert_true(picture.at(1, shape.width, 0) == below.at(1, 0, 0));
+}
+
+void test_tables(void **)
+{
+    shd_context *context = nullptr;
+    shd_assert_ok(shd_context_create(nullptr, &context));
+    for (const TextureShape &shape : kDomains) {
+        StoredLevels levels(shape), blocks(shape);
+        shd_tile_cache *const cache = make_tile_cache(context, 1024, 1 << 20);
+        shd_table_flags tables = SHD_TABLE_MIPMAP;
+        if (!shape.depth && !shape.projection) tables |= SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
+        shd_texture *const memory = create(context, &levels, kForms[kMemory], tables, cache);
+        for (int store = kBlocks; store <= kTilesOfBlocks; ++store) {
+            shd_texture *const other =
+                create(context, store == kTilesOfBlocks ? &blocks : &levels, kForms[store], tables, cache);
+            for (const shd_table table : {SHD_TABLE_MIPMAP, SHD_TABLE_RIPMAP, SHD_TABLE_SUMMED_AREA}) {
+                if (tables & table) check_table(memory, other, shape, table);
+            }
+            shd_texture_release(other);
+        }
+        shd_texture_release(memory);
+        shd_tile_cache_release(cache);
+    }
+    shd_context_release(context);
+}
+
 }  // namespace
 }  // namespace shd::tests
 
 int main(void)
 {
     using namespace shd::tests;
-    CMUnitTest tests[sizeof kDomains / sizeof *kDomains];
-    for (size_t i = 0; i < sizeof kDomains / sizeof *kDomains; ++i)
-        tests[i] = {kDomains[i].name, test_domain, nullptr, nullptr, const_cast<TextureShape *>(&kDomains[i])};
+    CMUnitTest tests[sizeof kDomains / sizeof *kDomains + 1];
+    size_t count = 0;
+    for (const TextureShape &shape : kDomains)
+        tests[count++] = {shape.name, test_domain, nullptr, nullptr, const_cast<TextureShape *>(&shape)};
+    tests[count++] = cmocka_unit_test(test_tables);
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

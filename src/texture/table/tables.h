@@ -3,7 +3,7 @@
 /// Contract of table/: the tables that filters read beside the base: mip levels, ripmap levels and sums of areas. They
 /// are built from level 0 when a texture is made, and again over the texels that an update writes (build.cpp,
 /// update.cpp). Images of the caller are made from images of the caller by the same code: mip levels (mip_build.h),
-/// normals of heights (height_normals.h) and moments of normals (normal_moments.h).
+/// normals of heights (height_normals.h) and moments of normals (normal_moments.h). read.h copies tables out.
 #pragma once
 
 #include "texture/store/storage.h"
