@@ -26,7 +26,8 @@ NUMBERS = {"float": "float", "double": "float", "size_t": "int", "int": "int",
 
 # Structs that calls return as dicts.
 DICTS = ("shd_bake_stats", "shd_bitmap_info", "shd_environment_info", "shd_framebuffer_info", "shd_mesh_info",
-         "shd_render_stats", "shd_scene_info", "shd_texture_info", "shd_tile_cache_stats", "shd_tile_file_info")
+         "shd_render_stats", "shd_scene_info", "shd_shadow_info", "shd_table_info", "shd_texture_info",
+         "shd_tile_cache_stats", "shd_tile_file_info")
 SPECIAL = {"shd_log": "_Log", "shd_progress": "_Report", "shd_image": "_Image"}
 
 

@@ -120,6 +120,10 @@ export interface Texture extends SharedObject {
   /** How the lookup `index` was filtered. */
   explain(sampler: Sampler, lookups: api.Lookups, index?: number): Required<api.Explanation>;
   readLevel(layer: number, level: number, image: api.Image): api.Image;
+  /** Size and levels of what readTable() returns. */
+  tableInfo(desc: api.TableDesc): api.TableInfo;
+  /** A level, the sums or the picture of a table: linear r, g, b, a as one array [height][width][4]. */
+  readTable(desc: api.TableDesc): Floats;
   update(layer: number, x: number, y: number, image: api.Image): void;
   loadTiles(region: api.TileRegion): void;
   /** Loads the tiles of a region and keeps them until unpinTiles(). */
@@ -200,6 +204,9 @@ export interface Environment extends SharedObject {
 }
 
 export interface Shadow extends SharedObject {
+  readonly info: api.ShadowInfo;
+  /** A face of the map: depths [height][width], or moments or sums [height][width][2]. */
+  readMap(face?: number): Floats;
   render(context: Context, desc: api.ShadowRenderDesc): void;
   sample<T extends api.ShadowValues>(lookups: api.ShadowLookups, out: T): Counted<T>;
 }

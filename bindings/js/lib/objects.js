@@ -21,6 +21,14 @@ export class Context extends SharedObject {
   trim() { call(this, "shd_context_trim"); }
 }
 
+/** Columns of `count` elements as one interleaved array: the first `width` ones of `all`. */
+function readColumns(object, name, values, width, count, all = width) {
+  const whole = new Float32Array(width * count);
+  const columns = Array.from({ length: all }, (_, i) => (i < width ? { data: whole, offset: i, stride: width } : null));
+  if (whole.length) call(object, name, ...values, columns);
+  return whole;
+}
+
 const CHANNELS = 4;
 
 export class Texture extends SharedObject {
@@ -50,6 +58,13 @@ export class Texture extends SharedObject {
     return explanation;
   }
   readLevel(layer, level, image) { call(this, "shd_texture_read_level", layer, level, image); return image; }
+  /** Size and levels of what readTable() returns. */
+  tableInfo(desc) { return call(this, "shd_texture_get_table_info", desc); }
+  /** A level, the sums or the picture of a table: linear r, g, b, a as one array [height][width][4]. */
+  readTable(desc) {
+    const { width, height } = this.tableInfo(desc);
+    return readColumns(this, "shd_texture_read_table", [desc], CHANNELS, width * height);
+  }
   update(layer, x, y, image) { call(this, "shd_texture_update", layer, x, y, image); }
   loadTiles(region) { call(this, "shd_texture_load_tiles", region); }
   /** Loads the tiles of a region and keeps them until unpinTiles(). */
@@ -73,14 +88,6 @@ export class Sampler extends SharedObject {
 
 const PARTS = { positions: 3, normals: 3, tangents: 4, uv: 2, uv1: 2 };
 
-/** Columns of vertices as one interleaved array. */
-function readColumns(mesh, name, values, width) {
-  const whole = new Float32Array(width * mesh.info.vertexCount);
-  const columns = Array.from({ length: width }, (_, i) => ({ data: whole, offset: i, stride: width }));
-  if (whole.length) call(mesh, name, ...values, columns);
-  return whole;
-}
-
 export class Mesh extends SharedObject {
   constructor(context, desc) { super(moduleOf(context), "mesh", "shd_mesh_create", [context, desc]); }
   /** A sphere, box, plane, torus or teapot. */
@@ -89,9 +96,9 @@ export class Mesh extends SharedObject {
   /** positions, normals, tangents, uv or uv1 as one interleaved array. */
   read(part) {
     if (!PARTS[part]) refuse("part", `${part} is none of ${Object.keys(PARTS).join(", ")}`);
-    return readColumns(this, `shd_mesh_read_${part}`, [], PARTS[part]);
+    return readColumns(this, `shd_mesh_read_${part}`, [], PARTS[part], this.info.vertexCount);
   }
-  readAttribute(index) { return readColumns(this, "shd_mesh_read_attribute", [index], 1); }
+  readAttribute(index) { return readColumns(this, "shd_mesh_read_attribute", [index], 1, this.info.vertexCount); }
   readIndices() {
     const out = new Uint32Array(3 * this.info.triangleCount);
     call(this, "shd_mesh_read_indices", out);
@@ -142,6 +149,13 @@ export class Environment extends SharedObject {
 export class Shadow extends SharedObject {
   constructor(context, desc = {}) { super(moduleOf(context), "shadow", "shd_shadow_create", [context, desc]); }
   render(context, desc) { invoke(this.module, "shd_shadow_render", [context, this, desc]); }
+  get info() { return call(this, "shd_shadow_get_info"); }
+  /** A face of the map: depths [height][width], or moments or sums [height][width][2]. */
+  readMap(face = 0) {
+    const { filter, width, height } = this.info;
+    const columns = filter.endsWith("variance") ? 2 : 1;
+    return readColumns(this, "shd_shadow_read_map", [face], columns, width * height, 2);
+  }
   sample(lookups, out) { call(this, "shd_shadow_sample", lookups, out); return out; }
 }
 

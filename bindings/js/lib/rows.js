@@ -6,6 +6,8 @@ const pixels = ({ width, height }) => width * height;
 const ROWS = {
   shd_mesh_read_indices: ([mesh]) => 3 * mesh.info.triangleCount,
   shd_mesh_find_edges: ([, , capacity]) => capacity,
+  shd_texture_read_table: ([texture, desc]) => pixels(texture.tableInfo(desc)),
+  shd_shadow_read_map: ([shadow]) => pixels(shadow.info),
   shd_framebuffer_read_plane: ([framebuffer]) => pixels(framebuffer.info),
   shd_framebuffer_read_u32_plane: ([framebuffer]) => pixels(framebuffer.info),
   shd_occlusion_compute_vertices: ([, , draw]) => draw.mesh.info.vertexCount,

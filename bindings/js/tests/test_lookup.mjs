@@ -65,6 +65,11 @@ test("lookup/kinds", (shd, context) => {
     const made = make({ ...levels, ...more, texels: new Float32Array(24) });
     assert.deepEqual([0, 5].map((face) => made.readLevel(face, 1, image(0)).pixels[0]), [10, 15]);
   }
+  const table = make({ ...levels, texels: new Float32Array(24).fill(5), projection: "cube" });
+  const face = { table: "mipmap", view: "picture", layer: 5 };
+  assert.deepEqual([table.tableInfo(face).width, [...table.readTable(face)].filter((_, i) => i % 4 === 0)],
+                   [3, [5, 5, 15, 5, 5, 0]]);
+  refused(() => table.readTable({ table: "ripmap" }), "table.table: SHD_TABLE_RIPMAP, but the texture does not have");
   const few = { ...levels, texels: new Float32Array(24), projection: "cube", levelImages: [image(0)] };
   refused(() => make(few), "desc.levelImages: 1 elements, not a multiple of 6");
   refused(() => make({ depth: 6, projection: "cube" }), "desc.kind: depth is of 3D textures and projection of");

@@ -114,6 +114,9 @@ test("render/shadow_environment_volume", (shd, context) => {
   const points = { position: [[0, 1, NaN], [-1, -1, 0], [0, 0, 0]] };  // below the hole, below the ring, nowhere
   const shaded = shadow.sample(points, { visibility: new Float32Array(3) });
   assert.deepEqual([...shaded.visibility.subarray(0, 2), shaded.nonfiniteCount], [1, 0, 1]);
+  const depths = shadow.readMap();
+  assert.deepEqual([shadow.info.faceCount, depths.length, depths[0]], [1, 64 * 64, Infinity]);
+  assert(depths.some((depth) => Math.abs(depth) < 2));
   const channel = [0, 1, 2].map(() => new Float32Array(2));
   for (const sample of ["sampleIrradiance", "sampleRadiance"]) {
     const made = environment[sample]({ direction: [[0, NaN], [1, 0], [0, 0]] }, { channel });

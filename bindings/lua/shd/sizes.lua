@@ -58,8 +58,9 @@ sizes.bytes = {
 sizes.vectors = {eye = 3, target = 3, up = 3, point = 3, direction = 3, translation = 3, scale = 3, rotation = 4,
   rectangle = 4}
 
-local function pixels(framebuffer)
-  local info = framebuffer:get_info()
+--- Pixels of a framebuffer, or elements of a face of a shadow.
+local function pixels(object)
+  local info = object:get_info()
   return info.width * info.height
 end
 
@@ -67,6 +68,11 @@ local function vertices(mesh) return mesh:get_info().vertex_count end
 
 --- Rows of output columns of functions whose inputs have no count, from the arguments.
 sizes.rows = {
+  shd_texture_read_table = function(texture, desc)
+    local info = texture:get_table_info(desc)
+    return info.width * info.height
+  end,
+  shd_shadow_read_map = pixels,
   shd_framebuffer_read_plane = pixels,
   shd_framebuffer_read_u32_plane = pixels,
   shd_bake = function(_, frame) return pixels(frame.framebuffer) end,

@@ -97,6 +97,17 @@ class Object:
         return read_struct(name, out)
 
 
+def read_columns(function, arguments, array, kind="shd_f32_out", count=0):
+    """Calls a function that writes `count` columns: the last axis of a packed array, and no data for further ones."""
+    width = array.shape[-1]
+    out = (_api.struct_type(kind) * max(width, count))()
+    for i in range(width):
+        out[i].data = address(array) + i * array.itemsize
+        out[i].stride = width * array.itemsize
+    _api.check(function(*arguments, ctypes.addressof(out)))
+    return array
+
+
 def size_text(info, texel_format):
     """512x512 RGBA8_SRGB."""
     return [f"{info['width']}x{info['height']}", texel_format.name]
@@ -261,17 +272,10 @@ class Mesh(Object):
         """Counts and bounds, as a dict."""
         return self._info("shd_mesh_info")
 
-    def _read(self, function, kind, dtype, shape):
-        keep, array = [], np.empty(shape, dtype)
-        out = (_api.struct_type(kind) * (shape[1] if len(shape) > 1 else 1))()
-        for i, target in enumerate(out):
-            target.data = address(array) + i * array.itemsize
-            target.stride = array.strides[0]
-        _api.check(function(self.handle("shd_mesh", keep), ctypes.addressof(out)))
-        return array
-
     def _vertices(self, function, width):
-        return self._read(function, "shd_f32_out", np.float32, (self.info["vertex_count"], width))
+        keep = []
+        return read_columns(function, (self.handle("shd_mesh", keep),),
+                            np.empty((self.info["vertex_count"], width), np.float32))
 
     @property
     def positions(self):
@@ -291,8 +295,8 @@ class Mesh(Object):
 
     @property
     def indices(self):
-        flat = self._read(_api.lib.shd_mesh_read_indices, "shd_u32_out", np.uint32,
-                          (3 * self.info["triangle_count"],))
+        keep, flat = [], np.empty((3 * self.info["triangle_count"], 1), np.uint32)
+        read_columns(_api.lib.shd_mesh_read_indices, (self.handle("shd_mesh", keep),), flat, "shd_u32_out")
         return flat.reshape(-1, 3)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from . import _api
 from ._callback import raise_failures
 from ._columns import inputs, outputs, shape_of
-from ._objects import _Simple, document, make_desc
+from ._objects import _Simple, document, make_desc, read_columns
 
 
 @document
@@ -40,6 +40,20 @@ class Shadow(_Simple):
             self.lock.release()
         raise_failures(keep)
         _api.check(result)
+
+    @property
+    def info(self):
+        """Filter, size and range of the map, as a dict."""
+        return self._info("shd_shadow_info")
+
+    def read_map(self, face=0):
+        """A face of the map as its filter reads it: an array [height][width] of depths, or [height][width][2] of
+        moments or sums."""
+        keep, info = [], self.info
+        columns = 2 if info["filter"].name in ("VARIANCE", "SUMMED_AREA_VARIANCE") else 1
+        out = np.empty((info["height"], info["width"], columns), np.float32)
+        read_columns(_api.lib.shd_shadow_read_map, (self.handle("shd_shadow", keep), face), out, count=2)
+        return out if columns == 2 else out[..., 0]
 
     def sample(self, position, normal=None, out=None) -> np.ndarray:
         """The fraction of the light that reaches points, 0 to 1, as an array of float32."""

@@ -8,9 +8,9 @@ from . import _api
 from ._array import array_of
 from ._callback import Callback, raise_failures
 from ._convert import COLUMNS, address, column, columns, enum_value
-from ._desc import desc_type
+from ._desc import desc_type, read_struct
 from ._image import FACES, array_type, format_of, image, split
-from ._objects import Object, counted, document, make_desc, size_text
+from ._objects import Object, counted, document, make_desc, read_columns, size_text
 
 FLOAT = np.dtype("f4")
 
@@ -243,6 +243,25 @@ class Texture(Object):
         _api.check(_api.lib.shd_texture_read_level(self.handle("shd_texture", keep), layer, level,
                                                    ctypes.addressof(made)))
         return texels
+
+    def _table(self, table, values, keep):
+        return (self.handle("shd_texture", keep),
+                ctypes.addressof(desc_type("shd_table_desc")(table=table, **values).build(keep)))
+
+    def table_info(self, table, **values):
+        """Size and levels of what read_table() returns, as a dict. Options are those of TableDesc."""
+        keep, out = [], _api.new("shd_table_info")
+        _api.check(_api.lib.shd_texture_get_table_info(*self._table(table, values, keep), ctypes.addressof(out)))
+        return read_struct("shd_table_info", out)
+
+    def read_table(self, table, **values):
+        """A level, the sums or the picture of a table as linear r, g, b, a: an array [height][width][4] of float32.
+
+        texture.read_table("ripmap", view="picture"). Options are those of TableDesc: view, layer, level_u, level_v.
+        """
+        keep, info = [], self.table_info(table, **values)
+        out = np.empty((info["height"], info["width"], 4), np.float32)
+        return read_columns(_api.lib.shd_texture_read_table, self._table(table, values, keep), out)
 
     def update(self, texels, x=0, y=0, layer=0):
         """Writes a rectangle of the base level, and rebuilds the tables that depend on it. No other call may use the

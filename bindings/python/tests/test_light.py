@@ -74,6 +74,22 @@ class Shadows(Case):
         self.assertIs(shadow.sample(self.points, normals, out), out)
         np.testing.assert_array_equal(out, [0, 1, 1])
 
+    def test_map(self):
+        """The square is half a unit nearer to the light than the origin."""
+        shadow = shd.Shadow(self.context, size=64)
+        self.assertEqual(shadow.info["face_count"], 0)
+        self.check_refused(shd.InvalidArgument, "not rendered", shadow.read_map)
+        shadow.render(self.context, self.sun, self.caster)
+        depths, info = shadow.read_map(), shadow.info
+        self.assertEqual((depths.shape, info["filter"]), ((64, 64), shd.ShadowFilter.HARD))
+        np.testing.assert_allclose(depths[np.isfinite(depths)], -0.5, atol=1e-5)
+        self.assertTrue(np.isinf(depths[0, 0]) and np.isfinite(depths[32, 32]))
+        self.assertTrue(info["near_plane"] < -0.5 < info["far_plane"])
+        self.check_refused(shd.InvalidArgument, "face: 1", shadow.read_map, 1)
+        moments = shd.Shadow(self.context, size=64, filter="variance")
+        moments.render(self.context, self.sun, self.caster)
+        np.testing.assert_allclose(moments.read_map()[32, 32], [-0.5, 0], atol=1e-5)
+
     def test_threads(self):
         """A map is rendered by one call; later calls work."""
         shadow, entered, leave = shd.Shadow(self.context, size=16), threading.Event(), threading.Event()

@@ -151,6 +151,19 @@ class Textures(Case):
                 self.check_refused(kind, message, lambda: shd.Texture(self.context, faces, **values))
         self.check_refused(shd.InvalidArgument, "projection", shd.Texture, self.context, faces[0], projection="none")
 
+    def test_tables(self):
+        texels = np.float32([[1, 3, 5, 7], [2, 4, 6, 8]])
+        texture = shd.Texture(self.context, texels, tables="mipmap|ripmap|summed_area")
+        np.testing.assert_array_equal(texture.read_table("ripmap", level_u=1)[..., 0], [[2, 6], [3, 7]])
+        np.testing.assert_array_equal(texture.read_table("summed_area")[..., 0],
+                                      np.pad(texels.cumsum(0).cumsum(1), ((1, 0), (1, 0))))
+        picture = texture.read_table(shd.Table.MIPMAP, view="picture")
+        info = texture.table_info("mipmap", view="picture", level_u=2, level_v=2)
+        self.assertEqual((picture.shape, info["level_count_u"], info["x"], info["y"]), ((2, 6, 4), 3, 4, 1))
+        np.testing.assert_array_equal(picture[..., 0], [[1, 3, 5, 7, 2.5, 6.5], [2, 4, 6, 8, 4.5, 0]])
+        self.check_refused(shd.InvalidArgument, "table.level_v: 1 is not in 0..0", texture.read_table, "summed_area",
+                           level_v=1)
+
     def test_update(self):
         texture = shd.Texture(self.context, np.zeros((4, 4, 4), np.uint8), srgb=True)
         texture.update(np.full((2, 1, 4), 9, np.uint8), x=1, y=2)
