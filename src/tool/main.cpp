@@ -19,6 +19,7 @@
 #include "tool/output.h"
 #include "tool/progress.h"
 #include "tool/shadows.h"
+#include "tool/tables.h"
 #include "tool/volumes.h"
 
 namespace {
@@ -74,6 +75,11 @@ struct Stage {
   shd_environment* environment;
   const StageVolume& volume;
 };
+
+std::vector<Shadow> shadows_of(const Stage& stage, const Camera& camera, const Draws& draws) {
+  const std::vector<StageLight> lights = make_lights(stage.context, stage.options, stage.model, stage.bounds, camera);
+  return make_shadows(stage.context, stage.options, stage.bounds, draws, lights);
+}
 
 void render(const Stage& stage, const Camera& camera, const Draws& draws, const shd_progress& progress,
             shd_framebuffer* framebuffer) {
@@ -204,6 +210,7 @@ void add_extras(shd_context* context, const Options& options, const Bounds& boun
 void run(const Options& options) {
   const Context context = make_context(options);
   check_output(context.get(), options);
+  if (shows_texture(options)) return save_table(context.get(), options, picture_name(options, 0, 1));
   const Color color = open_color(context.get(), options);
   const StageVolume volume = load_volume(context.get(), options);
   Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
@@ -234,8 +241,12 @@ void run(const Options& options) {
     const Shot& shot = options.shots[options.shots.size() > 1 ? i : 0];
     const Camera camera = make_camera(options, shot, turn, model, shown, bounds);
     const Draws draws = make_draws(context.get(), options, model, paint, camera);
-    render(stage, camera, draws, progress.of_picture(i), framebuffer.get());
     const std::string name = picture_name(options, i, pictures);
+    if (options.table) {
+      save_shadow_map(shadows_of(stage, camera, draws), options, name);
+      continue;
+    }
+    render(stage, camera, draws, progress.of_picture(i), framebuffer.get());
     if (options.hash) {
       std::printf("%016" PRIx64 "\n", picture_hash(framebuffer.get(), options));
       flush_stream();

@@ -42,6 +42,7 @@ const std::vector<Section> kSections = {
     {"Examples", R"(  shd-render model.gltf -o model.png
   shd-render --volume head.raw --volume-size 256x256x113 --volume-format u16be --volume-up z -o head.png
   shd-render --turntable 36 --shadows pcss --floor model.obj -o turn.png
+  shd-render --texture bricks.png --table ripmap -o ripmap.png
   shd-render --camera 0 --lights file --filter anisotropic --supersampling 4 scene.dae -o scene.exr)"},
     {"Caveats", "Some damaged models make assimp end the whole process: run models of strangers in a sandbox."},
     {"See also", "shd-check(1), shd-maketx(1)"}};
@@ -56,6 +57,9 @@ void check_together(const Options& options) {
   refuse_if(options.animation.empty() && options.frames, "--frames needs an --animation");
   refuse_if(options.time && options.frames, "--frames has all times: --time is one");
   refuse_if(options.turntable && options.frames, "--turntable and --frames: one of them");
+  refuse_if(shows_texture(options) && (options.texture.empty() || options.texture == "none"),
+            "--table needs a --texture");
+  refuse_if(options.table && options.hash, "--hash is of frames, not of a --table");
 }
 
 }  // namespace
@@ -102,6 +106,10 @@ bool read_options(int argc, const char* const* argv, Options& out) {
   check_together(out);
   const bool lit = !out.lights.empty() || out.lamps > 0 || !out.environment.empty();
   if (!out.preset) out.preset = lit ? LightPreset::kNone : LightPreset::kStudio;
+  if (out.table == Table::kShadowMap) {  // PCSS has the margin of summed areas, and depths
+    const shd_shadow_filter filter = out.shadows.value_or(SHD_SHADOW_FILTER_HARD);
+    out.shadows = filter == SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE ? SHD_SHADOW_FILTER_PCSS : filter;
+  }
   if (!out.ambient) out.ambient.emplace().fill(out.environment.empty() ? 0.15f : 0.0f);
   return true;
 }

@@ -37,6 +37,9 @@ enum class LightPreset { kStudio, kHeadlight, kCourse, kFile, kNone };
 /// Method by which mip levels of normal maps keep the roughness of bumps that they no longer resolve.
 enum class KeepRoughness { kNone, kToksvig, kLean };
 
+/// A table that is drawn in place of the model.
+enum class Table { kMipmap, kRipmap, kSummedArea, kShadowMap };
+
 /// Where the eye of a picture is: around the model, or at a camera of the file.
 struct Shot {
   float azimuth = 30.0f, elevation = 20.0f;  // [deg]
@@ -93,6 +96,7 @@ struct Options {
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
   std::string texture;             // replaces the model's textures; "checker" = built in
+  std::optional<Table> table;      // drawn in place of the model
   std::optional<shd_solid> solid;  // replaces the model's textures
   float solid_size = 0.5f;         // side of a cell [world units]
   std::string normal_map, height_map;
@@ -115,6 +119,11 @@ struct Options {
   shd_simd simd = SHD_SIMD_BEST;
   bool progress = false, stats = false, hash = false;
 };
+
+/// Whether a table of the texture is drawn.
+inline bool shows_texture(const Options& options) {
+  return options.table && *options.table != Table::kShadowMap;
+}
 
 /// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure
 /// (kExitUsage) that names the option and its valid values.

@@ -43,6 +43,11 @@ struct FileExtras {
   std::vector<shd_file_attribute> attributes;
 };
 
+/// Writes pixels of linear r, g, b and a that are no frame: linear to .exr and .hdr, clamped and with the sRGB curve to
+/// .png and .tif.
+void save_pixels(const Options& options, const std::string& name, uint32_t width, uint32_t height,
+                 const std::vector<float>& pixels);
+
 /// Writes the picture: scene-linear to .exr and .hdr, through the display transform to all other formats.
 void save_picture(const Color& color, const shd_framebuffer* framebuffer, const Options& options,
                   const std::string& name, const FileExtras& extras);

@@ -9,6 +9,11 @@ namespace {
 const Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
 
+const Name<Table> kTables[] = {{"mipmap", Table::kMipmap},
+                               {"ripmap", Table::kRipmap},
+                               {"summed-area", Table::kSummedArea},
+                               {"shadow-map", Table::kShadowMap}};
+
 }  // namespace
 
 Group surface_options(Options& out) {
@@ -28,6 +33,10 @@ Group surface_options(Options& out) {
        {"--roughness", "R", number(out.roughness, 0, 1), "Roughness of metallic-roughness, instead of the model's."},
        {"--texture", "FILE", file(out.texture),
         "A texture on everything, instead of the model's. checker is a built-in pattern, none is no texture."},
+       {"--table", "T", initially(named(out.table, kTables), ""),
+        "A table instead of the model: all levels of --texture as one picture, or its means from the corner; "
+        "shadow-map "
+        "is the depths of the first light that casts shadows, near ones dark."},
        {"--solid", "K", named(out.solid, names_of(shd_solid_name)),
         "A solid texture on everything, instead of the model's textures."},
        {"--solid-size", "S", number(out.solid_size, 0, 1e6),

@@ -23,6 +23,7 @@
 /// | lights.h    | presets, options and the lights of a file               |
 /// | environment.h | light and background from an image                    |
 /// | shadows.h   | shadow maps                                             |
+/// | tables.h    | tables of textures and shadow maps as pictures          |
 /// | occlusion.h | ambient occlusion at vertices                           |
 /// | samples.h   | the draws that the samples of pixels show               |
 /// | cryptomatte.h | mattes of objects and materials                       |
