@@ -81,6 +81,17 @@ expect 0 "" --size 64x64 --hash --turntable 2 -o hashed.png
 [ "$(grep -cxE '[0-9a-f]{16}' said.txt)" = 2 ] || failed=1
 written hashed-0002.png 89504e47
 expect 2 "need -o FILE.exr" --aov --hash
+expect 0 "mipmap.png: 384 x 256" --table mipmap --texture checker -o mipmap.png
+written mipmap.png 89504e47
+expect 0 "ripmap.exr: 766 x 511" --table ripmap --texture mipmap.png --compression none -o ripmap.exr
+expect 0 "sums.png: 384 x 256" --table summed-area --texture mipmap.png -o sums.png
+expect 0 "depths.png: 96 x 16" --table shadow-map --tessellation 4 --light 1,2,1 --shadow-size 16 \
+  --shadows summed-area-variance -o depths.png
+expect 2 "--table needs a --texture" --table ripmap -o none.png
+expect 2 "--table shadow-map: no light casts a shadow" --table shadow-map --lights none -o none.png
+expect 2 "--table: -o takes .png, .tif, .exr or .hdr" --table mipmap --texture checker -o none.jpg
+expect 2 "--hash is of frames" --table mipmap --texture checker --hash
+expect 3 "absent.png" --table mipmap --texture absent.png -o none.png
 
 # Effects of options, tested on pairs of pictures.
 models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap normal uv level barycentrics)
