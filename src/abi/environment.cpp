@@ -97,15 +97,11 @@ shd_result shd_environment_create(shd_context* context, const shd_environment_de
     SHD_TRY(read_source_image(read, &image));
     read.image = &image;
     core::Context& owner = context_of(context);
-    auto* body = core::create<Environment>(owner.allocator);
-    try {
+    const auto build = [&](Environment* body) {
       environment::build(owner, read, body);
-    } catch (...) {
-      core::destroy(owner.allocator, body);
-      throw;
-    }
-    make_handle(owner, kEnvironmentType, body, out_environment);
-    return SHD_OK;
+      return SHD_OK;
+    };
+    return create_handle<Environment>(owner, kEnvironmentType, build, out_environment);
   });
 }
 

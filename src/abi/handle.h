@@ -78,4 +78,23 @@ void make_handle(core::Context& context, core::ObjectType type, Body* body, Hand
   }
 }
 
+/// Makes a body, which fill(body) fills, and its handle. Destroys the body if fill() returns an error or throws.
+template <class Body, class Handle, class Fill>
+shd_result create_handle(core::Context& context, core::ObjectType type, const Fill& fill, Handle** out) {
+  auto* body = core::create<Body>(context.allocator);
+  shd_result result;
+  try {
+    result = fill(body);
+  } catch (...) {
+    core::destroy(context.allocator, body);
+    throw;
+  }
+  if (result != SHD_OK) {
+    core::destroy(context.allocator, body);
+    return result;
+  }
+  make_handle(context, type, body, out);
+  return SHD_OK;
+}
+
 }  // namespace shd::abi

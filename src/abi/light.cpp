@@ -73,13 +73,8 @@ shd_result shd_light_create(shd_context* context, const shd_light_desc* desc, sh
     SHD_TRY(read_desc("light", desc, true, &read));
     SHD_TRY(check_light_desc(read));
     core::Context& owner = context_of(context);
-    auto* body = core::create<light::LightBody>(owner.allocator);
-    if (const shd_result result = fill(read, body)) {
-      core::destroy(owner.allocator, body);
-      return result;
-    }
-    make_handle(owner, kLightType, body, out_light);
-    return SHD_OK;
+    return create_handle<light::LightBody>(
+        owner, kLightType, [&](light::LightBody* body) { return fill(read, body); }, out_light);
   });
 }
 

@@ -253,20 +253,9 @@ shd_result shd_material_create(shd_context* context, const shd_material_desc* de
     SHD_TRY(read_desc("material", desc, true, &read));
     SHD_TRY(check_material_desc(read));
     core::Context& owner = context_of(context);
-    auto* material = core::create<material::Material>(owner.allocator);
-    shd_result result;
-    try {
-      result = fill(owner.allocator, read, material);
-    } catch (...) {
-      core::destroy(owner.allocator, material);
-      throw;
-    }
-    if (result != SHD_OK) {
-      core::destroy(owner.allocator, material);
-      return result;
-    }
-    make_handle(owner, kMaterialType, material, out_material);
-    return SHD_OK;
+    return create_handle<material::Material>(
+        owner, kMaterialType, [&](material::Material* body) { return fill(owner.allocator, read, body); },
+        out_material);
   });
 }
 

@@ -96,14 +96,13 @@ shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc
     SHD_TRY(check_texture_desc(read));
 
     core::Context& owner = context_of(context);
-    auto* body = core::create<texture::Texture>(owner.allocator);
-    try {
-      texture::build(owner, read, body);
-    } catch (...) {
-      core::destroy(owner.allocator, body);
-      throw;
-    }
-    make_handle(owner, core::ObjectType::kTexture, body, out_texture);
+    texture::Texture* body = nullptr;
+    const auto build = [&](texture::Texture* made) {
+      body = made;
+      texture::build(owner, read, made);
+      return SHD_OK;
+    };
+    SHD_TRY(create_handle<texture::Texture>(owner, core::ObjectType::kTexture, build, out_texture));
     if (body->tiles) {
       body->tiles->handle = object_of(*out_texture);
       body->tiles->source.release = read.tiles.release;

@@ -141,20 +141,8 @@ shd_result shd_volume_create(shd_context* context, const shd_volume_desc* desc, 
     SHD_TRY(read_desc("volume", desc, false, &read));
     SHD_TRY(check_volume_desc(read));
     core::Context& owner = context_of(context);
-    auto* body = core::create<volume::Volume>(owner.allocator);
-    shd_result result;
-    try {
-      result = fill(owner, read, body);
-    } catch (...) {
-      core::destroy(owner.allocator, body);
-      throw;
-    }
-    if (result != SHD_OK) {
-      core::destroy(owner.allocator, body);
-      return result;
-    }
-    make_handle(owner, kVolumeType, body, out_volume);
-    return SHD_OK;
+    return create_handle<volume::Volume>(
+        owner, kVolumeType, [&](volume::Volume* body) { return fill(owner, read, body); }, out_volume);
   });
 }
 

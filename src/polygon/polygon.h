@@ -13,5 +13,6 @@
 /// | triangulate.h   | constrained Delaunay triangulations of polygons                       |
 /// | sparse_solver.h | sparse linear systems; the only user of Eigen                         |
 /// | cage.h          | closed triangle meshes: checks, edges, faces, nearest points          |
+/// | cage_points.h   | points of a call, through the kernels, on the executor                |
 /// | cage_weights.h  | kernels: coordinates in cages, sums of values with them as weights    |
 #pragma once
