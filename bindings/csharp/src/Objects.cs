@@ -168,6 +168,36 @@ namespace Shd
         }
     }
 
+    /// <summary>A closed mesh of triangles as a cage, for coordinates of points.</summary>
+    public sealed unsafe class Polyhedron : ShdObject
+    {
+        public Polyhedron(Context context, PolyhedronDesc desc) : base(new PolyhedronHandle())
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.PolyhedronDesc built = desc.Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShd.PolyhedronCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        /// <summary>The coordinates of points: Weight has a column for each vertex.</summary>
+        public void Evaluate(PolyhedronPoints points, PolyhedronWeights output)
+        {
+            if (points == null) throw new ArgumentNullException("points");
+            if (output == null) throw new ArgumentNullException("output");
+            using (Call call = new Call())
+            {
+                Native.PolyhedronPoints built = points.Build(call, "points");
+                Native.PolyhedronWeights weights = output.Build(call, "output", built.Count);
+                call.Check(Native.LibShd.PolyhedronEvaluate(call.Use(this, "polyhedron"), &built, &weights));
+                output.Take(ref weights);
+            }
+        }
+    }
+
     /// <summary>Memory of a fixed size for the tiles of textures.</summary>
     public sealed unsafe class TileCache : ShdObject
     {

@@ -129,6 +129,14 @@ public static class Components
             float[] a = new float[1], b = new float[1], c = new float[1];
             context.EvaluatePolygon(polygon, places, new PolygonWeights { Weight = new Column<float>[] { a, b, c } });
             Check.Equal("0.5 0.25 0.25", a[0] + " " + b[0] + " " + c[0], "weights");
+            PolyhedronDesc cage = new PolyhedronDesc { Indices = new uint[] { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 } };
+            Column.Set(cage.Position, new float[,] { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
+            PolyhedronPoints inside = new PolyhedronPoints();
+            Column.Set(inside.Position, new float[,] { { 0.25f, 0.25f, 0.25f } });
+            float[] d = new float[1];
+            using (Polyhedron polyhedron = new Polyhedron(context, cage))
+                polyhedron.Evaluate(inside, new PolyhedronWeights { Weight = new Column<float>[] { a, b, c, d } });
+            Check.IsTrue(Math.Abs(a[0] - 0.25f) + Math.Abs(d[0] - 0.25f) < 1e-5f, "cage: " + a[0] + " " + d[0]);
             Directions directions = new Directions { Projection = Projection.LatLong };
             Column.Set(directions.Direction, new float[,] { { 0, 1, 0 } });
             float[] v = { -1 };
