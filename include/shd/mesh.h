@@ -22,6 +22,7 @@
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/shapes.h>
+#include <shd/uv_projection.h>
 
 SHD_BEGIN_DECLS
 
@@ -80,12 +81,19 @@ typedef struct shd_mesh_desc {
     shd_mesh_flags flags;            /**< default none */
     /** x, y, z, object space, and handedness, +1 or -1; see @ref tangents. All four or none; stored unchanged. */
     shd_f32_in tangent[4];
-    shd_f32_in uv[2];  /**< u, v; both or none; 0 if absent */
+    shd_f32_in uv[2];  /**< u, v; both or none; 0 if absent, unless uv_projection computes them */
     shd_f32_in uv1[2]; /**< u, v of a second set; both or none; 0 if absent */
     /** [attribute_count] columns for materials and programs, such as colours; any may be absent. */
     const shd_f32_in *attributes;
     size_t attribute_count; /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
     shd_topology topology;  /**< default SHD_TOPOLOGY_TRIANGLES */
+    /**
+     * Computes uv in place of the columns `uv`, which must be absent; see shd/uv_projection.h. Vertices may be appended
+     * to the caller's, as by SHD_MESH_TANGENTS. Default none.
+     */
+    shd_uv_projection uv_projection;
+    /** From object space to the space of uv_projection; column-major, affine, last row 0, 0, 0, 1; default identity */
+    float object_to_projection[16];
     /**
      * Vertex numbers of the triangles in the order of `topology`; counter-clockwise = front. NULL = indices16; if that
      * is NULL too, 0, 1, 2, ... In strips and fans the largest number (0xffffffff, or 0xffff in indices16) starts a new
@@ -103,6 +111,8 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
 {
     shd_mesh_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
+    desc.object_to_projection[0] = desc.object_to_projection[5] = desc.object_to_projection[10] = 1.0f;
+    desc.object_to_projection[15] = 1.0f;
     return desc;
 }
 
@@ -157,7 +167,7 @@ SHD_API void shd_mesh_release(shd_mesh *mesh);
 /** Counts and bounds of a mesh. */
 typedef struct shd_mesh_info {
     uint32_t struct_size;    /**< set by shd_mesh_info_default() */
-    size_t vertex_count;     /**< including the vertices that SHD_MESH_TANGENTS added */
+    size_t vertex_count;     /**< including the vertices that uv_projection and SHD_MESH_TANGENTS added */
     size_t triangle_count;   /**< number of separate triangles, also for strips and fans */
     float bounds_min[3];     /**< bound of the finite positions; 0 if there are none */
     float bounds_max[3];     /**< bound of the finite positions; 0 if there are none */
@@ -165,7 +175,7 @@ typedef struct shd_mesh_info {
     size_t normalless_count; /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
     /** SHD_MESH_TANGENTS: vertices without a tangent from uv; they get a perpendicular one. */
     size_t tangentless_count;
-    size_t split_count; /**< SHD_MESH_TANGENTS: vertices that were added */
+    size_t split_count; /**< vertices that uv_projection and SHD_MESH_TANGENTS added */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_info;
 

@@ -12,7 +12,8 @@
  *   judge lookups and tables, shd/tile_cache.h and shd/tiles.h for textures larger than memory.
  * - A first frame: shd/transform.h, shd/view.h, shd/mesh.h, shd/material.h, shd/light.h, shd/draw.h, shd/framebuffer.h
  *   and shd/render.h. examples/triangle.c is the shortest program.
- * - Surfaces: shd/slot.h puts textures on a material; shd/solid.h, shd/shapes.h, shd/tessellate.h, shd/edges.h.
+ * - Surfaces: shd/slot.h puts textures on a material; shd/solid.h, shd/shapes.h, shd/uv_projection.h,
+ *   shd/tessellate.h, shd/edges.h.
  * - Light: shd/shadow.h, shd/environment.h, shd/occlusion.h, shd/bake.h, shd/volume.h.
  * - Own code in a frame: shd/vertices.h, shd/fragments.h, shd/present.h; in a library of handles: shd/extension.h.
  * - Files and colour: shd/io.h, shd/texture_file.h, shd/tile_file.h, shd/volume_file.h, shd/scene.h, shd/color.h.

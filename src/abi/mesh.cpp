@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "abi/desc.h"
+#include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "data/column.h"
@@ -53,6 +54,15 @@ shd_result check_columns(const shd_mesh_desc& desc) {
   return check_attribute("tangent", desc.tangent, 4, desc.vertex_count);
 }
 
+shd_result check_uv_projection(const shd_mesh_desc& desc) {
+  SHD_TRY(check_enum("mesh.uv_projection", desc.uv_projection, 0, SHD_UV_PROJECTION_BOX));
+  if (desc.uv_projection == SHD_UV_PROJECTION_NONE) return SHD_OK;
+  SHD_TRY(check_matrix("mesh.object_to_projection", desc.object_to_projection));
+  if (!desc.uv[0].data) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.uv_projection: %u, but mesh.uv is set too",
+                    enum_bits(desc.uv_projection));
+}
+
 shd_result check_indices(const shd_mesh_desc& desc) {
   const bool indexed = desc.indices.data || desc.indices16.data;
   size_t count = desc.index_count;
@@ -82,6 +92,7 @@ shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY));
   SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));
   SHD_TRY(check_columns(desc));
+  SHD_TRY(check_uv_projection(desc));
   return check_indices(desc);
 }
 

@@ -21,13 +21,13 @@
   ROW(RAY_DIFFERENTIALS, shd_ray_differentials, direction, direction_dy, 368)       \
   ROW(RAY_CONES, shd_ray_cones, width, width, 176)                                  \
   ROW(DERIVATIVES, shd_derivatives, dudx, nonfinite_count, 80)                      \
-  ROW(MESH_DESC, shd_mesh_desc, position, index_count, 312)                         \
+  ROW(MESH_DESC, shd_mesh_desc, position, index_count, 376)                         \
   ROW(MESH_INFO, shd_mesh_info, triangle_count, split_count, 80)                    \
   ROW(EDGES_DESC, shd_edges_desc, edges, crease_cosine, 28)                         \
   ROW(EDGES, shd_edges, vertex, kinds, 88)                                          \
   ROW(TESSELLATION_DESC, shd_tessellation_desc, mode, normals, 280)                 \
   ROW(MATERIAL_DESC, shd_material_desc, model, varying_count, 224)                  \
-  ROW(SLOT, shd_slot, user_data, place_width, 168)                                  \
+  ROW(SLOT, shd_slot, user_data, triplanar_sharpness, 176)                          \
   ROW(LIGHT_DESC, shd_light_desc, position, sampler, 96)                            \
   ROW(SHADOW_DESC, shd_shadow_desc, filter, min_variance, 48)                       \
   ROW(SHADOW_RENDER_DESC, shd_shadow_render_desc, light, bounds_max, 64)            \

@@ -8,6 +8,7 @@
 /// |-------------|-------------------------------------------------------------------|
 /// | column.h    | reading and writing the caller's strided columns                  |
 /// | vec3.h      | 3-vectors of floats and doubles, for setup code                   |
+/// | box_sides.h | sides of a box and their texture coordinates                      |
 /// | matrix.h    | products of 4 x 4 matrices                                        |
 /// | trig.h      | angles, tangents, sines and cosines, bit-equal on all machines    |
 /// | camera.h    | look-at matrices, bit-equal on all machines                       |

@@ -19,6 +19,8 @@
 /// | face.h           | area and normal of a triangle, position and normal of a vertex              |
 /// | feature_edges.h  | edges of line drawings: silhouettes, creases, borders                       |
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
+/// | uv_projection.h  | texture coordinates from positions, and the vertices that they add          |
+/// | copies.h         | copies of vertices with all their columns                                   |
 /// | tangents.h       | tangents to the MikkTSpace convention, and the vertices that they add       |
 /// | tangent_groups.h | corners that share a tangent, and the sum of their directions               |
 /// | tessellate.h     | a mesh of smaller triangles, with all its columns                           |

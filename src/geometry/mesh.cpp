@@ -12,6 +12,7 @@
 #include "geometry/indices.h"
 #include "geometry/normals.h"
 #include "geometry/tangents.h"
+#include "geometry/uv_projection.h"
 
 namespace shd::geometry {
 namespace {
@@ -142,6 +143,7 @@ void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   mesh.nz = zero_column(allocator, count);
   mesh.info.normalless_count =
       desc.normal[0].data ? copy_normals(desc, &mesh) : compute_normals(allocator, desc.normal_weight, &mesh);
+  project_uv(allocator, desc.uv_projection, desc.object_to_projection, &mesh);
   if ((desc.flags & SHD_MESH_TANGENTS) && mesh.tx.size() == 0) compute_tangents(allocator, &mesh);
   measure(&mesh);
   mesh.has_adjacency = (desc.flags & SHD_MESH_ADJACENCY) != 0;

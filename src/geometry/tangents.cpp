@@ -6,6 +6,7 @@
 
 #include "data/data.h"
 #include "geometry/buckets.h"
+#include "geometry/copies.h"
 #include "geometry/face.h"
 #include "geometry/tangent_groups.h"
 
@@ -100,18 +101,9 @@ core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups&
 /// Appends copies of vertices with their own tangents.
 void append(const core::Allocator& allocator, const core::Buffer<Added>& added, Mesh* mesh) {
   const size_t before = mesh->vertex_count;
-  const size_t after = before + added.size();
-  for_each_column(mesh, [&](core::Array<float>* column) {
-    if (column->size() == 0) return;
-    core::Array<float> larger(allocator, data::padded(after));
-    std::memcpy(larger.data(), column->data(), before * sizeof(float));
-    for (size_t i = before; i < after; ++i) larger[i] = (*column)[added[i - before].source];
-    for (size_t i = after; i < larger.size(); ++i) larger[i] = 0.0f;
-    *column = std::move(larger);
-  });
-  for (size_t i = before; i < after; ++i) store(added[i - before].tangent, i, mesh);
-  mesh->vertex_count = static_cast<uint32_t>(after);
-  mesh->info.split_count = static_cast<uint32_t>(added.size());
+  append_copies(
+      allocator, added.size(), [&](size_t i) { return added[i].source; }, mesh);
+  for (size_t i = 0; i < added.size(); ++i) store(added[i].tangent, before + i, mesh);
 }
 
 }  // namespace

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "data/box_sides.h"
 #include "shapes/grid.h"
 #include "shapes/shapes.h"
 
 namespace shd::shapes {
 namespace {
 
-/// A side of the box, seen from outside: an axis and the direction along it.
-struct Direction {
-  int axis;
-  bool backwards;
-};
-struct Side {
-  Direction normal, right, down;
-};
-constexpr Side kSides[6] = {
-    {{0, false}, {2, true}, {1, true}},   {{0, true}, {2, false}, {1, true}},  // +X, -X
-    {{1, false}, {0, false}, {2, false}}, {{1, true}, {0, false}, {2, true}},  // +Y, -Y
-    {{2, false}, {0, false}, {1, true}},  {{2, true}, {0, true}, {1, true}},   // +Z, -Z
-};
+using data::BoxSide;
+using data::Direction;
 
 double& component(Vec3d& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -28,7 +18,7 @@ double place(const shd_shape_desc& desc, const Direction& direction, uint32_t i)
   return along(static_cast<double>(desc.size[direction.axis]), direction.backwards ? n - i : i, n);
 }
 
-void add_side(const shd_shape_desc& desc, const Side& side, Sink& out) {
+void add_side(const shd_shape_desc& desc, const BoxSide& side, Sink& out) {
   const uint32_t columns = desc.segments[side.right.axis], rows = desc.segments[side.down.axis], first = out.vertex;
   Vec3d normal = {0.0, 0.0, 0.0}, position = {};
   component(normal, side.normal.axis) = side.normal.backwards ? -1.0 : 1.0;
@@ -51,7 +41,7 @@ Counts count_box(const shd_shape_desc& desc) {
 }
 
 void fill_box(const shd_shape_desc& desc, Sink& out) {
-  for (const Side& side : kSides) add_side(desc, side, out);
+  for (const BoxSide& side : data::kBoxSides) add_side(desc, side, out);
 }
 
 }  // namespace shd::shapes
