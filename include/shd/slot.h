@@ -64,9 +64,9 @@ typedef enum shd_slot_target {
 typedef enum shd_slot_source {
     SHD_SLOT_SOURCE_CONSTANT = 0, /**< 1; for the normal (0, 0, 1) in tangent space */
     /**
-     * `texture` through `sampler`: 2D at uv, 3D at the place of a point. If it is SHD_TEXTURE_PREMULTIPLIED, the slots
-     * DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read the
-     * lookup as it is.
+     * `texture` through `sampler`: 2D at `coordinates`, 3D at the place of a point. If it is SHD_TEXTURE_PREMULTIPLIED,
+     * the slots DIFFUSE and TINT have r / a, g / a, b / a of the lookup, or 0 where a is not positive; other slots read
+     * the lookup as it is.
      */
     SHD_SLOT_SOURCE_TEXTURE = 1,
     SHD_SLOT_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 for absent ones */
@@ -74,6 +74,29 @@ typedef enum shd_slot_source {
     SHD_SLOT_SOURCE_SOLID = 4,     /**< colours of `solid` at the place of a point */
     SHD_SLOT_SOURCE_MAX_ENUM = 0x7fffffff
 } shd_slot_source;
+
+/** Coordinates of a 2D texture. */
+typedef enum shd_slot_coordinates {
+    SHD_SLOT_COORDINATES_UV = 0, /**< uv of the mesh, through uv_transform */
+    /**
+     * (x / w, y / w) of (x, y, z, w) = place_transform * position, through uv_transform: the picture of a slide
+     * projector or a camera. place_transform is any finite matrix. A view-to-clip matrix times a world-to-view matrix
+     * and uv_transform = {0.5, 0, 0.5, 0, -0.5, 0.5} put the texture onto the frustum. Where w is not positive, or u or
+     * v is not finite, (u, v) is (-1, -1) without a footprint: the border of SHD_WRAP_BORDER. Derivatives are those of
+     * the quotients by pixel steps, times `place_width`.
+     */
+    SHD_SLOT_COORDINATES_PROJECTED = 1,
+    /**
+     * Three lookups, along the axes of the space of places, and their weighted mean. The texture fills each side of the
+     * cube from 0 to 1 and is upright from outside, as the uv of SHD_SHAPE_BOX; uv_transform follows. Weights are
+     * |n.x|^k, |n.y|^k, |n.z|^k divided by their sum, where n is the normal in that space and k is
+     * triplanar_sharpness; (0, 0, 1) if n is 0 or not finite. n is the normal that shades the point: slots that shape a
+     * lobe are looked up before normal maps and bumps, the others after them. Derivatives are those of the place times
+     * `place_width`. A lookup with weight 0 has no effect.
+     */
+    SHD_SLOT_COORDINATES_TRIPLANAR = 2,
+    SHD_SLOT_COORDINATES_MAX_ENUM = 0x7fffffff
+} shd_slot_coordinates;
 
 /** Space of the places at which solid textures are evaluated. */
 typedef enum shd_place_space {
@@ -136,14 +159,17 @@ typedef struct shd_slot {
      */
     const shd_solid_desc *solid;
     /**
-     * Place = place_transform * position, column-major, affine: the last row is 0, 0, 0, 1; default identity. A solid
-     * texture is evaluated at the place. A 3D texture is looked up at (u, v, w) = place, with the derivatives of the
-     * place by pixel steps times `place_width`: it fills the cube from 0 to 1, and its sampler wraps it.
+     * Place = place_transform * position, column-major, affine: the last row is 0, 0, 0, 1, except for
+     * SHD_SLOT_COORDINATES_PROJECTED; default identity. A solid texture is evaluated at the place. A 3D texture is
+     * looked up at (u, v, w) = place, with the derivatives of the place by pixel steps times `place_width`: it fills
+     * the cube from 0 to 1, and its sampler wraps it.
      */
     float place_transform[16];
     shd_place_space place_space; /**< space of the position; default SHD_PLACE_SPACE_OBJECT */
     /** Factor of the width of a pixel, 0..1000; 0 = no band limit, level 0 of 3D textures; default 1. */
     float place_width;
+    shd_slot_coordinates coordinates; /**< coordinates of a 2D texture; for other sources UV, the default */
+    uint32_t triplanar_sharpness;     /**< exponent k of SHD_SLOT_COORDINATES_TRIPLANAR, 1..64; default 4 */
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 
@@ -154,6 +180,7 @@ static inline shd_slot shd_slot_default(void)
     slot.struct_size = (uint32_t)sizeof slot;
     slot.uv_transform[0] = slot.uv_transform[4] = 1.0f;
     slot.place_width = 1.0f;
+    slot.triplanar_sharpness = 4;
     slot.place_transform[0] = slot.place_transform[5] = slot.place_transform[10] = slot.place_transform[15] = 1.0f;
     return slot;
 }

@@ -124,15 +124,32 @@ shd_result check_place_transform(const char* field, const float (&m)[16]) {
 
 /// The fields of a slot that reads places.
 shd_result check_place(const shd_slot& desc, uint32_t index) {
+  const SlotField transform(index, "place_transform");
   SHD_TRY(check_enum(SlotField(index, "place_space").text, desc.place_space, 0, SHD_PLACE_SPACE_WORLD));
-  SHD_TRY(check_place_transform(SlotField(index, "place_transform").text, desc.place_transform));
+  if (desc.coordinates == SHD_SLOT_COORDINATES_PROJECTED) {
+    SHD_TRY(check_finite(transform.text, desc.place_transform, 16));
+  } else {
+    SHD_TRY(check_place_transform(transform.text, desc.place_transform));
+  }
   return check_range(SlotField(index, "place_width").text, double{desc.place_width}, 0.0, 1000.0);
 }
 
-/// Whether the coordinates of a slot's texture are uv, or places if the slot takes those.
+/// Checks the coordinates of a slot's texture: uv, or places if the slot takes those.
 shd_result check_coordinates(const shd_slot& desc, uint32_t index, const texture::Texture& texture) {
-  if (texture.depth == 0 || takes_only_textures(desc.target))
-    return check_flat(SlotField(index, "texture").text, texture);
+  const SlotField coordinates(index, "coordinates");
+  SHD_TRY(check_enum(coordinates.text, desc.coordinates, 0, SHD_SLOT_COORDINATES_TRIPLANAR));
+  if (texture.depth == 0 || takes_only_textures(desc.target)) {
+    SHD_TRY(check_flat(SlotField(index, "texture").text, texture));
+    if (desc.coordinates == SHD_SLOT_COORDINATES_UV) return SHD_OK;
+    if (takes_only_textures(desc.target)) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes the uv of the mesh only",
+                        coordinates.text, enum_bits(desc.coordinates));
+    }
+    SHD_TRY(check_count(SlotField(index, "triplanar_sharpness").text, desc.triplanar_sharpness, 1, 64));
+  } else if (desc.coordinates != SHD_SLOT_COORDINATES_UV) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but the texture is 3D", coordinates.text,
+                      enum_bits(desc.coordinates));
+  }
   return check_place(desc, index);
 }
 
@@ -184,6 +201,10 @@ shd_result check_source(const material::SlotInput& slot) {
   }
   if (desc.source != SHD_SLOT_SOURCE_TEXTURE && (desc.texture || desc.sampler)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but a texture or sampler is set", source.text,
+                      enum_bits(desc.source));
+  }
+  if (desc.source != SHD_SLOT_SOURCE_TEXTURE && desc.coordinates != SHD_SLOT_COORDINATES_UV) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but coordinates of a texture are set", source.text,
                       enum_bits(desc.source));
   }
   if (desc.source == SHD_SLOT_SOURCE_SOLID || !desc.solid) return SHD_OK;

@@ -18,6 +18,8 @@ Slot build_slot(const SlotInput& in, const texture::Sampler& default_sampler) no
     slot.texture = in.texture;
     slot.sampler = in.sampler ? in.sampler : &default_sampler;
     std::copy_n(desc.uv_transform, 6, slot.uv_transform);
+    slot.coordinates = desc.coordinates;
+    slot.triplanar_sharpness = desc.triplanar_sharpness;
     slot.is_transformed = !std::equal(kIdentity, kIdentity + 6, slot.uv_transform);
   } else if (desc.source == SHD_SLOT_SOURCE_VERTEX) {
     slot.attribute = desc.attribute;

@@ -12,6 +12,8 @@
 /// |------------------------------|-----------------------------------------------------------------------|
 /// | slot.h                       | sources of coefficients, and their values at points                   |
 /// | places.h                     | places of points in solid and 3D textures                             |
+/// | projected.h                  | coordinates of a texture that a slide projector throws                |
+/// | triplanar.h                  | coordinates and weights of a texture along three axes                 |
 /// | slot_lookup.h                | texture lookups of a slot at points                                   |
 /// | model.h                      | properties of a model that other stages use                           |
 /// | models-inl.h                 | the table of the models                                               |

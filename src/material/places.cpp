@@ -21,8 +21,8 @@ float square_of_step(const PlaceMap& map, float x, float y, float z) {
 
 }  // namespace
 
-PlaceMap place_map(const Slot& slot, const float object_to_world[16]) {
-  double place[16], to_space[16], product[16];
+void find_place_matrix(const Slot& slot, const float object_to_world[16], double out[16]) {
+  double place[16], to_space[16];
   for (int i = 0; i < 16; ++i) {
     place[i] = static_cast<double>(slot.place_transform[i]);
     to_space[i] = i % 5 == 0 ? 1.0 : 0.0;
@@ -30,7 +30,12 @@ PlaceMap place_map(const Slot& slot, const float object_to_world[16]) {
   if (slot.place_space == SHD_PLACE_SPACE_OBJECT && !data::invert(object_to_world, to_space)) {
     for (int i = 0; i < 16; ++i) to_space[i] = i == 15 ? 1.0 : 0.0;
   }
-  data::multiply(place, to_space, product);
+  data::multiply(place, to_space, out);
+}
+
+PlaceMap place_map(const Slot& slot, const float object_to_world[16]) {
+  double product[16];
+  find_place_matrix(slot, object_to_world, product);
   PlaceMap map;
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 4; ++c) map.row[r][c] = static_cast<float>(product[4 * c + r]);

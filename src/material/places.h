@@ -11,7 +11,11 @@ struct PlaceMap {
   float row[3][4];
 };
 
-/// Returns the map of a slot that reads places: its place_transform times the map from world space to its space.
+/// Finds the matrix of a slot that reads places, column-major: its place_transform times the map from world space to
+/// its space.
+void find_place_matrix(const Slot& slot, const float object_to_world[16], double out[16]);
+
+/// Returns find_place_matrix() of an affine place_transform as a map.
 PlaceMap place_map(const Slot& slot, const float object_to_world[16]);
 
 /// Finds the places of points: columns x, y, z.

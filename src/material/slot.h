@@ -29,6 +29,8 @@ struct Slot {
   shd_place_space place_space;     // the place fields are set if reads_places()
   float place_transform[16];
   float place_width;  // factor of the width of a pixel
+  shd_slot_coordinates coordinates;
+  uint32_t triplanar_sharpness;
 };
 
 /// Values of slots at points, as columns; null = 1.
@@ -41,9 +43,14 @@ inline bool is_set(const Slot& slot) {
   return slot.source != SHD_SLOT_SOURCE_CONSTANT;
 }
 
-/// Whether a slot is looked up at places in space: it has a solid texture or a 3D texture.
+/// Whether a slot is looked up at places in space: it has a solid texture, a 3D texture or coordinates from positions.
 inline bool reads_places(const Slot& slot) {
-  return slot.solid || (slot.texture && slot.texture->depth != 0);
+  return slot.solid || (slot.texture && slot.texture->depth != 0) || slot.coordinates != SHD_SLOT_COORDINATES_UV;
+}
+
+/// Whether a slot is looked up along three axes.
+inline bool is_triplanar(const Slot& slot) {
+  return slot.coordinates == SHD_SLOT_COORDINATES_TRIPLANAR;
 }
 
 /// Whether the colour of a slot is divided by its fourth channel after the lookup.
@@ -73,12 +80,12 @@ constexpr uint32_t kShapingSlots = 1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUG
 
 /// Whether two slots make equal lookups in one texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {
-  if (a.texture != b.texture || a.sampler != b.sampler) return false;
-  if (reads_places(a)) {
-    return a.place_space == b.place_space && a.place_width == b.place_width &&
-           std::equal(a.place_transform, a.place_transform + 16, b.place_transform);
-  }
-  return a.uv_set == b.uv_set && std::equal(a.uv_transform, a.uv_transform + 6, b.uv_transform);
+  if (a.texture != b.texture || a.sampler != b.sampler || a.coordinates != b.coordinates) return false;
+  if (!std::equal(a.uv_transform, a.uv_transform + 6, b.uv_transform)) return false;
+  if (!reads_places(a)) return a.uv_set == b.uv_set;
+  return a.place_space == b.place_space && a.place_width == b.place_width &&
+         a.triplanar_sharpness == b.triplanar_sharpness &&
+         std::equal(a.place_transform, a.place_transform + 16, b.place_transform);
 }
 
 }  // namespace shd::material

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "material/places.h"
+#include "material/projected.h"
 #include "texture/domain/lod.h"
 
 namespace shd::material {
@@ -81,6 +82,8 @@ texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_
 
 texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, const float object_to_world[16],
                             bool has_footprint, float* const scratch[kLookupScratch]) {
+  if (slot.coordinates == SHD_SLOT_COORDINATES_PROJECTED)
+    return projected_lookups(slot, f, object_to_world, has_footprint, scratch);
   if (reads_places(slot)) return lookups_at_places(slot, f, object_to_world, has_footprint, scratch);
   const bool second = slot.uv_set == 1;
   const float* uv[6] = {second ? f.u1 : f.u,       second ? f.v1 : f.v,       second ? f.du1dx : f.dudx,
@@ -107,8 +110,13 @@ void find_levels(const core::SimdTarget& simd, const Material& material, const r
   const Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   std::fill_n(lod, fragments.count, 0.0f);
   if (!has_slot(material, SHD_SLOT_DIFFUSE) || !slot.texture) return;
-  texture::find_lods(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler),
-                     texture::LodAxis::kLonger, simd, lookups_of(slot, fragments, object_to_world, true, scratch), lod);
+  const auto find = [&](const texture::Lookups& lookups, float* out) {
+    texture::find_lods(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler),
+                       texture::LodAxis::kLonger, simd, lookups, out);
+  };
+  if (!is_triplanar(slot)) return find(lookups_of(slot, fragments, object_to_world, true, scratch), lod);
+  blend_axes(slot, fragments, object_to_world, true, scratch, {lod, nullptr, nullptr, nullptr},
+             [&](const texture::Lookups& lookups, float* const(&part)[4]) { find(lookups, part[0]); });
 }
 
 }  // namespace shd::material

@@ -29,7 +29,10 @@ bool reads_attributes(const Material& material) {
 
 /// Columns of the fragments from which places are found.
 uint32_t place_columns(const Material& material) {
-  return any_slot(material, material::reads_places) ? raster::kPosition | raster::kPositionSteps : 0;
+  if (!any_slot(material, material::reads_places)) return 0;
+  uint32_t needed = raster::kPosition | raster::kPositionSteps;
+  if (any_slot(material, material::is_triplanar)) needed |= raster::kNormal;
+  return needed;
 }
 
 bool reads_tangents(const Material& material) {

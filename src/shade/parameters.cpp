@@ -63,7 +63,16 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
       if (!shares) continue;
       if (add_outputs(material.slot[i], i, filled_channels(material, i), *columns, &out)) slots &= ~(1u << i);
     }
-    texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, context, columns), out);
+    if (!material::is_triplanar(slot)) {
+      texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, context, columns), out);
+      continue;
+    }
+    material::blend_axes(slot, context.points, context.shading.object_to_world, context.has_footprint, columns->uv,
+                         out.channel, [&](const texture::Lookups& lookups, float* const(&values)[4]) {
+                           texture::Texels part = {};
+                           std::copy_n(values, 4, part.channel);
+                           texture::sample(*slot.texture, *slot.sampler, simd, lookups, part);
+                         });
   }
 }
 
