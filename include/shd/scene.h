@@ -61,6 +61,12 @@ typedef struct shd_scene_desc {
     /** Flags of all meshes; meshes with uv have tangents, unless a normal map reads uv1; default none. */
     shd_mesh_flags mesh_flags;
     /**
+     * Coordinates of meshes without uv; see shd/uv_projection.h. The longest side of the model's bounds fills the cube
+     * from -1 to 1; the axes are those of the world. A mesh that is placed several times uses its first place, and a
+     * mesh with a skin or morph targets the pose of the file: its uv do not change when it moves. Default none.
+     */
+    shd_uv_projection uv_projection;
+    /**
      * Sampler of all textures; its wraps are replaced by those of the file, and its filter and magnification where the
      * file has nearest texels or levels. Borrowed for the call; NULL = trilinear.
      */

@@ -9,6 +9,7 @@
 
 #include "extension/error.h"
 #include "scene/normals.h"
+#include "scene/project.h"
 #include "scene/stage.h"
 #include "scene/textures.h"
 
@@ -227,6 +228,27 @@ void add_instances(const Parts& parts, const std::vector<Placed>& placed, Object
   }
 }
 
+/// Gives coordinates to geometries without any: in the pose of the file, the longest side of the model fills the cube
+/// of the projection.
+void project_uv(Parts& parts, shd_uv_projection projection, const Deadline& deadline) {
+  if (projection == SHD_UV_PROJECTION_NONE) return;
+  const Pose pose = pose_of(parts.model);
+  std::vector<Vertices> deformed;
+  for (const MeshRow& row : parts.rows) {
+    deformed.push_back(is_deformed(row) ? deform(parts.model, row, pose) : Vertices());
+  }
+  const std::vector<Placed> placed = place_rows(parts, pose, deformed);
+  const Matrix to_cube = cube_of(bounds_of(parts, placed, deformed));
+  for (const Placed& one : placed) {
+    deadline.check();
+    const MeshRow& row = parts.rows[one.row];
+    Geometry& geometry = parts.model.geometries[row.geometry];
+    if (!geometry.uv.empty()) continue;
+    const std::vector<float>& position = is_deformed(row) ? deformed[one.row].position : geometry.position;
+    project_geometry(parts.context, projection, multiply(to_cube, one.object_to_world), position, &geometry);
+  }
+}
+
 /// Everything of a scene that a pose changes. Sets the origin of the parts with `choose`.
 void make_pose(const Parts& parts, const Pose& pose, const Deadline* deadline, std::array<double, 3>* choose,
                Objects* out) {
@@ -267,6 +289,7 @@ void make_objects(shd_context* context, HostFiles& files, Model&& model, const O
   find_rows(*parts);
   warn_about_joints(*parts);
   add_animations(*parts);
+  project_uv(*parts, options.uv_projection, deadline);
   make_rigid_meshes(*parts, deadline);
   drop_columns(*parts);
   make_pose(*parts, pose_of(parts->model), &deadline, &parts->origin, out);

@@ -23,6 +23,7 @@ struct ObjectOptions {
   uint32_t mesh_flags;
   bool all_textures_required;
   bool host_filters;
+  shd_uv_projection uv_projection = SHD_UV_PROJECTION_NONE;  // rule for meshes without uv
 };
 
 /// The first and the last key of an animation [s].

@@ -22,6 +22,7 @@
 /// | sample.h     | values of an animation at given seconds               |
 /// | pose.h       | the tree of a Model as matrices of a pose             |
 /// | normals.h    | flat and missing normals                              |
+/// | project.h    | coordinates from positions                            |
 /// | deform.h     | vertices moved by morph targets and skins             |
 /// | bounds.h     | the box around all instances, and the scene's origin  |
 /// | textures.h   | textures of a Model as handles                        |

@@ -88,7 +88,12 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
   if (desc.flags & ~kKnown) {
     refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known", desc.flags & ~kKnown);
   }
+  if (core::enum_bits(desc.uv_projection) > SHD_UV_PROJECTION_BOX) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.uv_projection: %u is not in 0..%u", core::enum_bits(desc.uv_projection),
+           core::enum_bits(SHD_UV_PROJECTION_BOX));
+  }
   Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false, false}, {}, desc};
+  request.options.uv_projection = desc.uv_projection;
   request.in_process = (desc.flags & SHD_SCENE_IN_PROCESS) != 0;
   request.any_folder = (desc.flags & SHD_SCENE_ANY_FOLDER) != 0;
   read_desc("scene.sampler", desc.sampler, &request.options.sampler);
