@@ -46,9 +46,9 @@ void add_lines(const Options& options, const Material& ink, Draws& out) {
 
 }  // namespace
 
-Paint make_paint(shd_context* context, const Options& options, const Model& model) {
+Paint make_paint(shd_context* context, const Options& options, const Model& model, const shd_slot& uv) {
   Paint paint;
-  paint.extras = make_extras(context, options);
+  paint.extras = make_extras(context, options, uv);
   const shd_model reflectance = model_of(options, model);
   for (const Surface& surface : model.surfaces) {
     paint.materials.push_back(make_material(context, options, reflectance, surface, paint.extras, paint.samplers));

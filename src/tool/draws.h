@@ -13,7 +13,8 @@ struct Paint {
   Material ink;  // material of lines
 };
 
-Paint make_paint(shd_context* context, const Options& options, const Model& model);
+/// @param uv  coordinates of the textures of the options: uv_slot()
+Paint make_paint(shd_context* context, const Options& options, const Model& model, const shd_slot& uv);
 
 /// The draws of a frame.
 struct Draws {

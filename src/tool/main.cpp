@@ -20,6 +20,7 @@
 #include "tool/progress.h"
 #include "tool/shadows.h"
 #include "tool/tables.h"
+#include "tool/uv.h"
 #include "tool/volumes.h"
 
 namespace {
@@ -148,16 +149,17 @@ bool has_no_uv(const shd_mesh* mesh, uint32_t vertex_count) {
 
 /// Reports meshes of the file that cannot show the textures of the options.
 void report_missing_uv(const Options& options, const Model& model) {
-  if (!model.scene.get() || (options.texture.empty() && options.normal_map.empty() && options.height_map.empty())) {
-    return;
-  }
+  const bool needs_none = options.uv == Uv::kTriplanar || options.uv == Uv::kCamera;
+  const bool has_maps = !options.texture.empty() || !options.normal_map.empty();
+  if (!model.scene.get() || ((needs_none || !has_maps) && options.height_map.empty())) return;
   size_t count = 0;
   for (const Geometry& geometry : model.geometries) {
     count += has_no_uv(geometry.mesh, static_cast<uint32_t>(geometry.position.size() / 3));
   }
   if (count > 0) {
     std::fprintf(stderr,
-                 "shd-render: meshes without texture coordinates, which show one texel of a texture: %zu of %zu\n",
+                 "shd-render: meshes without texture coordinates, which show one texel of a texture: %zu of %zu "
+                 "(--uv box)\n",
                  count, model.geometries.size());
   }
 }
@@ -225,8 +227,10 @@ void run(const Options& options) {
   for (const Shot& shot : options.shots) {
     make_camera(options, shot, 0.0f, model, shown, bounds);  // throws before textures are read
   }
+  const Camera first = make_camera(options, options.shots[0], 0.0f, model, shown, bounds);
+  const shd_slot uv = uv_slot(options.uv, box_of(shown), first);
   add_extras(context.get(), options, bounds, model);
-  const Paint paint = make_paint(context.get(), options, model);
+  const Paint paint = make_paint(context.get(), options, model, uv);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   const Environment environment = load_environment(context.get(), options);
   const Stage stage = {context.get(), options, model, shown, bounds, paint, environment.get(), volume};

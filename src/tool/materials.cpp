@@ -28,6 +28,7 @@ constexpr int kTargets = SHD_SLOT_TINT + 1;
 struct Replacements {
   shd_texture* texture[kTargets] = {};
   const shd_solid_desc* solid = nullptr;  // feeds the diffuse slot
+  shd_slot uv = shd_slot_default();       // coordinates of the textures, except heights and matcaps
   bool drops_others = false;              // no other textures of the surface are used
 };
 
@@ -45,7 +46,14 @@ Slots make_slots(const shd_material_desc& desc, const Options& options, const Re
   }
   for (int target = 0; target < kTargets; ++target) {
     shd_texture* texture = replacements.texture[target];
-    if (texture) slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler));
+    if (!texture) continue;
+    shd_slot slot = replacements.uv;
+    if (target == SHD_SLOT_HEIGHT || target == SHD_SLOT_MATCAP) slot = shd_slot_default();
+    slot.target = static_cast<shd_slot_target>(target);
+    slot.source = SHD_SLOT_SOURCE_TEXTURE;
+    slot.texture = texture;
+    slot.sampler = sampler;
+    slots.push_back(slot);
   }
   if (options.occlusion) slots.push_back(shd_slot_vertex(SHD_SLOT_OCCLUSION, kOcclusionAttribute));
   if (replacements.solid) {
@@ -71,6 +79,7 @@ Replacements set_extras(shd_material_desc& desc, const Options& options, const E
   replacements.drops_others = !options.texture.empty() || extras.solid;
   if (extras.solid) replacements.solid = &*extras.solid;
   if (!extras.solid) replacements.texture[SHD_SLOT_DIFFUSE] = extras.diffuse.get();
+  replacements.uv = extras.uv;
   replacements.texture[SHD_SLOT_NORMAL] = extras.normal.texture.get();
   replacements.texture[SHD_SLOT_NORMAL_MIXED] = extras.normal.mixed.get();
   replacements.texture[SHD_SLOT_HEIGHT] = extras.height.get();
@@ -99,8 +108,9 @@ Texture load_extra(shd_context* context, const Options& options, const std::stri
 
 }  // namespace
 
-Extras make_extras(shd_context* context, const Options& options) {
+Extras make_extras(shd_context* context, const Options& options, const shd_slot& uv) {
   Extras extras;
+  extras.uv = uv;
   extras.diffuse = load_extra(context, options, options.texture, false);
   if (options.solid) extras.solid = make_solid(*options.solid, options.solid_size);
   extras.height = load_extra(context, options, options.height_map, true);

@@ -13,10 +13,12 @@ struct Extras {
   Texture diffuse, height, matcap;
   NormalMap normal;
   std::optional<shd_solid_desc> solid;  // instead of `diffuse`
+  shd_slot uv = shd_slot_default();     // coordinates of `diffuse` and `normal`
 };
 
 /// Loads the files that the options name. Throws Failure (kExitInput) for a file that cannot be read.
-Extras make_extras(shd_context* context, const Options& options);
+/// @param uv  coordinates of the textures: uv_slot()
+Extras make_extras(shd_context* context, const Options& options, const shd_slot& uv);
 
 /// Whether a surface of the file keeps its model: unlit, and glass where an environment is seen through it.
 bool keeps_model(const Options& options, shd_model model);

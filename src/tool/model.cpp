@@ -12,6 +12,7 @@
 #include "tool/output.h"
 #include "tool/shapes.h"
 #include "tool/textures.h"
+#include "tool/uv.h"
 
 namespace {
 
@@ -56,6 +57,7 @@ Scene load_scene(shd_context* context, const Options& options) {
   if (options.has_filter) desc.flags |= SHD_SCENE_HOST_FILTERS;
   if (options.any_folder) desc.flags |= SHD_SCENE_ANY_FOLDER;
   if (options.line_width > 0.0f) desc.mesh_flags |= SHD_MESH_ADJACENCY;
+  desc.uv_projection = projection_of(options.uv);
   Scene scene;
   const std::optional<std::string> type = stream_type(options.model);
   const shd_result result = type ? load_input(context, type->empty() ? "" : "standard input" + *type, desc, scene.out())
@@ -138,7 +140,8 @@ void add_shape(shd_context* context, const Options& options, shd_shape shape, ui
   model.geometries.emplace_back();
   Geometry& geometry = model.geometries.back();
   geometry.name = surface.is_floor ? surface.name : shd_shape_name(shape);
-  geometry.own = make_shape(context, shape, steps, options.line_width > 0.0f ? SHD_MESH_ADJACENCY : SHD_MESH_NONE);
+  geometry.own = make_shape(context, shape, steps, options.line_width > 0.0f ? SHD_MESH_ADJACENCY : SHD_MESH_NONE,
+                            surface.is_floor ? SHD_UV_PROJECTION_NONE : projection_of(options.uv));
   geometry.mesh = geometry.own.get();
   read_geometry(geometry);
   model.surfaces.push_back(surface);

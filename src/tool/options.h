@@ -40,6 +40,10 @@ enum class KeepRoughness { kNone, kToksvig, kLean };
 /// A table that is drawn in place of the model.
 enum class Table { kMipmap, kRipmap, kSummedArea, kShadowMap };
 
+/// Coordinates of textures: those of the meshes, rules that give them to the vertices of meshes without any
+/// (shd_uv_projection), or coordinates of each fragment.
+enum class Uv { kMesh, kPlanar, kSpherical, kCylindrical, kBox, kTriplanar, kCamera };
+
 /// Where the eye of a picture is: around the model, or at a camera of the file.
 struct Shot {
   float azimuth = 30.0f, elevation = 20.0f;  // [deg]
@@ -104,9 +108,10 @@ struct Options {
   shd_bump bump_form = SHD_BUMP_NONE;
   float bump_scale = 1.0f, parallax = 0.0f;       // [world units]
   float displacement = 0.0f, edge_length = 4.0f;  // [world units]; edges of displaced triangles [pixels]
-  float uv_scale = 1.0f;                          // factor for all textures
-  float line_width = 0.0f, crease = 60.0f;        // drawn edges [pixels], 0 = none; crease angle [deg]
-  float wire_width = 0.0f;                        // edges of all triangles instead of surfaces [pixels], 0 = surfaces
+  Uv uv = Uv::kMesh;
+  float uv_scale = 1.0f;                    // factor for all textures
+  float line_width = 0.0f, crease = 60.0f;  // drawn edges [pixels], 0 = none; crease angle [deg]
+  float wire_width = 0.0f;                  // edges of all triangles instead of surfaces [pixels], 0 = surfaces
   int tessellation = 16;
   bool color = true;
   std::string display = "sRGB", view = "ACES 1.0 SDR-video";

@@ -5,8 +5,26 @@
 #include <vector>
 
 #include "command/failure.h"
+#include "tool/uv.h"
 
-Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags) {
+namespace {
+
+/// The box of positions that are `stride` floats apart.
+Box box_around(const std::vector<float>& vertices, size_t stride) {
+  Box box;
+  for (size_t i = 0; i < vertices.size(); i += stride) {
+    for (size_t c = 0; c < 3; ++c) {
+      box.low[c] = std::min<double>(box.low[c], vertices[i + c]);
+      box.high[c] = std::max<double>(box.high[c], vertices[i + c]);
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags,
+                shd_uv_projection projection) {
   shd_shape_desc desc = shd_shape_desc_default();
   desc.kind = shape;
   for (uint32_t& segments : desc.segments) segments = steps;
@@ -29,6 +47,12 @@ Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t 
   mesh.indices.data = indices.data();
   mesh.index_count = indices.size();
   mesh.flags = mesh_flags | SHD_MESH_TANGENTS;
+  if (projection != SHD_UV_PROJECTION_NONE) {
+    const std::array<float, 16> fit = fit_box(box_around(vertices, 8), 0.0, 2.0);
+    mesh.uv_projection = projection;
+    std::copy(fit.begin(), fit.end(), mesh.object_to_projection);
+    mesh.uv[0] = mesh.uv[1] = shd_f32_in{nullptr, 0};
+  }
   Mesh made;
   check(shd_mesh_create(context, &mesh, made.out()), "mesh");
   return made;

@@ -14,6 +14,14 @@ const Name<Table> kTables[] = {{"mipmap", Table::kMipmap},
                                {"summed-area", Table::kSummedArea},
                                {"shadow-map", Table::kShadowMap}};
 
+const Name<Uv> kUvs[] = {{"mesh", Uv::kMesh},
+                         {"planar", Uv::kPlanar},
+                         {"spherical", Uv::kSpherical},
+                         {"cylindrical", Uv::kCylindrical},
+                         {"box", Uv::kBox},
+                         {"triplanar", Uv::kTriplanar},
+                         {"camera", Uv::kCamera}};
+
 }  // namespace
 
 Group surface_options(Options& out) {
@@ -49,6 +57,10 @@ Group surface_options(Options& out) {
         "Added to the level of detail: below 0 is sharper, above 0 smoother."},
        {"--affine", "", flag(out.affine),
         "Interpolate textures and normals linearly on the screen, without perspective, as old consoles did."},
+       {"--uv", "K", named(out.uv, kUvs),
+        "Coordinates of textures. planar to box: projected from the bounds of the model, for shapes and for meshes "
+        "without any. triplanar, camera: for --texture and --normal-map, blended along three axes, or thrown from the "
+        "camera."},
        {"--uv-scale", "S", number(out.uv_scale, 0, 1e6), "Textures S times as often."},
        {"--normal-map", "FILE", file(out.normal_map), "Tangent-space normals on everything, instead of the model's."},
        {"--keep-roughness", "K", named(out.keep, kKeep), "What its mip levels do about bumps that they lose."}}};

@@ -17,6 +17,7 @@
 /// | shapes.h    | meshes of shd/shapes.h                                  |
 /// | materials.h | materials, changed by the options                       |
 /// | solids.h    | built-in solid textures                                 |
+/// | uv.h        | coordinates of textures from positions                  |
 /// | draws.h     | all materials, and the draws of a picture               |
 /// | textures.h  | built-in textures and files; normal_maps.cpp            |
 /// | camera.h    | the camera of a file, or one that shows the whole model |

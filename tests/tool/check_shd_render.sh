@@ -125,6 +125,14 @@ same --lamps 64 --threads 1 --simd baseline -- --lamps 64 --threads 3
 same --texture checker --uv-scale 1 -- --texture checker
 other --texture checker --uv-scale 2 -- --texture checker
 other --texture checker --uv-scale 20 -- --texture checker --uv-scale 20 --lod-bias -2
+kinds=(mesh planar spherical cylindrical box triplanar camera)
+for i in "${!kinds[@]}"; do
+  for ((k = 0; k < i; ++k)); do
+    other --texture checker --uv "${kinds[k]}" -- --texture checker --uv "${kinds[i]}"
+  done
+done
+same --shape box --texture checker --uv box -- --shape box --texture checker
+same --texture checker --uv camera --uv-scale 1 -- --texture checker --uv camera
 for kind in stripes checker perlin value simplex worley wood; do other --solid marble -- --solid $kind; done
 other --solid marble -- --solid marble --solid-size 0.25
 same --solid marble --texture checker -- --solid marble
@@ -135,6 +143,9 @@ for form in gradient texel; do other --shape sphere -- --shape sphere --height c
 other --shape plane --texture checker -- --shape plane --texture checker --height checker --parallax 0.2
 expect 0 "" --size 64x64 --no-color --shape sphere --show normal -o normals.png
 other --shape sphere -- --shape sphere --normal-map normals.png
+for kind in box triplanar camera; do
+  other --normal-map normals.png -- --normal-map normals.png --uv $kind
+done
 other --shape plane --normal-map normals.png --uv-scale 30 -- \
   --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
 
@@ -348,8 +359,14 @@ expect 0 "its material is plain" --size 8x8 --texture checker tri.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
 expect 0 "meshes without texture coordinates, which show one texel of a texture: 1 of 1" --size 8x8 --texture checker \
   bare.obj
+grep -q "(--uv box)" said.txt || failed=1
 expect 0 "" --size 8x8 bare.obj
 grep "^shd-render:" said.txt && failed=1
+for kind in planar spherical cylindrical box triplanar camera; do
+  expect 0 "" --size 8x8 --texture checker --uv $kind bare.obj
+  grep "^shd-render:" said.txt && failed=1
+done
+expect 2 "triplanar or camera" --uv round bare.obj
 cat >single.gltf <<'END'
 {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
