@@ -284,6 +284,7 @@ static void edit_default_sampler(shd_slot *s) { s->sampler = NULL; }
 static void edit_space(shd_slot *s) { s->place_space = (shd_place_space)2; }
 static void edit_transform(shd_slot *s) { s->place_transform[9] = (float)NAN; }
 static void edit_projective(shd_slot *s) { s->place_transform[3] = 1; }
+static void edit_coordinates(shd_slot *s) { s->coordinates = SHD_SLOT_COORDINATES_PROJECTED; }
 static void edit_width(shd_slot *s) { s->place_width = 1001; }
 
 static const struct bad_case k_bad[] = {
@@ -302,6 +303,8 @@ static const struct bad_case k_bad[] = {
      "material.slots[0].place_transform[9]: "},
     {"slot/projective", edit_projective, SHD_FILTER_TRILINEAR, SHD_ERROR_INVALID_ARGUMENT,
      "material.slots[0].place_transform: last row is (1, 0, 0, 1), not (0, 0, 0, 1)"},
+    {"slot/coordinates", edit_coordinates, SHD_FILTER_TRILINEAR, SHD_ERROR_INVALID_ARGUMENT,
+     "material.slots[0].coordinates: 1, but the texture is 3D"},
     {"slot/width", edit_width, SHD_FILTER_TRILINEAR, SHD_ERROR_INVALID_ARGUMENT,
      "material.slots[0].place_width: 1001 is not in 0..1000"},
 };

@@ -33,15 +33,6 @@ struct FrameCase {
   uint64_t budget = 0;
 };
 
-inline void choose_affine(Source& source, float* matrix) {
-  const uint32_t kind = source.below(8);
-  for (int i = 0; i < 16; ++i) {
-    matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
-    if (kind > 3 || (kind != 0 && i % 4 == 3)) continue;
-    matrix[i] = kind == 0 ? source.hostile() : source.real();
-  }
-}
-
 inline void write_program(const shd_fragments* in, shd_radiance* out, void*) {
   for (size_t i = 0; i < in->count; ++i) {
     out->r[i] = in->u[i];
@@ -58,6 +49,16 @@ inline void move_vertices(const shd_vertices* in, shd_vertex_outputs* out, void*
   }
 }
 
+inline void choose_coordinates(Source& source, shd_slot& slot) {
+  if (slot.source != SHD_SLOT_SOURCE_TEXTURE && !source.one_in(16)) return;
+  slot.coordinates = source.constant<shd_slot_coordinates>(3);
+  slot.place_space = source.constant<shd_place_space>(2);
+  slot.triplanar_sharpness = source.one_in(16) ? source.below(256) : 1 + source.below(8);
+  choose_affine(source, slot.place_transform);
+  if (slot.coordinates != SHD_SLOT_COORDINATES_PROJECTED) return;
+  for (size_t i = 3; i < 16; i += 4) slot.place_transform[i] = source.real();
+}
+
 inline void choose_slots(Source& source, DrawCase& c) {
   c.material.slot_count = source.one_in(2) ? 0 : source.below(kMaxSlots + 1);
   for (uint32_t i = 0; i < c.material.slot_count; ++i) {
@@ -69,6 +70,7 @@ inline void choose_slots(Source& source, DrawCase& c) {
     c.slots[i].attribute = source.below(source.one_in(32) ? 16 : 3);
     c.slots[i].channel = source.below(source.one_in(32) ? 8 : 4);
     c.slots[i].uv_set = source.below(source.one_in(32) ? 4 : 2);
+    if (source.one_in(4)) choose_coordinates(source, c.slots[i]);
     if (!source.one_in(4)) continue;
     for (float& value : c.slots[i].uv_transform) value = 2.0f * source.real();
   }

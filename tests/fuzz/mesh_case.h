@@ -69,6 +69,22 @@ inline void choose_indices(Source& source, MeshCase& c, uint32_t max_indices) {
   }
 }
 
+inline void choose_affine(Source& source, float* matrix) {
+  const uint32_t kind = source.below(8);
+  for (int i = 0; i < 16; ++i) {
+    matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
+    if (kind > 3 || (kind != 0 && i % 4 == 3)) continue;
+    matrix[i] = kind == 0 ? source.hostile() : source.real();
+  }
+}
+
+/// A projection of uv, mostly in place of the columns.
+inline void choose_projection(Source& source, MeshCase& c) {
+  c.desc.uv_projection = source.constant<shd_uv_projection>(5);
+  choose_affine(source, c.desc.object_to_projection);
+  if (!source.one_in(16)) c.desc.uv[0].data = c.desc.uv[1].data = nullptr;
+}
+
 /// A mesh of at most max_vertices vertices and max_indices indices. Its columns point into `c`, which must not move.
 inline void choose_mesh(Source& source, MeshCase& c, uint32_t max_vertices, uint32_t max_indices) {
   c.desc.vertex_count = source.below(max_vertices + 1);
@@ -80,6 +96,7 @@ inline void choose_mesh(Source& source, MeshCase& c, uint32_t max_vertices, uint
   c.desc.attribute_count = source.one_in(32) ? source.below(12) : source.below(4);
   for (shd_f32_in& attribute : c.attributes) attribute.data = source.one_in(2) ? c.desc.position[0].data : nullptr;
   c.desc.attributes = c.desc.attribute_count > 3 ? nullptr : c.attributes;
+  if (source.one_in(4)) choose_projection(source, c);
   if (source.one_in(128)) c.desc.struct_size = source.one_in(2) ? source.below(32) : 0x80000000u | source.word();
 }
 

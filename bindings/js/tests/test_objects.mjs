@@ -146,6 +146,8 @@ test("objects/mesh", (shd, context) => {
   assert.deepEqual([...mesh.readIndices()], [0, 1, 2]);
   assert.deepEqual([...mesh.readAttribute(0)], [1, 2, 3]);
   assert.equal(mesh.tessellate(context, { segments: 2 }).info.triangleCount, 4);
+  const projected = new shd.Mesh(context, { position, uvProjection: "planar" });
+  assert.deepEqual([...projected.read("uv")].slice(0, 2), [0.5, 0.5]);
   const doubles = Float64Array.from(position), integers = Int32Array.of(0, 1, 2);
   const converted = new shd.Mesh(context, { position: doubles, indices: integers });
   assert.deepEqual(converted.read("positions"), position);

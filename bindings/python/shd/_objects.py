@@ -210,7 +210,8 @@ class Mesh(Object):
     """Mesh(context, position, indices=None, uv=None, normal=None, ...).
 
     `position` and `normal` are arrays [n][3] or three columns, `uv` is [n][2]. `indices` is an array of integers of any
-    size; numbers of other types than float32, uint32 and uint16 are converted once.
+    size; numbers of other types than float32, uint32 and uint16 are converted once. `uv_projection` computes uv from
+    positions: "planar", "spherical", "cylindrical" or "box", through the matrix `object_to_projection`.
     """
 
     _kind = "shd_mesh"

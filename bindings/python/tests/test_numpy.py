@@ -122,6 +122,17 @@ class Inputs(Case):
         rows = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]  # three rows, which are no columns
         np.testing.assert_array_equal(shd.Mesh(self.context, rows).positions, rows)
 
+    def test_projection(self):
+        """Coordinates from positions, through a matrix."""
+        mesh = shd.Mesh(self.context, POSITION, topology="strip", uv_projection="planar")
+        expected = np.stack([(1 + POSITION[:, 0]) / 2, (1 - POSITION[:, 1]) / 2], axis=1)
+        np.testing.assert_allclose(mesh.uv, expected, atol=1e-6)
+        half = np.diag(np.float32([0.5, 0.5, 0.5, 1])).ravel()
+        mesh = shd.Mesh(self.context, POSITION, topology="strip", uv_projection="planar", object_to_projection=half)
+        np.testing.assert_allclose(mesh.uv, (expected + 0.5) / 2, atol=1e-6)
+        self.check_refused(shd.InvalidArgument, r"mesh.uv_projection: 4, but mesh.uv is set too", shd.Mesh,
+                           self.context, POSITION, uv=POSITION[:, :2], uv_projection="box")
+
     def test_indices(self):
         faces = [[0, 1, 2], [1, 3, 2]]
         for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", ">i4"):
