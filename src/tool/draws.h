@@ -9,7 +9,8 @@
 struct Paint {
   Extras extras;
   std::vector<Sampler> samplers;
-  std::vector<Material> materials;
+  std::vector<Material> materials;  // by surface
+  std::vector<shd_slot> diffuse;    // by surface; their textures are those of the materials
   Material ink;  // material of lines
 };
 

@@ -17,6 +17,7 @@
 #include "command/suggest.h"
 #include "command/values.h"
 #include "core/regular_file.h"
+#include "tool/picture.h"
 
 namespace {
 
@@ -200,22 +201,14 @@ std::string picture_name(const Options& options, uint32_t picture, uint32_t pict
   return name.substr(0, dot) + number + name.substr(dot);
 }
 
-uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options) {
-  const size_t count = size_t{options.width} * options.height;
-  std::vector<float> planes[4];
-  for (int c = 0; c < 4; ++c) {
-    planes[c].resize(count);
-    const shd_f32_out out = shd_f32_out_column(planes[c].data(), 0);
-    check(shd_framebuffer_read_plane(framebuffer, static_cast<shd_plane>(SHD_PLANE_R + c), &out), "hash");
-  }
+uint64_t picture_hash(const shd_framebuffer* framebuffer) {
+  const Picture picture = read_picture(framebuffer);
   // Fowler, Noll and Vo, "The FNV Non-Cryptographic Hash Algorithm", FNV-1a; the lowest byte of a float first.
   uint64_t hash = 0xcbf29ce484222325;
-  for (size_t i = 0; i < count; ++i) {
-    for (const std::vector<float>& plane : planes) {
-      uint32_t bits;
-      std::memcpy(&bits, &plane[i], sizeof bits);
-      for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
-    }
+  for (const float value : picture.rgba) {
+    uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
   }
   return hash;
 }
@@ -264,6 +257,8 @@ void save_picture([[maybe_unused]] const Color& color, const shd_framebuffer* fr
     return;
   }
   check(shd_framebuffer_save(framebuffer, name.c_str(), &desc), name, kExitOutput);
-  std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
+  shd_framebuffer_info info = shd_framebuffer_info_default();
+  check(shd_framebuffer_get_info(framebuffer, &info), name);
+  std::printf("%s: %u x %u\n", name.c_str(), info.width, info.height);
   flush_stream();
 }

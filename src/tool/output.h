@@ -31,7 +31,7 @@ void check_output(shd_context* context, const Options& options);
 std::string picture_name(const Options& options, uint32_t picture, uint32_t pictures);
 
 /// FNV-1a of the bits of the linear colours.
-uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options);
+uint64_t picture_hash(const shd_framebuffer* framebuffer);
 
 /// Opens the colour config if the picture needs it. Throws Failure (kExitUsage) for an unknown display or view.
 Color open_color(shd_context* context, const Options& options);
