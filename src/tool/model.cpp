@@ -148,7 +148,7 @@ void add_shape(shd_context* context, const Options& options, shd_shape shape, ui
 
 /// The corners of triangle k of a cycle: a wide end in front and a tip behind, turned by a third of a circle for each.
 std::array<std::array<float, 3>, 3> cycle_corners(uint32_t k) {
-  constexpr float kFlat[3][3] = {{-0.92f, -0.82f, 0.18f}, {1.25f, -0.5f, -0.18f}, {-0.92f, -0.22f, 0.18f}};
+  constexpr float kFlat[3][3] = {{-0.92f, -0.95f, 0.2f}, {1.75f, -0.5f, -0.2f}, {-0.92f, -0.25f, 0.2f}};
   const float angle = 2.0943951f * static_cast<float>(k), c = std::cos(angle), s = std::sin(angle);
   std::array<std::array<float, 3>, 3> corners;
   for (size_t i = 0; i < 3; ++i) {

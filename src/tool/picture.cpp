@@ -124,7 +124,7 @@ Picture reduce_picture(const Picture& picture, uint32_t n) {
 Picture join_pictures(const std::vector<Picture>& pictures) {
   uint32_t width = 0;
   for (const Picture& picture : pictures) width += picture.width + kDivider;
-  Picture out = blank_picture(width - kDivider, pictures[0].height, {1, 1, 1, 1});
+  Picture out = blank_picture(width - kDivider, pictures[0].height, {0.2f, 0.2f, 0.2f, 1});
   uint32_t left = 0;
   for (const Picture& picture : pictures) {
     for (uint32_t y = 0; y < picture.height; ++y) {

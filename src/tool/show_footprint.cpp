@@ -79,8 +79,8 @@ struct FootprintRange {
 /// Larger footprints are drawn larger, by the logarithm of their major diameters.
 void paint_footprint(const PlacedFootprint& at, const FootprintRange& majors, float step, Picture& picture) {
   const Footprint& f = at.footprint;
-  const float octaves = std::log2(majors.high / majors.low);
-  const float part = octaves > 0.0f ? std::log2(f.major / majors.low) / octaves : 1.0f;
+  const float octaves = std::max(std::log2(majors.high / majors.low), 2.0f);
+  const float part = 1.0f - std::log2(majors.high / f.major) / octaves;
   const float scale = step * (0.16f + 0.3f * part) / f.major;
   std::vector<PicturePoint> points;
   for (int i = 0; i <= 48; ++i) {

@@ -99,7 +99,7 @@ Picture show_depth(const Stage& stage, const Frame& frame) {
   });
   if (field.low <= field.high) std::fprintf(stderr, "shd-render: distances %.5g to %.5g\n", field.low, field.high);
   return color_field(stage, field, [&field](float distance, Rgb& color) {
-    color.fill(1.0f - 0.96f * part_of(field, distance));
+    color.fill(std::pow(1.0f - 0.9f * part_of(field, distance), 2.2f));  // even steps on a display
   });
 }
 

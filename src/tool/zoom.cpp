@@ -82,7 +82,7 @@ void paint_edges(const Stage& stage, const Frame& frame, const Window& window, P
   }
 }
 
-/// A dot with a white and a black ring around it; filled with white if the sample shows the model.
+/// A black ring between white ones, filled with black if the sample shows the model.
 void paint_dot(const PicturePoint& at, float radius, bool is_filled, Picture& picture) {
   std::vector<PicturePoint> circle;
   for (int i = 0; i <= 24; ++i) {
@@ -90,13 +90,12 @@ void paint_dot(const PicturePoint& at, float radius, bool is_filled, Picture& pi
     circle.push_back({at.x + radius * std::cos(angle), at.y + radius * std::sin(angle)});
   }
   const float line = std::max(0.3f * radius, 1.0f);
+  paint_stroke(picture, circle, 2.2f * line, {1, 1, 1});
   if (is_filled) {
     paint_stroke(picture, {at}, 2.0f * radius + line, {0, 0, 0});
-    paint_stroke(picture, {at}, 2.0f * radius - line, {1, 1, 1});
-    return;
+  } else {
+    paint_stroke(picture, circle, line, {0, 0, 0});
   }
-  paint_stroke(picture, circle, 2.0f * line, {1, 1, 1});
-  paint_stroke(picture, circle, line, {0, 0, 0});
 }
 
 }  // namespace
@@ -107,7 +106,7 @@ Picture zoom_picture(const Stage& stage, const Frame& frame, const Picture& pict
   if (stage.options.wire_width == 0.0f) paint_edges(stage, frame, window, out);
   const std::vector<PicturePoint> places = sample_places(stage.options);
   const auto scale = static_cast<float>(window.scale);
-  const float radius = std::min(0.25f * scale / std::sqrt(static_cast<float>(places.size())), 8.0f);
+  const float radius = std::min(0.2f * scale / std::sqrt(static_cast<float>(places.size())), 8.0f);
   const auto visit = [&](size_t i, const shd_framebuffer* framebuffer) {
     const std::vector<uint32_t> draw = read_numbers(framebuffer, SHD_PLANE_DRAW);
     for (uint32_t y = 0; y < window.size; ++y) {

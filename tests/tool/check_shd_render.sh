@@ -83,8 +83,10 @@ written hashed-0002.png 89504e47
 expect 2 "need -o FILE.exr" --aov --hash
 
 # Effects of options, tested on pairs of pictures.
-models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap normal uv level barycentrics)
-shows() { case $1 in normal | uv | level | barycentrics) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
+models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap)
+views=(normal uv barycentrics depth position overdraw level level-nearest tangents footprint uv-layout)
+shows() { case " ${views[*]} " in *" $1 "*) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
+models+=("${views[@]}")
 for i in "${!models[@]}"; do
   for ((k = 0; k < i; ++k)); do
     # shellcheck disable=SC2046
@@ -94,7 +96,8 @@ done
 rounded combined --model combined
 rounded blinn-phong --model blinn-phong
 cmp combined.png blinn-phong.png || failed=1  # with the same colour for ambient light
-for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show barycentrics"; do
+for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show barycentrics" "--show depth" \
+  "--show position" "--show overdraw" "--show level" "--show uv-layout"; do
   # shellcheck disable=SC2086
   same $how -- $how --lights none --ambient 0
 done
@@ -116,6 +119,12 @@ other --texture checker --uv-scale 2 -- --texture checker
 other --texture checker --uv-scale 20 -- --texture checker --uv-scale 20 --lod-bias -2
 for kind in stripes checker perlin value simplex worley wood; do other --solid marble -- --solid $kind; done
 other --solid marble -- --solid marble --solid-size 0.25
+same --solid perlin -- --solid perlin --solid-octaves 6 --solid-fade quintic
+other --solid perlin -- --solid perlin --solid-octaves 1
+other --solid perlin -- --solid perlin --solid-turbulence
+other --solid perlin -- --solid perlin --solid-table
+other --solid value -- --solid value --solid-fade cubic
+same --solid simplex -- --solid simplex --solid-turbulence
 same --solid marble --texture checker -- --solid marble
 same --texture checker --lod-bias 0 -- --texture checker
 same --shape sphere -- --shape sphere --height checker
@@ -145,7 +154,9 @@ other -- --wireframe 1
 other --wireframe 1 -- --wireframe 3
 other --samples 4 --shape plane --texture checker --uv-scale 9 -- \
   --samples 4 --shape plane --texture checker --uv-scale 9 --sample-shading
-same -- --sample-shading
+same --samples 1 -- --samples 1 --sample-shading
+same -- --samples 4
+other -- --samples 1
 other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
   --shape plane --texture checker --uv-scale 4 --orbit 30,10 --affine
 for filter in nearest bicubic hermite; do
@@ -251,6 +262,8 @@ expect 2 "y or z" --volume-up x
 expect 2 "--volume is drawn instead of a model" --volume cube.raw model.obj
 
 shapes=(teapot sphere plane box torus)
+other --shape cycle --visibility painter -- --shape cycle
+same --shape cycle -- --shape cycle --orbit 0,0
 for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
 same --shape plane -- --shape plane --supersampling 1
@@ -303,11 +316,13 @@ expect 0 "short.png: 8 x 8" --size=8x8 -oshort.png
 expect 2 "WIDTHxHEIGHT" --size 0x10
 expect 2 "WIDTHxHEIGHT" --size 10x10x10
 expect 2 "one of lambert" --model shiny
-expect 2 "one of normal, uv, level or barycentrics" --show shiny
+expect 2 "one of none, normal, uv, barycentrics, depth" --show shiny
+expect 2 "did you mean level-nearest?" --show level-neerest
 expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
 expect 2 "one of sphere" --shape cube
+expect 2 "or cycle" --shape cube
 expect 2 "one of hard" --shadows none
 expect 2 "a whole number 1..65536" --occlusion 0
 expect 2 "a number 1e-6..1e6" --occlusion-radius 0
