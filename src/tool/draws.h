@@ -11,7 +11,7 @@ struct Paint {
   std::vector<Sampler> samplers;
   std::vector<Material> materials;  // by surface
   std::vector<shd_slot> diffuse;    // by surface; their textures are those of the materials
-  Material ink;  // material of lines
+  Material ink;                     // material of lines
 };
 
 Paint make_paint(shd_context* context, const Options& options, const Model& model);

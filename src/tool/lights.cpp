@@ -148,14 +148,13 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
   }
   if (options.preset == LightPreset::kFile) add_file_lights(lighting, scene.scene.get(), lights);
   add_ambient(context, options, lights);
-  if (options.term == Term::kAmbient) {
-    lights.erase(std::remove_if(lights.begin(), lights.end(),
-                                [](const StageLight& light) { return light.kind != SHD_LIGHT_KIND_AMBIENT; }),
-                 lights.end());
-    return lights;
-  }
   const Texture cookie = make_cookie(context, options.cookie);
   for (const LightOption& option : options.lights) add_option_light(lighting, option, cookie.get(), lights);
   add_lamps(lighting, lights);
+  if (options.term == Term::kAll) return lights;
+  const auto is_other = [&options](const StageLight& light) {
+    return (light.kind == SHD_LIGHT_KIND_AMBIENT) != (options.term == Term::kAmbient);
+  };
+  lights.erase(std::remove_if(lights.begin(), lights.end(), is_other), lights.end());
   return lights;
 }

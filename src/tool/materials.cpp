@@ -100,12 +100,12 @@ shd_debug_view debug_view_of(Show show) {
   }
 }
 
-/// Leaves one term of the model. The ambient one needs ambient light alone, and has the emission.
+/// Leaves one term of the model in the light that make_lights() leaves. The ambient one has the emission.
 void set_term(shd_material_desc& desc, Term term) {
   if (term != Term::kDiffuse && term != Term::kSpecular) return;
   const bool no_diffuse = term == Term::kSpecular || desc.model == SHD_MODEL_UNLIT;
   for (size_t c = 0; c < 3; ++c) {
-    desc.ambient[c] = desc.emission[c] = 0.0f;
+    desc.emission[c] = 0.0f;
     (no_diffuse ? desc.diffuse : desc.specular)[c] = 0.0f;
   }
 }

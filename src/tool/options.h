@@ -44,7 +44,7 @@ struct Shot {
   std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
 };
 
-/// What a picture shows. Names are those of `--show`.
+/// The views of `--show`.
 enum class Show {
   kNone,  // the shaded model
   kNormal,
@@ -106,11 +106,11 @@ struct Options {
   bool affine = false;      // attributes are linear on the screen
   float lod_bias = 0.0f;
   Show show = Show::kNone;
-  uint32_t show_step = 0;    // distance of what is drawn over a picture [pixels]; 0 = 32
-  Term term = Term::kAll;    // the term that is drawn; no option sets it
-  ZoomOption zoom;           // of the finished picture
-  std::string compare;       // settings side by side; empty = one picture
-  bool difference = false;   // also the difference of the settings
+  uint32_t show_step = 0;                // distance of what is drawn over a picture [pixels]; 0 = 32
+  Term term = Term::kAll;                // the term that is drawn; no option sets it
+  ZoomOption zoom;                       // applied to the finished picture
+  std::string compare;                   // settings side by side; empty = one picture
+  bool difference = false;               // also the difference of the settings
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;
@@ -132,7 +132,7 @@ struct Options {
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
-  std::string texture;             // replaces the model's textures; "checker" = built in
+  std::string texture;  // replaces the model's textures; "checker" = built in
   SolidOptions solid;
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;

@@ -89,9 +89,8 @@ Samples draw_samples(shd_context* context, const Options& options, const shd_vie
   Samples samples;
   samples.per_pixel = options.samples * options.supersampling * options.supersampling;
   Counts others;
-  visit_samples(context, options, view, draws, SHD_AOV_DRAW, [&](size_t, const shd_framebuffer* framebuffer) {
-    add(framebuffer, options, samples, others);
-  });
+  visit_samples(context, options, view, draws, SHD_AOV_DRAW,
+                [&](size_t, const shd_framebuffer* framebuffer) { add(framebuffer, options, samples, others); });
   for (const auto& [key, count] : others) {
     samples.others.push_back({static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key), count});
   }

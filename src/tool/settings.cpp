@@ -9,10 +9,10 @@
 namespace {
 
 /// Options of the whole picture, and those that do not change it.
-constexpr const char* kShared[] = {"output",   "compression", "size",    "hash",    "aov",      "aovs",     "cryptomatte",
-                                   "compare",  "difference",  "zoom",    "display", "view",     "no-color", "dither",
-                                   "turntable", "animation",  "time",    "frames",  "threads",  "simd",     "progress",
-                                   "stats"};
+constexpr const char* kShared[] = {"output",      "compression", "size",       "hash",      "aov",     "aovs",
+                                   "cryptomatte", "compare",     "difference", "zoom",      "display", "view",
+                                   "no-color",    "dither",      "turntable",  "animation", "time",    "frames",
+                                   "threads",     "simd",        "progress",   "stats"};
 
 std::vector<std::string> option_names(const command::Program& program) {
   std::vector<std::string> names;

@@ -2,8 +2,8 @@
 #pragma once
 #include "tool/stage.h"
 
-/// What a stage shows of a frame: the shaded frame, or a picture that `--show` makes of it.
-/// @param progress  of the shaded frame
+/// The picture of a frame: the shaded frame, or the view of `--show`.
+/// @param progress  progress of the shaded frame
 Picture show_frame(const Stage& stage, const Frame& frame, const shd_progress& progress);
 
 /// The shaded frame.

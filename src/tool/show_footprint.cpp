@@ -17,7 +17,8 @@ struct Footprint {
 
 /// The diameters are the singular values of the derivatives.
 void set_axes(Footprint& f) {
-  const float sum = std::hypot(f.dudx + f.dvdy, f.dvdx - f.dudy), difference = std::hypot(f.dudx - f.dvdy, f.dvdx + f.dudy);
+  const float sum = std::hypot(f.dudx + f.dvdy, f.dvdx - f.dudy),
+              difference = std::hypot(f.dudx - f.dvdy, f.dvdx + f.dudy);
   f.major = 0.5f * (sum + difference);
   f.minor = 0.5f * std::fabs(sum - difference);
 }
@@ -85,7 +86,8 @@ void paint_footprint(const PlacedFootprint& at, const FootprintRange& majors, fl
   std::vector<PicturePoint> points;
   for (int i = 0; i <= 48; ++i) {
     const float angle = 6.2831853f * static_cast<float>(i) / 48.0f, c = std::cos(angle), s = std::sin(angle);
-    points.push_back({at.center.x + scale * (f.dudx * c + f.dudy * s), at.center.y + scale * (f.dvdx * c + f.dvdy * s)});
+    points.push_back(
+        {at.center.x + scale * (f.dudx * c + f.dudy * s), at.center.y + scale * (f.dvdx * c + f.dvdy * s)});
   }
   paint_stroke(picture, points, 4.0f, {0.0f, 0.0f, 0.0f});
   paint_stroke(picture, points, 2.0f, ramp_color(0.4f + 0.15f * std::log2(anisotropy_of(f))));
@@ -113,12 +115,13 @@ Picture show_footprints(const Stage& stage, const Frame& frame) {
     minors.add(f.minor);
     anisotropies.add(anisotropy_of(f));
   });
-  if (footprints.empty()) throw Failure(kExitInput, "--show footprint: no surface in the picture has a texture");
+  if (footprints.empty())
+    throw Failure(kExitInput, "--show footprint: no place of the grid shows a texture (--texture, --show-step)");
   for (const PlacedFootprint& at : footprints) paint_footprint(at, majors, distance, picture);
-  std::fprintf(stderr,
-               "shd-render: %zu footprints: major diameters %.4g to %.4g texels, minor ones %.4g to %.4g, ratios %.4g to "
-               "%.4g\n",
-               footprints.size(), majors.low, majors.high, minors.low, minors.high, anisotropies.low,
-               anisotropies.high);
+  std::fprintf(
+      stderr,
+      "shd-render: %zu footprints: major diameters %.4g to %.4g texels, minor ones %.4g to %.4g, ratios %.4g to "
+      "%.4g\n",
+      footprints.size(), majors.low, majors.high, minors.low, minors.high, anisotropies.low, anisotropies.high);
   return picture;
 }

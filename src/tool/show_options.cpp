@@ -48,13 +48,15 @@ Group show_options(Options& out) {
   return {
       "Insight",
       {{"--show", "V", named(out.show, kShows),
-        "Values instead of light. Depth is bright where it is near; overdraw counts the fragments of a pixel, hidden or "
+        "Values instead of light. Depth is bright where it is near; overdraw counts the fragments of a pixel, hidden "
+        "or "
         "not; level is the continuous level of detail of the texture, and level-nearest the mip level next to it, both "
         "with a colour for each level; position is red along x, green along y and blue along z. These values and "
         "normal, uv and barycentrics are saved without the display transform. Over the picture, tangents draws the "
         "axes of tangent space, red along u, green against v and blue along the normal, and footprint draws the pixel "
         "in texture space as an ellipse, its u to the right and its v down, from green for a circle to red for "
-        "an axis 16 times the other one. Uv-layout is the triangles in texture space. Terms is the ambient, the diffuse "
+        "an axis 16 times the other one. Uv-layout is the triangles in texture space. Terms is the ambient, the "
+        "diffuse "
         "and the specular light and their sum, side by side."},
        {"--show-step", "PX", initially(number(out.show_step, 4, 4096, " pixels"), "32"),
         "The distance of the axes of tangents and of the ellipses of footprint."},

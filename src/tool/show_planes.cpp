@@ -13,7 +13,7 @@ namespace {
 
 /// A value of each sample of a picture, NaN where nothing is drawn.
 struct Field {
-  Options options;                         // of a picture as large as the samples of `--supersampling`
+  Options options;                         // options with the size of the supersampled picture
   std::vector<std::vector<float>> sample;  // [sample of a pixel][height][width]
   float low = HUGE_VALF, high = -HUGE_VALF;
 };
@@ -65,8 +65,8 @@ float part_of(const Field& field, float value) {
 /// The colours of mip levels; levels in between have colours in between (after Williams, "Pyramidal Parametrics", 1983,
 /// whose pictures show levels as they are stored).
 Rgb level_color(float level) {
-  constexpr Rgb kLevels[] = {{0.05f, 0.1f, 0.8f},   {0.0f, 0.55f, 0.75f}, {0.05f, 0.6f, 0.08f}, {0.9f, 0.8f, 0.05f},
-                             {0.95f, 0.35f, 0.02f}, {0.75f, 0.02f, 0.03f}, {0.6f, 0.03f, 0.5f}, {0.2f, 0.08f, 0.5f},
+  constexpr Rgb kLevels[] = {{0.05f, 0.1f, 0.8f},   {0.0f, 0.55f, 0.75f},  {0.05f, 0.6f, 0.08f}, {0.9f, 0.8f, 0.05f},
+                             {0.95f, 0.35f, 0.02f}, {0.75f, 0.02f, 0.03f}, {0.6f, 0.03f, 0.5f},  {0.2f, 0.08f, 0.5f},
                              {0.35f, 0.35f, 0.35f}, {0.9f, 0.9f, 0.9f}};
   constexpr float kLast = std::size(kLevels) - 1;
   const float at = std::clamp(level, 0.0f, kLast);

@@ -10,7 +10,7 @@ namespace {
 
 /// Triangles in texture space.
 struct Layout {
-  shd_slot slot = shd_slot_default();  // of their texture; no texture = all triangles
+  shd_slot slot = shd_slot_default();  // slot of their texture; no texture = all triangles
   std::vector<float> uv;               // [vertex][2]
   std::vector<uint32_t> indices;       // [triangle][3]
 };
@@ -72,7 +72,7 @@ Placement place_layout(const Options& options, const Layout& layout) {
       place.high[c] = std::max(place.high[c], value);
     }
   }
-  float aspect = 1.0f;  // of the unit square
+  float aspect = 1.0f;  // aspect of the unit square
   if (layout.slot.texture) {
     shd_texture_info info = shd_texture_info_default();
     check(shd_texture_get_info(layout.slot.texture, &info), "texture");
@@ -142,7 +142,8 @@ Picture show_uv_layout(const Stage& stage, const Frame&) {
                                     {0, 1, 2, 0, 2, 3});
   const Mesh triangles = make_flat_mesh(stage, place, layout.uv, layout.indices);
   const Material dim = make_flat(stage, layout.slot, {0.3f, 0.3f, 0.3f});
-  const Material full = make_flat(stage, layout.slot, {1, 1, 1}), gray = make_flat(stage, layout.slot, {0.6f, 0.6f, 0.6f});
+  const Material full = make_flat(stage, layout.slot, {1, 1, 1}),
+                 gray = make_flat(stage, layout.slot, {0.6f, 0.6f, 0.6f});
   const Material ink = make_flat(stage, shd_slot_default(), {1.0f, 0.35f, 0.0f});
   const shd_draw draws[] = {make_flat_draw(sheet, dim, SHD_FILL_SOLID, 1),
                             make_flat_draw(triangles, layout.slot.texture ? full : gray, SHD_FILL_SOLID, 1),

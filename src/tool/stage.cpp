@@ -64,7 +64,7 @@ Model show_all(const Poses& poses, const Model& model) {
   return box_model(box);
 }
 
-/// What cameras show.
+/// The model that cameras show.
 const Model& shown_of(const Stage& stage) {
   return stage.all.geometries.empty() ? stage.model : stage.all;
 }

@@ -14,7 +14,7 @@ struct Poses {
   std::vector<double> times;  // [s]; empty = the pose of the file
 };
 
-/// What the pictures of one setting of the options have in common.
+/// Objects that the pictures of one setting of the options share.
 struct Stage {
   shd_context* context = nullptr;
   Options options;

@@ -112,7 +112,8 @@ Picture zoom_picture(const Stage& stage, const Frame& frame, const Picture& pict
     for (uint32_t y = 0; y < window.size; ++y) {
       for (uint32_t x = 0; x < window.size; ++x) {
         const size_t pixel = size_t{window.top + y} * stage.options.width + window.left + x;
-        const PicturePoint at = {scale * (static_cast<float>(x) + places[i].x), scale * (static_cast<float>(y) + places[i].y)};
+        const PicturePoint at = {scale * (static_cast<float>(x) + places[i].x),
+                                 scale * (static_cast<float>(y) + places[i].y)};
         if (radius >= 1.5f) paint_dot(at, radius, draw[pixel] != kNothing, out);
       }
     }

@@ -3,5 +3,5 @@
 #include "tool/stage.h"
 
 /// The pixels of `--zoom`, each as a square, with their samples as dots and the edges of the triangles.
-/// @param picture  what the stage shows of the frame
+/// @param picture  picture of the frame by show_frame()
 Picture zoom_picture(const Stage& stage, const Frame& frame, const Picture& picture);
