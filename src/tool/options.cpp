@@ -34,7 +34,8 @@ const std::vector<Section> kSections = {
      "surfaces and volumes have no ids. Parts of the file with one name and one place are one object; others with that "
      "name get _2, _3 and on. The material of --lines is named lines."},
     {"Output",
-     "The name and size of every picture that is written, on standard output. Lights, cameras and animations of "
+     "The name and size of every picture that is written, on standard output. The ranges of the values of --show and "
+     "--difference are on standard error. Lights, cameras and animations of "
      "the model that the options do not use are reported on standard error."},
     {"Exit status",
      "0 done, 1 failed, 2 wrong options, 3 the model, the volume or a named texture cannot be read, 4 the "
@@ -43,6 +44,8 @@ const std::vector<Section> kSections = {
     {"Examples", R"(  shd-render model.gltf -o model.png
   shd-render --volume head.raw --volume-size 256x256x113 --volume-format u16be --volume-up z -o head.png
   shd-render --turntable 36 --shadows pcss --floor model.obj -o turn.png
+  shd-render --shape plane --texture checker --compare "filter=nearest:filter=ewa" --difference -o ewa.png
+  shd-render --texture checker --show level --samples 1 --zoom 400,300,16 -o level.png
   shd-render --camera 0 --lights file --filter anisotropic --supersampling 4 scene.dae -o scene.exr)"},
     {"Caveats", "Some damaged models make assimp end the whole process: run models of strangers in a sandbox."},
     {"See also", "shd-check(1), shd-maketx(1)"}};

@@ -8,7 +8,8 @@ namespace {
 
 const Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
-const Name<shd_solid_fade> kFades[] = {{"quintic", SHD_SOLID_FADE_QUINTIC}, {"cubic", SHD_SOLID_FADE_CUBIC}};
+const Name<shd_solid_fade> kFades[] = {
+    {"quintic", SHD_SOLID_FADE_QUINTIC}, {"cubic", SHD_SOLID_FADE_CUBIC}, {"linear", SHD_SOLID_FADE_LINEAR}};
 
 /// The shapes of the library, and cycle.
 Values shape_values(Options& out) {

@@ -124,6 +124,7 @@ other --solid perlin -- --solid perlin --solid-octaves 1
 other --solid perlin -- --solid perlin --solid-turbulence
 other --solid perlin -- --solid perlin --solid-table
 other --solid value -- --solid value --solid-fade cubic
+other --solid value --solid-fade linear -- --solid value --solid-fade cubic
 same --solid simplex -- --solid simplex --solid-turbulence
 same --solid marble --texture checker -- --solid marble
 same --texture checker --lod-bias 0 -- --texture checker
