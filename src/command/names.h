@@ -36,10 +36,6 @@ inline const Name<uint32_t> kAovs[] = {{"uv", SHD_AOV_UV},
                                        {"draw", SHD_AOV_DRAW},
                                        {"overdraw", SHD_AOV_OVERDRAW},
                                        {"all", 2 * SHD_AOV_OVERDRAW - 1}};
-inline const Name<shd_debug_view> kViews[] = {{"normal", SHD_DEBUG_VIEW_NORMAL},
-                                              {"uv", SHD_DEBUG_VIEW_UV},
-                                              {"level", SHD_DEBUG_VIEW_LEVEL},
-                                              {"barycentrics", SHD_DEBUG_VIEW_BARYCENTRICS}};
 inline const Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 inline const Name<shd_rules> kRules[] = {{"vulkan", SHD_RULES_VULKAN},

@@ -51,7 +51,9 @@ Paint make_paint(shd_context* context, const Options& options, const Model& mode
   paint.extras = make_extras(context, options, uv);
   const shd_model reflectance = model_of(options, model);
   for (const Surface& surface : model.surfaces) {
-    paint.materials.push_back(make_material(context, options, reflectance, surface, paint.extras, paint.samplers));
+    shd_slot& diffuse = paint.diffuse.emplace_back();
+    paint.materials.push_back(
+        make_material(context, options, reflectance, surface, paint.extras, paint.samplers, diffuse));
   }
   shd_material_desc ink = shd_material_desc_default();
   ink.model = SHD_MODEL_UNLIT;

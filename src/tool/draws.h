@@ -9,8 +9,9 @@
 struct Paint {
   Extras extras;
   std::vector<Sampler> samplers;
-  std::vector<Material> materials;
-  Material ink;  // material of lines
+  std::vector<Material> materials;  // by surface
+  std::vector<shd_slot> diffuse;    // by surface; their textures are those of the materials
+  Material ink;                     // material of lines
 };
 
 /// @param uv  coordinates of the textures of the options: uv_slot()

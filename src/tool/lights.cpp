@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tool/lights.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "command/failure.h"
@@ -15,6 +16,13 @@ void add_light(shd_context* context, const shd_light_desc& desc, std::vector<Sta
   light.casts = casts;
   light.kind = desc.kind;
   out.push_back(std::move(light));
+}
+
+void add_ambient(shd_context* context, const Options& options, std::vector<StageLight>& out) {
+  shd_light_desc ambient = shd_light_desc_default();
+  ambient.kind = SHD_LIGHT_KIND_AMBIENT;
+  for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = (*options.ambient)[c];
+  add_light(context, ambient, out, false);
 }
 
 /// State that the lights of one frame share.
@@ -139,12 +147,14 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
     add_course_lights(lighting, lights);
   }
   if (options.preset == LightPreset::kFile) add_file_lights(lighting, scene.scene.get(), lights);
+  add_ambient(context, options, lights);
   const Texture cookie = make_cookie(context, options.cookie);
   for (const LightOption& option : options.lights) add_option_light(lighting, option, cookie.get(), lights);
   add_lamps(lighting, lights);
-  shd_light_desc ambient = shd_light_desc_default();
-  ambient.kind = SHD_LIGHT_KIND_AMBIENT;
-  for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = (*options.ambient)[c];
-  add_light(context, ambient, lights, false);
+  if (options.term == Term::kAll) return lights;
+  const auto is_other = [&options](const StageLight& light) {
+    return (light.kind == SHD_LIGHT_KIND_AMBIENT) != (options.term == Term::kAmbient);
+  };
+  lights.erase(std::remove_if(lights.begin(), lights.end(), is_other), lights.end());
   return lights;
 }

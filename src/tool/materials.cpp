@@ -100,6 +100,25 @@ Replacements set_extras(shd_material_desc& desc, const Options& options, const E
   return replacements;
 }
 
+shd_debug_view debug_view_of(Show show) {
+  switch (show) {
+    case Show::kNormal: return SHD_DEBUG_VIEW_NORMAL;
+    case Show::kUv: return SHD_DEBUG_VIEW_UV;
+    case Show::kBarycentrics: return SHD_DEBUG_VIEW_BARYCENTRICS;
+    default: return SHD_DEBUG_VIEW_NONE;
+  }
+}
+
+/// Leaves one term of the model in the light that make_lights() leaves. The ambient one has the emission.
+void set_term(shd_material_desc& desc, Term term) {
+  if (term != Term::kDiffuse && term != Term::kSpecular) return;
+  const bool no_diffuse = term == Term::kSpecular || desc.model == SHD_MODEL_UNLIT;
+  for (size_t c = 0; c < 3; ++c) {
+    desc.emission[c] = 0.0f;
+    (no_diffuse ? desc.diffuse : desc.specular)[c] = 0.0f;
+  }
+}
+
 Texture load_extra(shd_context* context, const Options& options, const std::string& path, bool data) {
   if (path.empty() || path == "none") return Texture();
   const uint32_t tables = tables_of(options.filter);
@@ -112,7 +131,7 @@ Extras make_extras(shd_context* context, const Options& options, const shd_slot&
   Extras extras;
   extras.uv = uv;
   extras.diffuse = load_extra(context, options, options.texture, false);
-  if (options.solid) extras.solid = make_solid(*options.solid, options.solid_size);
+  if (options.solid.kind) extras.solid = make_solid(options.solid);
   extras.height = load_extra(context, options, options.height_map, true);
   if (!options.normal_map.empty()) extras.normal = load_normal_map(context, options);
   if (options.reflectance == SHD_MODEL_MATCAP) extras.matcap = make_matcap(context);
@@ -134,14 +153,19 @@ bool keeps_model(const Options& options, shd_model model) {
 }
 
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,
-                       const Extras& extras, std::vector<Sampler>& samplers) {
+                       const Extras& extras, std::vector<Sampler>& samplers, shd_slot& diffuse) {
   shd_material_desc desc = surface.desc;
   if (!keeps_model(options, desc.model)) desc.model = model;
-  desc.debug_view = options.debug_view;
+  desc.debug_view = debug_view_of(options.show);
   set_lobe(desc, options);
   Replacements replacements;
   if (!surface.is_floor) replacements = set_extras(desc, options, extras);
   const Slots slots = make_slots(desc, options, replacements, make_sampler(context, options, samplers));
+  set_term(desc, options.term);
+  diffuse = shd_slot_default();
+  for (const shd_slot& slot : slots) {
+    if (slot.target == SHD_SLOT_DIFFUSE) diffuse = slot;
+  }
   desc.slots = slots.data();
   desc.slot_count = static_cast<uint32_t>(slots.size());
   Material material;

@@ -27,6 +27,7 @@ bool keeps_model(const Options& options, shd_model model);
 /// otherwise Blinn-Phong.
 shd_model model_of(const Options& options, const Model& model);
 
-/// Makes the material of a surface. Its samplers are added to `samplers`.
+/// Makes the material of a surface. Its samplers are added to `samplers`; `diffuse` becomes its slot of the diffuse
+/// colour, constant without one.
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,
-                       const Extras& extras, std::vector<Sampler>& samplers);
+                       const Extras& extras, std::vector<Sampler>& samplers, shd_slot& diffuse);

@@ -10,6 +10,7 @@
 
 #include "command/failure.h"
 #include "tool/output.h"
+#include "tool/picture.h"
 #include "tool/shapes.h"
 #include "tool/textures.h"
 #include "tool/uv.h"
@@ -148,6 +149,18 @@ void add_shape(shd_context* context, const Options& options, shd_shape shape, ui
   model.instances.push_back(instance);
 }
 
+/// The corners of triangle k of a cycle: a wide end in front and a tip behind, turned by a third of a circle for each.
+std::array<std::array<float, 3>, 3> cycle_corners(uint32_t k) {
+  constexpr float kFlat[3][3] = {{-0.92f, -0.95f, 0.2f}, {1.75f, -0.5f, -0.2f}, {-0.92f, -0.25f, 0.2f}};
+  const float angle = 2.0943951f * static_cast<float>(k), c = std::cos(angle), s = std::sin(angle);
+  std::array<std::array<float, 3>, 3> corners;
+  for (size_t i = 0; i < 3; ++i) {
+    const float* const p = kFlat[i];
+    corners[i] = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  }
+  return corners;
+}
+
 Surface make_surface(const char* name, const std::array<float, 3>& diffuse, float specular) {
   Surface surface = {name, shd_material_desc_default()};
   for (size_t c = 0; c < 3; ++c) {
@@ -161,11 +174,39 @@ Surface make_surface(const char* name, const std::array<float, 3>& diffuse, floa
   return surface;
 }
 
+/// Three triangles, each of which hides a part of the next one, so that no order of whole triangles is right (Newell,
+/// Newell and Sancha, "A Solution to the Hidden Surface Problem", 1972).
+void add_cycle(shd_context* context, const Options& options, Model& model) {
+  constexpr Rgb kColors[3] = {{0.75f, 0.12f, 0.08f}, {0.12f, 0.5f, 0.15f}, {0.1f, 0.2f, 0.7f}};
+  constexpr float kUv[3][2] = {{0, 1}, {1, 0.5f}, {0, 0}};
+  for (uint32_t k = 0; k < 3; ++k) {
+    const auto corners = cycle_corners(k);
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    desc.vertex_count = 3;
+    for (size_t c = 0; c < 3; ++c) desc.position[c] = {&corners[0][c], sizeof corners[0]};
+    for (size_t c = 0; c < 2; ++c) desc.uv[c] = {&kUv[0][c], sizeof kUv[0]};
+    desc.flags = SHD_MESH_TANGENTS | (options.line_width > 0.0f ? SHD_MESH_ADJACENCY : SHD_MESH_NONE);
+    Instance instance;
+    instance.geometry = instance.surface = k;
+    Geometry& geometry = model.geometries.emplace_back();
+    geometry.name = "triangle";
+    check(shd_mesh_create(context, &desc, geometry.own.out()), "cycle");
+    geometry.mesh = geometry.own.get();
+    read_geometry(geometry);
+    model.surfaces.push_back(make_surface("triangle", kColors[k], 0.1f));
+    model.instances.push_back(instance);
+  }
+}
+
 }  // namespace
 
 Model make_model(shd_context* context, const Options& options) {
   if (!options.model.empty()) return import_model(context, options);
   Model model;
+  if (options.cycle) {
+    add_cycle(context, options, model);
+    return model;
+  }
   add_shape(context, options, options.shape, static_cast<uint32_t>(options.tessellation),
             make_surface("ceramic", {0.62f, 0.6f, 0.56f}, 0.25f), Instance{}, model);
   return model;

@@ -7,6 +7,7 @@
 
 command::Group picture_options(Options& out);
 command::Group camera_options(Options& out);
+command::Group show_options(Options& out);
 command::Group light_options(Options& out);
 command::Group environment_options(Options& out);
 command::Group surface_options(Options& out);

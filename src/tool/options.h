@@ -51,6 +51,40 @@ struct Shot {
   std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
 };
 
+/// The views of `--show`.
+enum class Show {
+  kNone,  // the shaded model
+  kNormal,
+  kUv,
+  kBarycentrics,
+  kDepth,
+  kPosition,
+  kOverdraw,
+  kLevel,
+  kLevelNearest,
+  kTangents,
+  kFootprint,
+  kUvLayout,
+  kTerms
+};
+
+/// Terms of the models of reflectance.
+enum class Term { kAll, kAmbient, kDiffuse, kSpecular };
+
+/// The pixels that `--zoom` enlarges: `size` x `size` around the pixel (x, y); size 0 = no zoom.
+struct ZoomOption {
+  uint32_t x = 0, y = 0, size = 0;
+};
+
+/// A built-in solid texture of the command line; absent fields are those of its kind.
+struct SolidOptions {
+  std::optional<shd_solid> kind;  // replaces the model's textures
+  float size = 0.5f;              // side of a cell [world units]
+  std::optional<uint32_t> octaves;
+  std::optional<shd_solid_fade> fade;
+  bool turbulence = false, table = false;
+};
+
 /// Layers of a Cryptomatte; combine with |.
 enum MatteLayer : uint32_t { kMatteNone = 0, kMatteObject = 1, kMatteMaterial = 2 };
 
@@ -59,10 +93,11 @@ struct Options {
   std::string model;  // empty = `shape`; "-" and "EXT:-" = standard input
   shd_shape shape = SHD_SHAPE_TEAPOT;
   bool has_shape = false;   // `shape` was given
+  bool cycle = false;       // three triangles that overlap cyclically, instead of `shape`
   VolumeOptions volume;     // instead of a model
   std::string output;       // empty = out.png, or with `hash` no file; "-" and "EXT:-" = standard output
   std::string compression;  // compression of the file; empty = that of the format
-  uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
+  uint32_t width = 960, height = 640, samples = 4, supersampling = 1;
   bool sample_shading = false;  // every sample at its own position
   shd_visibility visibility = SHD_VISIBILITY_DEPTH;
   std::vector<Shot> shots;     // a picture each; one after the command line is read
@@ -77,7 +112,12 @@ struct Options {
   bool has_filter = false;  // `filter` or `magnification` was given, and both replace those of the file
   bool affine = false;      // attributes are linear on the screen
   float lod_bias = 0.0f;
-  shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
+  Show show = Show::kNone;
+  uint32_t show_step = 0;                // distance of what is drawn over a picture [pixels]; 0 = 32
+  Term term = Term::kAll;                // the term that is drawn; no option sets it
+  ZoomOption zoom;                       // applied to the finished picture
+  std::string compare;                   // settings side by side; empty = one picture
+  bool difference = false;               // also the difference of the settings
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;
@@ -99,10 +139,9 @@ struct Options {
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
-  std::string texture;             // replaces the model's textures; "checker" = built in
-  std::optional<Table> table;      // drawn in place of the model
-  std::optional<shd_solid> solid;  // replaces the model's textures
-  float solid_size = 0.5f;         // side of a cell [world units]
+  std::string texture;  // replaces the model's textures; "checker" = built in
+  SolidOptions solid;
+  std::optional<Table> table;  // drawn in place of the model
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;
   shd_bump bump_form = SHD_BUMP_NONE;
@@ -130,6 +169,16 @@ inline bool shows_texture(const Options& options) {
   return options.table && *options.table != Table::kShadowMap;
 }
 
-/// Reads the command line. Returns false after it has printed a page such as --help. Throws Failure
-/// (kExitUsage) that names the option and its valid values.
-bool read_options(int argc, const char* const* argv, Options& out);
+/// Whether a picture shows values instead of light.
+bool shows_data(Show show);
+
+/// Whether the terms of a model add up to its light.
+bool has_terms(shd_model model);
+
+/// Whether a picture is made of its frames by the program, so that it has no planes of its own.
+bool is_composed(const Options& options);
+
+/// Reads the command line to the options of each picture side by side: of the settings of `--compare`, or one. Returns
+/// false after it has printed a page such as --help. Throws Failure (kExitUsage) that names the option and its valid
+/// values.
+bool read_options(int argc, const char* const* argv, std::vector<Options>& settings);

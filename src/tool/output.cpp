@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include "command/suggest.h"
 #include "command/values.h"
 #include "core/regular_file.h"
+#include "tool/picture.h"
 
 namespace {
 
@@ -115,10 +115,10 @@ void check_compression(shd_context* context, const std::string& name, const std:
 }
 
 /// Saves a file that has no name any longer: it goes with its descriptor, however the program ends.
-template <class Save>
-shd::core::RegularFile save_unnamed(const std::string& name, const Save& save) {
+shd::core::RegularFile save_unnamed(const shd_framebuffer* framebuffer, const std::string& name,
+                                    const shd_save_desc& desc) {
   const ScratchFile scratch(extension_of(name));
-  check(save(scratch.path.c_str()), "-o", kExitOutput);
+  check(shd_framebuffer_save(framebuffer, scratch.path.c_str(), &desc), "-o", kExitOutput);
   shd::core::RegularFile file = shd::core::open_regular(scratch.path.c_str());
   if (file.file.fd < 0) throw Failure(kExitOutput, "\"" + scratch.path + "\": " + std::strerror(file.error));
   return file;
@@ -134,25 +134,6 @@ void print_file(const shd::core::RegularFile& from) {
     if (std::fwrite(bytes.data(), 1, size, stdout) != size) refuse_stream();
   }
   flush_stream();
-}
-
-/// Calls save(path) for the file of the options, and prints its name and size.
-template <class Save>
-void save_file(const Options& options, const std::string& name, uint32_t width, uint32_t height, const Save& save) {
-  if (is_stream(options)) {
-    print_file(save_unnamed(name, save));
-    return;
-  }
-  check(save(name.c_str()), name, kExitOutput);
-  std::printf("%s: %u x %u\n", name.c_str(), width, height);
-  flush_stream();
-}
-
-/// The 8-bit code of a linear value (IEC 61966-2-1); alpha is not encoded, and NaN is 0.
-unsigned char code_of(float linear, bool is_alpha) {
-  const float value = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f;
-  const float curve = value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
-  return static_cast<unsigned char>(std::lround(255.0f * (is_alpha ? value : curve)));
 }
 
 #ifdef SHD_RENDER_WITH_COLOR
@@ -194,8 +175,6 @@ void check_output(shd_context* context, const Options& options) {
     throw Failure(kExitOutput, "-o: there is no folder \"" + name.substr(0, folder) + "\"");
   }
   const bool exr = ends_with(name, ".exr");
-  refuse_if(options.table && (ends_with(name, ".jpg") || ends_with(name, ".jpeg")),
-            "--table: -o takes .png, .tif, .exr or .hdr");
   const std::string shown = "\"" + (options.output.empty() ? name : options.output) + "\"";
   refuse_if(options.aovs && !exr, "--aov: " + shown + " does not end in .exr");
   refuse_if(options.mattes && !exr, "--cryptomatte: " + shown + " does not end in .exr");
@@ -222,22 +201,14 @@ std::string picture_name(const Options& options, uint32_t picture, uint32_t pict
   return name.substr(0, dot) + number + name.substr(dot);
 }
 
-uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options) {
-  const size_t count = size_t{options.width} * options.height;
-  std::vector<float> planes[4];
-  for (int c = 0; c < 4; ++c) {
-    planes[c].resize(count);
-    const shd_f32_out out = shd_f32_out_column(planes[c].data(), 0);
-    check(shd_framebuffer_read_plane(framebuffer, static_cast<shd_plane>(SHD_PLANE_R + c), &out), "hash");
-  }
+uint64_t picture_hash(const shd_framebuffer* framebuffer) {
+  const Picture picture = read_picture(framebuffer);
   // Fowler, Noll and Vo, "The FNV Non-Cryptographic Hash Algorithm", FNV-1a; the lowest byte of a float first.
   uint64_t hash = 0xcbf29ce484222325;
-  for (size_t i = 0; i < count; ++i) {
-    for (const std::vector<float>& plane : planes) {
-      uint32_t bits;
-      std::memcpy(&bits, &plane[i], sizeof bits);
-      for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
-    }
+  for (const float value : picture.rgba) {
+    uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
   }
   return hash;
 }
@@ -281,21 +252,13 @@ void save_picture([[maybe_unused]] const Color& color, const shd_framebuffer* fr
   desc.attributes = attributes.data();
   desc.attribute_count = attributes.size();
   if (!options.compression.empty()) desc.compression = options.compression.c_str();
-  save_file(options, name, options.width, options.height,
-            [&](const char* path) { return shd_framebuffer_save(framebuffer, path, &desc); });
-}
-
-void save_pixels(const Options& options, const std::string& name, uint32_t width, uint32_t height,
-                 const std::vector<float>& pixels) {
-  const bool is_linear = ends_with(name, ".exr") || ends_with(name, ".hdr");
-  std::vector<unsigned char> codes(is_linear ? 0 : pixels.size());
-  for (size_t i = 0; i < codes.size(); ++i) codes[i] = code_of(pixels[i], i % 4 == 3);
-  shd_save_desc desc = shd_save_desc_default();
-  if (!options.compression.empty()) desc.compression = options.compression.c_str();
-  shd_image image = shd_image_default();
-  image.format = is_linear ? SHD_FORMAT_RGBA32F : SHD_FORMAT_RGBA8_SRGB;
-  image.width = width;
-  image.height = height;
-  image.pixels = is_linear ? static_cast<void*>(const_cast<float*>(pixels.data())) : codes.data();
-  save_file(options, name, width, height, [&](const char* path) { return shd_image_save(&image, path, &desc); });
+  if (is_stream(options)) {
+    print_file(save_unnamed(framebuffer, name, desc));
+    return;
+  }
+  check(shd_framebuffer_save(framebuffer, name.c_str(), &desc), name, kExitOutput);
+  shd_framebuffer_info info = shd_framebuffer_info_default();
+  check(shd_framebuffer_get_info(framebuffer, &info), name);
+  std::printf("%s: %u x %u\n", name.c_str(), info.width, info.height);
+  flush_stream();
 }

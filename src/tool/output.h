@@ -31,7 +31,7 @@ void check_output(shd_context* context, const Options& options);
 std::string picture_name(const Options& options, uint32_t picture, uint32_t pictures);
 
 /// FNV-1a of the bits of the linear colours.
-uint64_t picture_hash(const shd_framebuffer* framebuffer, const Options& options);
+uint64_t picture_hash(const shd_framebuffer* framebuffer);
 
 /// Opens the colour config if the picture needs it. Throws Failure (kExitUsage) for an unknown display or view.
 Color open_color(shd_context* context, const Options& options);
@@ -42,11 +42,6 @@ struct FileExtras {
   std::vector<shd_file_channel> channels;
   std::vector<shd_file_attribute> attributes;
 };
-
-/// Writes pixels of linear r, g, b and a that are no frame: linear to .exr and .hdr, clamped and with the sRGB curve to
-/// .png and .tif.
-void save_pixels(const Options& options, const std::string& name, uint32_t width, uint32_t height,
-                 const std::vector<float>& pixels);
 
 /// Writes the picture: scene-linear to .exr and .hdr, through the display transform to all other formats.
 void save_picture(const Color& color, const shd_framebuffer* framebuffer, const Options& options,

@@ -32,16 +32,22 @@ static_assert(sizeof kLooks / sizeof kLooks[0] == SHD_SOLID_WOOD + 1);
 
 }  // namespace
 
-shd_solid_desc make_solid(shd_solid kind, float size) {
-  const Look& look = kLooks[kind];
+shd_solid_desc make_solid(const SolidOptions& options) {
+  const Look& look = kLooks[*options.kind];
   shd_solid_desc desc = shd_solid_desc_default();
-  desc.kind = kind;
-  desc.size = size;
-  desc.octaves = look.octaves;
+  desc.kind = *options.kind;
+  desc.size = options.size;
+  desc.octaves = options.octaves.value_or(look.octaves);
   desc.distortion = look.distortion;
   desc.range[0] = look.low;
   desc.range[1] = look.high;
   desc.sum = look.sum;
+  if (options.turbulence) {
+    desc.sum = kTurbulence;
+    desc.range[0] = std::max(look.low, 0.0f);  // absolute values
+  }
+  if (options.table) desc.gradients = SHD_SOLID_GRADIENTS_TABLE;
+  desc.fade = options.fade.value_or(desc.fade);
   desc.distance = look.distance;
   desc.color_count = look.color_count;
   for (uint32_t k = 0; k < look.color_count; ++k) {

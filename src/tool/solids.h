@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shd/solid.h>
+#include "tool/options.h"
 
-/// A built-in solid texture: colours, octaves and distortion that suit its kind.
-/// @param size  side of a cell [world units]
-shd_solid_desc make_solid(shd_solid kind, float size);
+/// A built-in solid texture: colours, octaves and distortion that suit its kind, which the options must name.
+shd_solid_desc make_solid(const SolidOptions& options);

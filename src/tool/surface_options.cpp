@@ -8,6 +8,21 @@ namespace {
 
 const Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
+const Name<shd_solid_fade> kFades[] = {
+    {"quintic", SHD_SOLID_FADE_QUINTIC}, {"cubic", SHD_SOLID_FADE_CUBIC}, {"linear", SHD_SOLID_FADE_LINEAR}};
+
+/// The shapes of the library, and cycle.
+Values shape_values(Options& out) {
+  Values values = marked(named(out.shape, names_of(shd_shape_name)), out.has_shape);
+  values.names.emplace_back("cycle");
+  values.wanted = "one of " + join(values.names);
+  values.read = [&out, read = values.read](const std::string& text) {
+    out.cycle = text == "cycle";
+    if (!out.cycle) return read(text);
+    return out.has_shape = true, true;
+  };
+  return values;
+}
 
 const Name<Table> kTables[] = {{"mipmap", Table::kMipmap},
                                {"ripmap", Table::kRipmap},
@@ -31,7 +46,6 @@ Group surface_options(Options& out) {
         initially(named(out.reflectance, names_of(shd_model_name, {SHD_MODEL_PROGRAM})),
                   "metallic-roughness for the materials of glTF and environments, else blinn-phong"),
         "Model of reflectance."},
-       {"--show", "V", named(out.debug_view, kViews), "Debug view instead of the shaded model."},
        {"--frequency", "F", named(out.frequency, names_of(shd_frequency_name)), "Where the model is shaded."},
        {"--diffuse", "R,G,B", color_values(out.diffuse), "Colour, instead of the model's."},
        {"--specular", "KS", number(out.specular, 0, 1e6), "Strength of the highlight, instead of the model's."},
@@ -43,12 +57,19 @@ Group surface_options(Options& out) {
         "A texture on everything, instead of the model's. checker is a built-in pattern, none is no texture."},
        {"--table", "T", initially(named(out.table, kTables), ""),
         "A table instead of the model: all levels of --texture as one picture, or its means from the corner; "
-        "shadow-map "
-        "is the depths of the first light that casts shadows, near ones dark."},
-       {"--solid", "K", named(out.solid, names_of(shd_solid_name)),
+        "shadow-map is the depths of the first light that casts shadows, near ones dark."},
+       {"--solid", "K", named(out.solid.kind, names_of(shd_solid_name)),
         "A solid texture on everything, instead of the model's textures."},
-       {"--solid-size", "S", number(out.solid_size, 0, 1e6),
+       {"--solid-size", "S", number(out.solid.size, 0, 1e6),
         "The size of its cells, stripes or rings, in world units."},
+       {"--solid-octaves", "N", initially(number(out.solid.octaves, 1, 32), "6, and 1 for worley"),
+        "The number of its octaves of noise, each of twice the frequency and half the amplitude."},
+       {"--solid-turbulence", "", flag(out.solid.turbulence),
+        "Add the absolute values of the octaves of perlin, value or simplex."},
+       {"--solid-table", "", flag(out.solid.table),
+        "Choose the gradients of perlin by a table of permutations, instead of a hash."},
+       {"--solid-fade", "F", initially(named(out.solid.fade, kFades), "quintic"),
+        "How perlin, value, marble and wood are interpolated between lattice points."},
        {"--filter", "F", marked(named(out.filter, names_of(shd_filter_name)), out.has_filter),
         "Filter of textures, instead of the model's."},
        {"--magnify", "F", marked(named(out.magnification, names_of(shd_magnification_name)), out.has_filter),
@@ -69,8 +90,9 @@ Group surface_options(Options& out) {
 Group shape_options(Options& out) {
   return {
       "Shape",
-      {{"--shape", "S", marked(named(out.shape, names_of(shd_shape_name)), out.has_shape),
-        "A shape instead of a model."},
+      {{"--shape", "S", shape_values(out),
+        "A shape instead of a model. Cycle is three triangles each of which hides a part of the next one, for "
+        "--visibility."},
        {"--tessellation", "N", number(out.tessellation, 1, 256),
         "Divisions of each of the teapot's 32 patches, and of other shapes' sides."},
        {"--floor", "", flag(out.floor), "A floor under the model."},

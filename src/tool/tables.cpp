@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "command/failure.h"
-#include "tool/output.h"
+#include "tool/lights.h"
+#include "tool/shadows.h"
 #include "tool/textures.h"
 
 namespace {
@@ -16,7 +17,7 @@ shd_table table_of(Table table) {
 
 }  // namespace
 
-void save_table(shd_context* context, const Options& options, const std::string& name) {
+Picture show_table(shd_context* context, const Options& options) {
   shd_table_desc desc = shd_table_desc_default();
   desc.table = table_of(*options.table);
   desc.view = SHD_TABLE_VIEW_PICTURE;
@@ -24,30 +25,32 @@ void save_table(shd_context* context, const Options& options, const std::string&
                                                        : load_texture(context, options.texture, false, desc.table);
   shd_table_info info = shd_table_info_default();
   check(shd_texture_get_table_info(texture.get(), &desc, &info), "--table");
-  std::vector<float> pixels(size_t{4} * info.width * info.height);
+  Picture picture = blank_picture(info.width, info.height, {});
   shd_f32_out out[4];
-  for (size_t c = 0; c < 4; ++c) out[c] = shd_f32_out_column(pixels.data() + c, 4 * sizeof(float));
+  for (size_t c = 0; c < 4; ++c) out[c] = shd_f32_out_column(picture.rgba.data() + c, 4 * sizeof(float));
   check(shd_texture_read_table(texture.get(), &desc, out), "--table");
-  save_pixels(options, name, info.width, info.height, pixels);
+  return picture;
 }
 
-void save_shadow_map(const std::vector<Shadow>& shadows, const Options& options, const std::string& name) {
+Picture show_shadow_map(const Stage& stage, const Frame& frame) {
+  const std::vector<StageLight> lights =
+      make_lights(stage.context, stage.options, stage.model, stage.bounds, frame.camera);
+  const std::vector<Shadow> shadows = make_shadows(stage.context, stage.options, stage.bounds, frame.draws, lights);
   const auto cast =
       std::find_if(shadows.begin(), shadows.end(), [](const Shadow& shadow) { return shadow.get() != nullptr; });
   refuse_if(cast == shadows.end(), "--table shadow-map: no light casts a shadow");
   shd_shadow_info info = shd_shadow_info_default();
   check(shd_shadow_get_info(cast->get(), &info), "--table");
   const auto faces = static_cast<uint32_t>(info.face_count);
-  const size_t width = size_t{faces} * info.width;
-  std::vector<float> depths(size_t{info.width} * info.height), pixels(4 * width * info.height, 1.0f);
+  std::vector<float> depths(size_t{info.width} * info.height);
+  Picture picture = blank_picture(faces * info.width, info.height, {1, 1, 1, 1});
   for (uint32_t face = 0; face < faces; ++face) {
     const shd_f32_out out[2] = {shd_f32_out_column(depths.data(), 0), shd_f32_out_column(nullptr, 0)};
     check(shd_shadow_read_map(cast->get(), face, out), "--table");
-    for (size_t i = 0; i < depths.size(); ++i) {
+    for (uint32_t i = 0; i < depths.size(); ++i) {
       const float grey = (std::min(depths[i], info.far_plane) - info.near_plane) / (info.far_plane - info.near_plane);
-      const size_t pixel = i / info.width * width + face * info.width + i % info.width;
-      std::fill_n(pixels.data() + 4 * pixel, 3, grey);
+      std::fill_n(pixel_of(picture, face * info.width + i % info.width, i / info.width), 3, grey);
     }
   }
-  save_pixels(options, name, faces * info.width, info.height, pixels);
+  return picture;
 }

@@ -29,6 +29,13 @@
 /// | samples.h   | the draws that the samples of pixels show               |
 /// | cryptomatte.h | mattes of objects and materials                       |
 /// | output.h    | file names and saving                                   |
+/// | stage.h     | objects that the pictures of a setting share, and frames |
+/// | reports.h   | messages about parts of a model that are not used       |
+/// | show.h      | pictures of `--show`: show_planes.cpp and others        |
+/// | zoom.h      | pixels enlarged, with their samples                     |
+/// | compare.h   | differences of pictures                                 |
+/// | settings.h  | the settings of `--compare`, cut into options           |
+/// | picture.h   | pictures in memory                                      |
 /// | check/      | another program, shd-check: check.h                     |
 /// | progress.h  | progress and the time left                              |
 /// | handles.h   | handles that release themselves                         |

@@ -89,13 +89,15 @@ expect 0 "depths.png: 96 x 16" --table shadow-map --tessellation 4 --light 1,2,1
   --shadows summed-area-variance -o depths.png
 expect 2 "--table needs a --texture" --table ripmap -o none.png
 expect 2 "--table shadow-map: no light casts a shadow" --table shadow-map --lights none -o none.png
-expect 2 "--table: -o takes .png, .tif, .exr or .hdr" --table mipmap --texture checker -o none.jpg
-expect 2 "--hash is of frames" --table mipmap --texture checker --hash
+expect 2 "not with --show and --zoom" --table mipmap --texture checker --zoom 3,3,2 -o none.png
+expect 2 "not with --compare" --table mipmap --texture checker --compare ":samples=1" -o none.png
 expect 3 "absent.png" --table mipmap --texture absent.png -o none.png
 
 # Effects of options, tested on pairs of pictures.
-models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap normal uv level barycentrics)
-shows() { case $1 in normal | uv | level | barycentrics) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
+models=(lambert phong blinn-phong blinn-phong-normalized metallic-roughness gooch toon unlit matcap)
+views=(normal uv barycentrics depth position overdraw level level-nearest tangents footprint uv-layout)
+shows() { case " ${views[*]} " in *" $1 "*) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
+models+=("${views[@]}")
 for i in "${!models[@]}"; do
   for ((k = 0; k < i; ++k)); do
     # shellcheck disable=SC2046
@@ -105,7 +107,8 @@ done
 rounded combined --model combined
 rounded blinn-phong --model blinn-phong
 cmp combined.png blinn-phong.png || failed=1  # with the same colour for ambient light
-for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show barycentrics"; do
+for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show barycentrics" "--show depth" \
+  "--show position" "--show overdraw" "--show level" "--show uv-layout"; do
   # shellcheck disable=SC2086
   same $how -- $how --lights none --ambient 0
 done
@@ -135,6 +138,13 @@ same --shape box --texture checker --uv box -- --shape box --texture checker
 same --texture checker --uv camera --uv-scale 1 -- --texture checker --uv camera
 for kind in stripes checker perlin value simplex worley wood; do other --solid marble -- --solid $kind; done
 other --solid marble -- --solid marble --solid-size 0.25
+same --solid perlin -- --solid perlin --solid-octaves 6 --solid-fade quintic
+other --solid perlin -- --solid perlin --solid-octaves 1
+other --solid perlin -- --solid perlin --solid-turbulence
+other --solid perlin -- --solid perlin --solid-table
+other --solid value -- --solid value --solid-fade cubic
+other --solid value --solid-fade linear -- --solid value --solid-fade cubic
+same --solid simplex -- --solid simplex --solid-turbulence
 same --solid marble --texture checker -- --solid marble
 same --texture checker --lod-bias 0 -- --texture checker
 same --shape sphere -- --shape sphere --height checker
@@ -167,7 +177,9 @@ other -- --wireframe 1
 other --wireframe 1 -- --wireframe 3
 other --samples 4 --shape plane --texture checker --uv-scale 9 -- \
   --samples 4 --shape plane --texture checker --uv-scale 9 --sample-shading
-same -- --sample-shading
+same --samples 1 -- --samples 1 --sample-shading
+same -- --samples 4
+other -- --samples 1
 other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
   --shape plane --texture checker --uv-scale 4 --orbit 30,10 --affine
 for filter in nearest bicubic hermite; do
@@ -273,6 +285,8 @@ expect 2 "y or z" --volume-up x
 expect 2 "--volume is drawn instead of a model" --volume cube.raw model.obj
 
 shapes=(teapot sphere plane box torus)
+other --shape cycle --visibility painter -- --shape cycle
+same --shape cycle -- --shape cycle --orbit 0,0
 for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
 same --shape plane -- --shape plane --supersampling 1
@@ -325,11 +339,13 @@ expect 0 "short.png: 8 x 8" --size=8x8 -oshort.png
 expect 2 "WIDTHxHEIGHT" --size 0x10
 expect 2 "WIDTHxHEIGHT" --size 10x10x10
 expect 2 "one of lambert" --model shiny
-expect 2 "one of normal, uv, level or barycentrics" --show shiny
+expect 2 "one of none, normal, uv, barycentrics, depth" --show shiny
+expect 2 "did you mean level-nearest?" --show level-neerest
 expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
 expect 2 "one of sphere" --shape cube
+expect 2 "or cycle" --shape cube
 expect 2 "one of hard" --shadows none
 expect 2 "a whole number 1..65536" --occlusion 0
 expect 2 "a number 1e-6..1e6" --occlusion-radius 0
