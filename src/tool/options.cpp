@@ -211,11 +211,12 @@ bool read_options(int argc, const char* const* argv, std::vector<Options>& setti
   if (!out.compare.empty()) settings = make_settings(out, program);
   if (settings.empty()) finish(out);
   if (settings.empty()) settings.push_back(out);
-  const bool is_composed_of = settings.size() > 1 || is_composed(out);
+  const bool is_beside = settings.size() > 1 || out.show == Show::kTerms;
   uint64_t width = out.difference ? out.width : 0;
   for (const Options& one : settings) width += uint64_t{one.width} * (one.show == Show::kTerms ? 4 : 1);
-  refuse_if(width > 16000, "--compare and --show terms: pictures of --size side by side are wider than 16000 pixels");
-  refuse_if(is_composed_of && (out.aovs || out.mattes),
+  refuse_if(is_beside && width > 16000,
+            "--compare and --show terms: pictures of --size side by side are wider than 16000 pixels");
+  refuse_if((is_beside || is_composed(out)) && (out.aovs || out.mattes),
             "--aov, --aovs and --cryptomatte are planes of a frame: not of --show, --zoom and --compare");
   refuse_if(out.table && (out.aovs || out.mattes),
             "--aov, --aovs and --cryptomatte are planes of a frame: not of a --table");
