@@ -4,7 +4,7 @@ import { functions } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
 import { enumValue, numberOf, writeStruct } from "./write.js";
 import { placeBytes } from "./column.js";
-import { readStruct } from "./read.js";
+import { readLists, readStruct } from "./read.js";
 import { rowsOf, rowsOfLists } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
 
@@ -142,10 +142,13 @@ class Arguments {
     });
     return address;
   }
-  /** A struct that the library reads and writes: numbers that it writes become fields of the value. */
+  /** A struct that the library reads and writes: numbers that it writes become fields of the value, and of its lists. */
   inout(type, value, key) {
     const address = this.call.struct(type, value, key);
-    this.call.after.push(() => Object.assign(value, this.call.read(type, address)));
+    this.call.after.push(() => {
+      Object.assign(value, this.call.read(type, address));
+      readLists(this.call.memory, type, address, value);
+    });
     return address;
   }
 }

@@ -117,8 +117,8 @@ export interface Texture extends SharedObject {
   lookup(sampler: Sampler, lookups: api.Lookups, out: api.Texels): Lookup;
   queryLevels(sampler: Sampler, lookups: api.Lookups): Counted<{ lod: Floats; level: Words }>;
   queryLevels<T extends api.Levels>(sampler: Sampler, lookups: api.Lookups, out: T): Counted<T>;
-  /** How the lookup `index` was filtered. */
-  explain(sampler: Sampler, lookups: api.Lookups, index?: number): Required<api.Explanation>;
+  /** How the lookup `index` was filtered, with all of its taps and blends. */
+  explain(sampler: Sampler, lookups: api.Lookups, index?: number): Explained;
   readLevel(layer: number, level: number, image: api.Image): api.Image;
   /** Size and levels of what readTable() returns. */
   tableInfo(desc: api.TableDesc): api.TableInfo;
@@ -131,6 +131,12 @@ export interface Texture extends SharedObject {
   unpinTiles(region: api.TileRegion): void;
   /** Drops the tiles of a region, and the coarser tiles that cover it: their source has changed. */
   dropTiles(region: api.TileRegion): void;
+}
+
+/** How a lookup was filtered: the texels that it read, and the blends that combined them. */
+export interface Explained extends Required<Omit<api.Explanation, "taps" | "blends">> {
+  readonly taps: Required<api.Tap>[];
+  readonly blends: Required<api.BlendStep>[];
 }
 
 /** Memory of a fixed size for the tiles of textures whose desc has `tiles: { cache, load }`. */

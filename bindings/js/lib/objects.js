@@ -51,11 +51,13 @@ export class Texture extends SharedObject {
     call(this, "shd_texture_query_levels", sampler, lookups, out);
     return out;
   }
-  /** How the lookup `index` was filtered: level of detail, axes of the footprint, factors. */
+  /** How the lookup `index` was filtered: level of detail, axes of the footprint, texels and their blends. */
   explain(sampler, lookups, index = 0) {
-    const explanation = {};
-    call(this, "shd_texture_explain", sampler, lookups, index, explanation);
-    return explanation;
+    const explain = (out) => { call(this, "shd_texture_explain", sampler, lookups, index, out); return out; };
+    const { tapCount, blendCount } = explain({});
+    const listOf = (length) => Array.from({ length }, () => ({}));
+    return explain({ taps: listOf(tapCount), tapCapacity: tapCount,
+                     blends: listOf(blendCount), blendCapacity: blendCount });
   }
   readLevel(layer, level, image) { call(this, "shd_texture_read_level", layer, level, image); return image; }
   /** Size and levels of what readTable() returns. */

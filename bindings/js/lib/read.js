@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structs of C to JavaScript objects. Pointers and columns are left out.
+// Structs of C to JavaScript objects. Pointers and columns are left out, and so are lists that are not asked for.
 import { arrayOf, enumName, flagNames, structOf } from "./layout.js";
 
 function readOne(memory, field, address) {
@@ -41,4 +41,14 @@ export function readStruct(memory, name, address) {
     if (value !== undefined) made[field.name] = value;
   }
   return made;
+}
+
+/** Reads the structs of lists, whose lengths are those of the lists in `value`. Lists of columns stay as they are. */
+export function readLists(memory, name, address, value) {
+  for (const field of structOf(name).list) {
+    const list = value[field.name];
+    if (field.kind !== "list" || /_(in|out)$/.test(field.type) || !Array.isArray(list)) continue;
+    const [first, { size }] = [memory.view.getUint32(address + field.offset, true), structOf(field.type)];
+    list.forEach((item, i) => Object.assign(item, readStruct(memory, field.type, first + i * size)));
+  }
 }

@@ -145,6 +145,16 @@ test("lookup/explain", (shd, context) => {
   const explanation = texture.explain(sampler, { u: [0.5], v: [0.5], dudx: [1], dvdy: [0.25] });
   assert.equal(explanation.filter, "ewa");
   assert(explanation.tapCount > 1 && Math.hypot(...explanation.longerAxis) === 4, JSON.stringify(explanation));
+  const { taps, blends, tapCount, blendCount } = explanation;
+  assert.deepEqual([taps.length, blends.length], [tapCount, blendCount]);
+  assert(Math.abs(taps.reduce((sum, { weight }) => sum + weight, 0) - 1) < 1e-6 && taps.every(({ weight }) => weight > 0));
+  const nodes = taps.map(({ value }) => value[0]);
+  const f = Math.fround;  // the tree of blends gives the bits of the result
+  for (const { a, b, s } of blends) {
+    nodes.push(s === 0 ? nodes[a] : f(nodes[a] + f(s * f(nodes[b] - nodes[a]))));
+  }
+  const last = nodes.at(-1), [high, low] = [explanation.scaleHigh[0], explanation.scaleLow[0]];
+  assert.equal(low === 0 ? f(last * high) : f(f(last * high) + f(last * low)), explanation.result[0]);
   const { lod, level } = texture.queryLevels(sampler, { u: [0.5], v: [0.5], lod: [1.25] });
   assert.deepEqual([lod[0], level[0]], [1.25, 1]);
 });
