@@ -6,22 +6,24 @@ export const isNode = () => typeof process !== "undefined" && Boolean(process.ve
 /** Number of threads that the machine runs at once, or 4 where it is unknown, as in Node before 21. */
 export const processors = () => globalThis.navigator?.hardwareConcurrency ?? 4;
 
-/** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
-async function readBytes(source) {
-  if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;
-  const url = source ?? new URL("./shd.wasm", import.meta.url);
+/** The compiled code of a URL or path. Node reads files itself: its fetch does not take them. */
+async function compileFile(url) {
   if (isNode() && !/^https?:/.test(String(url))) {
     const { readFile } = await import("node:fs/promises");
-    return readFile(url);
+    return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  return response.arrayBuffer();
+  // Browsers compile while the bytes arrive, if the server states their type.
+  const isStated = /^application\/wasm\b/.test(response.headers.get("content-type"));
+  return isStated ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** The compiled code of a URL, a path, bytes or a WebAssembly.Module. Instances and workers share it. */
 export async function compile(source) {
-  return source instanceof WebAssembly.Module ? source : WebAssembly.compile(await readBytes(source));
+  if (source instanceof WebAssembly.Module) return source;
+  if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return WebAssembly.compile(source);
+  return compileFile(source ?? new URL("./shd.wasm", import.meta.url));
 }
 
 const NO_FUNCTION = 52;  // ENOSYS of WASI
