@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws descriptions with shd. Objects that do not change from frame to frame are kept.
+import { Cache } from "./cache.js";
 import { textureOf } from "./textures.js";
-
-/** Objects by the descs that they were made from; objects of older frames are closed. */
-class Cache {
-  #made = new Map();
-  #used = new Set();
-  get(kind, desc, make) {
-    const key = kind + JSON.stringify(desc);
-    this.#used.add(key);
-    if (!this.#made.has(key)) this.#made.set(key, make());
-    return this.#made.get(key);
-  }
-  /** Closes what was not used since the last call. */
-  sweep() {
-    for (const [key, object] of this.#made) {
-      if (this.#used.has(key)) continue;
-      object.close();
-      this.#made.delete(key);
-    }
-    this.#used.clear();
-  }
-}
 
 const AOVS = { shaded: "none", level: "level", anisotropy: "derivatives" };
 

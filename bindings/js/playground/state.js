@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The settings of a picture, and their text in the address of the page. Values that are defaults are left out.
+import { fitted } from "./setting.js";
 
 const FILTERS = ["nearest", "bilinear", "bicubic", "hermite", "nearest_mip", "bilinear_mip", "trilinear", "anisotropic",
     "ewa"];
@@ -44,15 +45,7 @@ function prefixed(prefix, settings) {
 export const defaults = () => Object.fromEntries(Object.entries(SETTINGS).map(([key, { value }]) => [key, value]));
 
 /** A value that a setting can have: a text of an address, or a number outside its range, is brought into it. */
-export function fit(key, value) {
-  const { options, toggle, min, max, step, value: otherwise } = SETTINGS[key];
-  if (toggle) return value === true || value === "1" ? true : value === false || value === "0" ? false : otherwise;
-  if (options) return options.includes(String(value)) ? String(value) : otherwise;
-  const number = Number.parseFloat(value);
-  if (!Number.isFinite(number)) return otherwise;
-  const steps = Math.round((Math.min(max, Math.max(min, number)) - min) / step);
-  return Number((min + steps * step).toFixed(4));
-}
+export const fit = (key, value) => fitted(SETTINGS[key], value);
 
 const format = (value) => (typeof value === "boolean" ? (value ? "1" : "0") : String(value));
 
