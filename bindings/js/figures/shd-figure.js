@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// <shd-figure name="texels">text</shd-figure>: a figure of this folder. It starts when it comes into view, and replaces the
+// text, which stays where it cannot start. All figures of a page share one instance of the library.
+import { control, element } from "../playground/setting.js";
+import { load } from "../lib/index.js";
+import { Stage } from "./stage.js";
+
+const AHEAD = "300px";  // distance from the view at which a figure starts
+const REST = 300;       // [ms] without a change, until a rough figure is drawn in full
+const SHEETS = ["../playground/setting.css", "style.css"];
+
+let library = null;
+let lastStart = Promise.resolve();  // figures start one after the other, so that the first one is there soon
+
+/** The library and its context, loaded once. */
+function loadOnce() {
+  library ??= load().then((shd) => ({ shd, context: new shd.Context() }));
+  return library;
+}
+
+const observer = new IntersectionObserver((entries) => {
+  for (const { isIntersecting, target } of entries) {
+    if (!isIntersecting) continue;
+    observer.unobserve(target);
+    target.start();
+  }
+}, { rootMargin: AHEAD });
+
+/** A link to a style sheet, and the promise of its arrival. */
+function sheet(name) {
+  const link = element("link", { rel: "stylesheet", href: new URL(name, import.meta.url) });
+  return { link, arrival: new Promise((resolve, reject) => { link.onload = resolve; link.onerror = reject; }) };
+}
+
+class ShdFigure extends HTMLElement {
+  #figure = null;
+  #stage = null;
+  #controls = [];
+  #text = element("output", { id: "text", className: "text" });
+  #ends = new AbortController();
+  #rest = 0;
+  /** The values of the settings. */
+  state = {};
+  /** What the text states, as numbers. */
+  values = {};
+
+  connectedCallback() {
+    observer.observe(this);
+    this.#ends.signal.addEventListener("abort", () => observer.unobserve(this));
+  }
+
+  disconnectedCallback() {
+    this.#ends.abort();
+  }
+
+  /** Starts after the figures before it. */
+  start() {
+    const before = lastStart;
+    lastStart = this.#start(before).catch((problem) => {
+      this.dispatchEvent(new CustomEvent("problem", { detail: problem }));
+    });
+  }
+
+  async #start(before) {
+    const name = this.getAttribute("name");
+    if (!/^[a-z-]+$/.test(name)) throw new Error(`${name} is no name of a figure`);
+    const [{ make }, { shd, context }] = await Promise.all([import(`./${name}.js`), loadOnce(), before]);
+    const figure = make({ shd, context });
+    this.#figure = figure;
+    for (const [key, { value }] of Object.entries(figure.settings)) this.state[key] = value;
+    await this.#build();
+    this.#watchTheme();
+    this.#draw();
+    this.dataset.ready = "";
+    this.dispatchEvent(new CustomEvent("ready", { bubbles: true }));
+  }
+
+  /** Canvas, controls and text, in a tree that styles of the page do not reach. */
+  async #build() {
+    const { label, settings } = this.#figure;
+    const rows = element("div", { className: "settings" });
+    for (const [key, setting] of Object.entries(settings)) {
+      const made = control(setting, `set-${key}`, (value) => this.set({ [key]: value }));
+      rows.append(made.row);
+      this.#controls.push([key, made]);
+    }
+    this.#stage = new Stage(this, label, () => this.#draw());
+    const sheets = SHEETS.map(sheet);
+    const root = this.attachShadow({ mode: "open" });
+    const box = element("div", { className: "figure" }, this.#stage.element, rows, this.#text);
+    box.setAttribute("role", "group");
+    box.setAttribute("aria-label", label);
+    root.append(...sheets.map(({ link }) => link), box);
+    await Promise.all(sheets.map(({ arrival }) => arrival));
+    this.#stage.start(this.#figure, this.#ends.signal);
+  }
+
+  /** Changes settings. */
+  set(changes) {
+    Object.assign(this.state, changes);
+    this.#stage.change();
+  }
+
+  /** Draws anew when the page changes between light and dark. */
+  #watchTheme() {
+    const redraw = () => this.#stage.change();
+    const observer = new MutationObserver(redraw);
+    for (const watched of [document.documentElement, document.body]) observer.observe(watched, { attributes: true });
+    const { signal } = this.#ends;
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
+    signal.addEventListener("abort", () => observer.disconnect());
+  }
+
+  #draw() {
+    for (const [key, { show }] of this.#controls) show(this.state[key]);
+    try {
+      const { text, values, isRough } = this.#stage.draw(this.state);
+      this.#text.value = text;
+      this.values = values;
+      clearTimeout(this.#rest);
+      if (isRough) this.#rest = setTimeout(() => this.#stage.settle(), REST);
+      this.#text.classList.remove("problem");
+    } catch (problem) {
+      this.#text.value = problem.message;
+      this.#text.classList.add("problem");
+    }
+  }
+}
+
+customElements.define("shd-figure", ShdFigure);
