@@ -2,7 +2,7 @@
 // One height map as a bump map, as a normal map and as displacement.
 import { Cache } from "../playground/cache.js";
 import { Picture } from "./picture.js";
-import { label, number, panels } from "./paint.js";
+import { label, number, panels, point } from "./paint.js";
 import { LightHandle } from "./light.js";
 
 const WAYS = ["Bump map", "Normal map", "Displacement"];
@@ -109,7 +109,8 @@ export function make({ shd, context }) {
       });
       cache.sweep();
       return {
-        text: `Steepest slope ${number(steepest)}, so normals tilt by up to ${number((180 * Math.atan(steepest)) / Math.PI, 0)}°\n`
+        text: `Light from ${point(direction.map((v) => -v))}. Steepest slope ${number(steepest)}: `
+          + `normals tilt by up to ${number((180 * Math.atan(steepest)) / Math.PI, 0)}°\n`
           + `The maps keep the outline; displacement moves ${triangles} triangles and changes it`,
         values: { steepest, triangles },
       };

@@ -6,8 +6,8 @@ import { number } from "./paint.js";
 
 const FILTERS = ["hard", "pcf", "pcss", "variance"];
 const WIDTH = 480, HEIGHT = 320;
-const CAMERA = { eye: [0, 3.4, 6.2], target: [0, 0.55, 0], fovY: 0.62 };
-const LIGHT_HEIGHT = 4;
+const CAMERA = { eye: [0, 5, 6.5], target: [0, 0.9, 0], fovY: 0.8 };
+const LIGHT_HEIGHT = 3;
 const OBJECTS = [
   [{ kind: "box", size: [0.9, 1.8, 0.9] }, [-1.1, 0.9, 0.1], [0.75, 0.35, 0.2]],
   [{ kind: "sphere", radius: 0.55, segments: [48, 24, 0] }, [0.55, 0.55, 0.5], [0.25, 0.5, 0.75]],
@@ -39,7 +39,7 @@ export function make({ shd, context }) {
     const c = view.viewToClip;
     const ray = [(2 * i / size[0] - 1) / c[0], (1 - 2 * j / size[1]) / c[5], -1];
     const d = [0, 1, 2].map((k) => inverse[k] * ray[0] + inverse[4 + k] * ray[1] + inverse[8 + k] * ray[2]);
-    const t = (height - view.eye[1]) / d[1];
+    const t = (height - view.eye[1]) / Math.min(d[1], -1e-3);  // rays above the horizon end far away
     return [0, 2].map((k) => Math.min(Math.max(view.eye[k] + t * d[k], -3.2), 3.2));
   }
 
@@ -62,14 +62,14 @@ export function make({ shd, context }) {
     },
     heightOf: (width) => Math.round((width * HEIGHT) / WIDTH),
     handles: () => [
-      { label: "Light", at: project([light[0], LIGHT_HEIGHT, light[1]]).map((v, i) => Math.max(v, i ? 12 : 0)), fill: "#ffd34d",
+      { label: "Light", at: project([light[0], LIGHT_HEIGHT, light[1]]), fill: "#ffd34d",
         move: (x, y) => { light = unproject(x, y, LIGHT_HEIGHT); } },
       { label: "Point on the floor", at: project([p[0], 0, p[1]]), move: (x, y) => { p = unproject(x, y, 0); } },
     ],
     draw(target, { width, height }, state) {
       size = [width, height];
       const place = [light[0], LIGHT_HEIGHT, light[1]];
-      const desc = { kind: "point", position: place, intensity: [15, 14.4, 13] };
+      const desc = { kind: "point", position: place, intensity: [9, 8.6, 7.8] };
       const lamp = cache.get("light", desc, () => new shd.Light(context, desc));
       const shadow = shadowOf(lamp, state);
       picture.render({ draws, lights: [lamp, ambient], shadows: [shadow, null], view, clearColor: [0.3, 0.36, 0.45, 1] });

@@ -14,7 +14,7 @@ let lastStart = Promise.resolve();  // figures start one after the other, so tha
 
 /** The library and its context, loaded once. */
 function loadOnce() {
-  library ??= load().then((shd) => ({ shd, context: new shd.Context() }));
+  library ??= load(new URL("shd-figures.wasm", import.meta.url)).then((shd) => ({ shd, context: new shd.Context() }));
   return library;
 }
 

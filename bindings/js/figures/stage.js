@@ -21,6 +21,7 @@ export class Stage {
   #onChange;
   #isStale = false;
   #isResting = false;
+  #state = null;
   #view = { width: 0, height: 0 };
   element = element("div", { className: "stage" }, this.#canvas);
 
@@ -60,6 +61,7 @@ export class Stage {
   }
 
   draw(state) {
+    this.#state = state;
     this.#layOut(state);
     const target = this.#canvas.getContext("2d");
     const { width, height, scale } = this.#view;
@@ -148,6 +150,7 @@ export class Stage {
   #move(index, x, y) {
     const clamp = (v, end) => Math.min(Math.max(v, 0), end);
     this.#handles[index]?.move(clamp(x, this.#view.width), clamp(y, this.#view.height));
+    this.#handles = this.#figure.handles(this.#view, this.#state);  // the next key may come before the next frame
     this.change();
   }
 }

@@ -11,7 +11,8 @@ import { fileURLToPath } from "node:url";
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css",
                 wasm: "application/wasm", svg: "image/svg+xml", png: "image/png" };
-const BUILT = { "/lib/shd.wasm": process.env.SHD_WASM, "/lib/shd-threads.wasm": process.env.SHD_WASM_THREADS };
+const BUILT = { "/lib/shd.wasm": process.env.SHD_WASM, "/lib/shd-threads.wasm": process.env.SHD_WASM_THREADS,
+                "/figures/shd-figures.wasm": process.env.SHD_WASM_FIGURES };
 
 const PAGE = `<!doctype html><title>shd</title><script type="module">
 const post = (result) => fetch("/result", { method: "POST", body: JSON.stringify(result) });
