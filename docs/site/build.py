@@ -6,8 +6,8 @@
 
 OUTPUT is build/docs by default. Doxygen makes the reference of the headers, and MkDocs with the theme Material the pages
 (Debian: doxygen doxygen-awesome-css mkdocs-material libjs-katex). Warnings of both are errors. The report of
-examples/shootout.sh and shd.wasm of the preset `wasm` are taken if they are there; a file that an option names must be
-there. Exits with 77, as CTest skips tests, if a program or package is absent.
+examples/shootout.sh and shd.wasm of the preset `wasm`, with shd-figures.wasm beside it, are taken if they are there; a
+file that an option names must be there. Exits with 77, as CTest skips tests, if a program or package is absent.
 """
 import argparse
 import json
@@ -126,6 +126,9 @@ def build(options, output):
         extras.add_report(stage, report)
     if module:
         extras.add_playground(stage, root / "bindings/js", module)
+        figures = module.with_name("shd-figures.wasm")
+        if figures.is_file():
+            extras.add_figures(stage, root / "bindings/js", figures)
     (output / "mkdocs.yml").write_text(
         f"INHERIT: {HERE / 'mkdocs.yml'}\ndocs_dir: {stage}\nsite_dir: {html}\ntheme: {{custom_dir: {HERE / 'theme'}}}\n",
         encoding="utf-8")
@@ -133,7 +136,7 @@ def build(options, output):
     (html / "404.html").unlink()  # it would need the address of the site
     add_to_search(html, description, places)
     print(f"Filter shoot-out: {report or 'none; examples/shootout.sh makes a report'}")
-    print(f"Playground: {module or 'none; cmake --preset wasm and its build make shd.wasm'}")
+    print(f"Playground and figures: {module or 'none; cmake --preset wasm and its build make shd.wasm'}")
     print(f"Manual: {html / 'index.html'}")
 
 

@@ -5,6 +5,7 @@ import html.parser
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -74,6 +75,37 @@ def check_extras(folder):
     assert extras.choose(None, folder / "report.html") == folder / "report.html"
     assert extras.choose(None, folder / "absent") is None
     assert refused(extras.choose, folder / "absent", folder / "report.html") == f"{folder / 'absent'} is not there"
+
+
+def make_figures(folder):
+    """The files of a figure, and pages with and without it."""
+    stage, source = make_playground(folder)
+    write(source / "figures/shd-figure.js", 'import { load } from "../lib/index.js";\nimport {\n  a,\n} from "./stage.js";\n')
+    write(source / "figures/stage.js", 'import { load } from "../lib/index.js";\n')
+    write(source / "lib/index.js", 'export { b } from "./api.js";\n')
+    write(source / "figures/texels.js", "")
+    write(source / "shd-figures.wasm", "figures")
+    write(stage / "course-a.md", '# A\n\n<shd-figure name="texels">Text</shd-figure>\n')
+    write(stage / "course-b.md", "# B\n")
+    extras.add_playground(stage, source, source / "shd.wasm")
+    return stage, source
+
+
+def check_figures(folder):
+    stage, source = make_figures(folder)
+    extras.add_figures(stage, source, source / "shd-figures.wasm")
+    assert (stage / "figures/shd-figures.wasm").read_text(encoding="utf-8") == "figures"
+    page = (stage / "course-a.md").read_text(encoding="utf-8")
+    assert page.count('<script type="module" src="figures/shd-figure.js">') == 1, page
+    loaded = re.findall('<link rel="modulepreload" href="([^"]*)">', page)
+    assert loaded == ["figures/shd-figure.js", "lib/index.js", "lib/api.js", "figures/stage.js"], loaded
+    assert all((stage / path).is_file() for path in loaded) and "Text</shd-figure>" in page, page
+    assert (stage / "course-b.md").read_text(encoding="utf-8") == "# B\n"
+    stage, source = make_figures(folder)
+    write(stage / "course-b.md", '<shd-figure name="texel">Text</shd-figure>')
+    assert refused(extras.add_figures, stage, source, source / "shd-figures.wasm") == "course-b.md: no figure texel"
+    for page in (ROOT / "docs").glob("*.md"):
+        extras.figures_of(page, ROOT / "bindings/js")
 
 
 def check_faults(folder):
@@ -213,7 +245,7 @@ def check_search(site):
 
 def main():
     folder = pathlib.Path(sys.argv[1]).resolve()
-    checks = (check_extras, check_faults, check_pages, check_site)
+    checks = (check_extras, check_figures, check_faults, check_pages, check_site)
     for check in checks:
         check(folder / check.__name__)
     print(f"docs.site: {len(checks)} checks")

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What other programs make for the pages: the report of the filter shoot-out, and the playground.
+"""What other programs make for the pages: the report of the filter shoot-out, the playground and the figures.
 
-The report is linked from its page. The playground needs shd.wasm and the files that its build generates; each page of a
-filter that it has then shows that filter.
+The report is linked from its page. The playground needs shd.wasm, the figures shd-figures.wasm, and both the files that the
+build of these modules generates. Each page of a filter that the playground has then shows that filter, and each <shd-figure name="NAME">text</shd-figure> of
+a page becomes the figure bindings/js/figures/NAME.js; otherwise its text stays.
 """
+import posixpath
 import re
 import shutil
 
@@ -16,6 +18,9 @@ EMBED = """<div class="playground" markdown="0">
 """
 REPORT = "shootout-report.html"
 LINK = f"[The report]({REPORT}) has pictures under a wipe and every figure.\n\n"
+FIGURE = re.compile(r'<shd-figure name="([^"]*)">')
+IMPORT = re.compile(r'^(?:import|export) .*?from "(\.[^"]+)";$', re.M | re.S)
+MAIN = "figures/shd-figure.js"
 
 
 class SiteError(Exception):
@@ -66,3 +71,34 @@ def add_playground(stage, source, module):
         address = f"playground/index.html#texture=checker&amp;a.filter={name}&amp;b.filter={other}"
         text = EMBED.format(title=title(name), other=title(other), address=address)
         insert_before(stage / f"filter-{name.replace('_', '-')}.md", "## Error", text)
+
+
+def modules_of(folder, name, found=()):
+    """The module `name` of a folder and all modules that it imports, as paths from the folder."""
+    found = [*found, name]
+    for other in IMPORT.findall((folder / name).read_text(encoding="utf-8")):
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(name), other))
+        if path not in found:
+            found = modules_of(folder, path, found)
+    return found
+
+
+def figures_of(page, source):
+    """The names of the figures on a page."""
+    names = FIGURE.findall(page.read_text(encoding="utf-8"))
+    for name in names:
+        if not re.fullmatch("[a-z-]+", name) or not (source / f"figures/{name}.js").is_file():
+            raise SiteError(f"{page.name}: no figure {name}")
+    return names
+
+
+def add_figures(stage, source, module):
+    """The scripts of the figures on all pages that have some; a browser loads them together. After add_playground()."""
+    shutil.copytree(source / "figures", stage / "figures")
+    shutil.copyfile(module, stage / "figures/shd-figures.wasm")
+    scripts = [f'<link rel="modulepreload" href="{name}">' for name in modules_of(stage, MAIN)]
+    scripts.append(f'<script type="module" src="{MAIN}"></script>')
+    for page in sorted(stage.glob("*.md")):
+        if figures_of(page, source):
+            with page.open("a", encoding="utf-8") as file:
+                file.write("\n" + "\n".join(scripts) + "\n")
