@@ -96,7 +96,7 @@ def check_figures(folder):
     extras.add_figures(stage, source, source / "shd-figures.wasm")
     assert (stage / "figures/shd-figures.wasm").read_text(encoding="utf-8") == "figures"
     page = (stage / "course-a.md").read_text(encoding="utf-8")
-    assert page.count('<script type="module" src="figures/shd-figure.js">') == 1, page
+    assert page.count('<script type="module" async src="figures/shd-figure.js">') == 1, page
     loaded = re.findall('<link rel="modulepreload" href="([^"]*)">', page)
     assert loaded == ["figures/shd-figure.js", "lib/index.js", "lib/api.js", "figures/stage.js"], loaded
     assert all((stage / path).is_file() for path in loaded) and "Text</shd-figure>" in page, page

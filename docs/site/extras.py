@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What other programs make for the pages: the report of the filter shoot-out, the playground and the figures.
 
-The report is linked from its page. The playground needs shd.wasm, the figures shd-figures.wasm, and both the files that the
-build of these modules generates. Each page of a filter that the playground has then shows that filter, and each <shd-figure name="NAME">text</shd-figure> of
-a page becomes the figure bindings/js/figures/NAME.js; otherwise its text stays.
+The report is linked from its page. The playground needs shd.wasm, the figures shd-figures.wasm, and both the files that
+the build of these modules generates. Each page of a filter that the playground has then shows that filter, and each
+<shd-figure name="NAME">text</shd-figure> of a page becomes the figure bindings/js/figures/NAME.js; otherwise its text
+stays.
 """
 import posixpath
 import re
@@ -97,7 +98,7 @@ def add_figures(stage, source, module):
     shutil.copytree(source / "figures", stage / "figures")
     shutil.copyfile(module, stage / "figures/shd-figures.wasm")
     scripts = [f'<link rel="modulepreload" href="{name}">' for name in modules_of(stage, MAIN)]
-    scripts.append(f'<script type="module" src="{MAIN}"></script>')
+    scripts.append(f'<script type="module" async src="{MAIN}"></script>')
     for page in sorted(stage.glob("*.md")):
         if figures_of(page, source):
             with page.open("a", encoding="utf-8") as file:

@@ -9,7 +9,8 @@ const FREQUENCIES = [["Flat", "flat"], ["Gouraud", "gouraud"], ["Phong", "phong"
 const SIZE = 241, TITLE = 22;  // an odd number of pixels has one in the middle
 const SHAPES = {
   sphere: { mesh: { kind: "sphere", segments: [16, 9, 0] }, camera: { eye: [0, 0, 20], fovY: 0.108 } },
-  teapot: { mesh: { kind: "teapot", segments: [3, 0, 0] }, camera: { eye: [0, 3, 10], target: [0, 1.35, 0], fovY: 0.62 } },
+  teapot: { mesh: { kind: "teapot", segments: [3, 0, 0] },
+            camera: { eye: [0, 3, 10], target: [0, 1.35, 0], fovY: 0.62 } },
 };
 const COLOUR = [0.85, 0.3, 0.15];
 const range = (name, max, step, value) => ({ label: name, min: 0, max, step, value });
@@ -39,7 +40,8 @@ export function make({ shd, context }) {
   function termsOf({ ambient, diffuse, specular, ka, kd, ks, p }) {
     const [x, y, z] = light.direction, length = Math.hypot(x, y, z + 1);
     const nl = z, nh = (z + 1) / length;
-    const terms = [ambient ? ka * COLOUR[0] : 0, diffuse ? kd * COLOUR[0] * nl : 0, specular && nl > 0 ? ks * nh ** p : 0];
+    const terms = [ambient ? ka * COLOUR[0] : 0, diffuse ? kd * COLOUR[0] * nl : 0,
+                   specular && nl > 0 ? ks * nh ** p : 0];
     return { nl, nh, terms, sum: terms[0] + terms[1] + terms[2] };
   }
 
@@ -66,8 +68,9 @@ export function make({ shd, context }) {
       const middle = 4 * ((SIZE >> 1) * SIZE + (SIZE >> 1));
       const pixel = pictures[2].framebuffer.readColor("rgba32f")[middle];
       return {
-        text: `Where the surface faces the eye: n·l = ${number(nl)}, n·h = ${number(nh, 3)}, (n·h)^p = ${number(nh ** state.p, 3)}\n`
-          + `red: ambient ${number(terms[0], 3)} + diffuse ${number(terms[1], 3)} + specular ${number(terms[2], 3)} = ${number(sum, 3)}`
+        text: `Where the surface faces the eye: n·l = ${number(nl)}, n·h = ${number(nh, 3)}, `
+          + `(n·h)^p = ${number(nh ** state.p, 3)}\nred: ambient ${number(terms[0], 3)} `
+          + `+ diffuse ${number(terms[1], 3)} + specular ${number(terms[2], 3)} = ${number(sum, 3)}`
           + (state.shape === "sphere" ? `; middle of the Phong sphere ${number(pixel, 3)}` : ""),
         values: { nl, nh, sum, pixel },
       };
@@ -75,4 +78,5 @@ export function make({ shd, context }) {
   };
 }
 
-const layOut = (width) => panels(width, FREQUENCIES.length, { least: 105, most: 300, gap: width < 500 ? 6 : 12, top: TITLE });
+const layOut = (width) =>
+  panels(width, FREQUENCIES.length, { least: 105, most: 300, gap: width < 500 ? 6 : 12, top: TITLE });

@@ -14,10 +14,16 @@ const SHAPES = {
            camera: { eye: [0, 2.3, 3.1], target: [0, -0.05, 0], fovY: 0.5 }, repeat: [2, 2], extent: [2, 2] },
 };
 const PATTERNS = {
-  rings: (u, v) => 0.5 - 0.5 * Math.cos(6 * Math.PI * Math.hypot(u - 0.5, v - 0.5)) * Math.max(0, 1 - 2 * Math.hypot(u - 0.5, v - 0.5)),
+  rings(u, v) {
+    const radius = Math.hypot(u - 0.5, v - 0.5);
+    return 0.5 - 0.5 * Math.cos(6 * Math.PI * radius) * Math.max(0, 1 - 2 * radius);
+  },
   waves: (u, v) => 0.5 + 0.25 * Math.sin(2 * Math.PI * (2 * u + v)) + 0.25 * Math.sin(2 * Math.PI * (3 * v - u)),
   tiles: (u, v) => Math.min(1, 7 * Math.min(...[u, v].map((t) => Math.min((2 * t) % 1, 1 - ((2 * t) % 1))))),
 };
+
+const MODEL = { model: "blinn_phong", diffuse: [0.55, 0.45, 0.36], ambientShare: 0.25, specular: [0.35, 0.35, 0.35],
+                exponent: 40 };
 
 /** Heights of a pattern that repeats. */
 const heightsOf = (pattern) => Float32Array.from({ length: TEXELS * TEXELS }, (_, i) =>
@@ -43,6 +49,7 @@ function normalsOf(heights, amplitude, step) {
 export function make({ shd, context }) {
   const cache = new Cache(), light = new LightHandle(-0.5, 0.55);
   const pictures = WAYS.map(() => new Picture({ shd, context }, SIZE, SIZE));
+  const sampler = new shd.Sampler(context, { filter: "bicubic", cubic: "b_spline" });
   let places = null, made = { key: "" };
 
   /** The normals of a pattern, computed when the settings change. */
@@ -61,17 +68,16 @@ export function make({ shd, context }) {
     const step = extent.map((v, axis) => v / (repeat[axis] * TEXELS));
     const { normals, steepest } = normalsFor(key, pattern, amplitude, step);
     const normalMap = textureOf("normals", key, () => normals, "rgba32f");
-    const sampler = cache.get("sampler", "bicubic", () => new shd.Sampler(context, { filter: "bicubic", cubic: "b_spline" }));
     const uvTransform = [repeat[0], 0, 0, 0, repeat[1], 0];
-    const model = { model: "blinn_phong", diffuse: [0.55, 0.45, 0.36], ambientShare: 0.25, specular: [0.35, 0.35, 0.35], exponent: 40 };
-    const material = (name, made) => cache.get(name, key, () => new shd.Material(context, { ...model, ...made }));
+    const material = (name, made) => cache.get(name, key, () => new shd.Material(context, { ...MODEL, ...made }));
     const slot = (target, texture) => ({ slots: [{ target, texture, sampler, uvTransform }] });
     const base = cache.get("mesh", desc, () => shd.Mesh.shape(context, desc));
     const repeated = cache.get("repeated", [shape], () => repeatUv(base, repeat));
     const displaced = cache.get("displaced", key, () => repeated.tessellate(context, {
       segments: 2, displacement: heights, sampler, amplitude, offset: 0.5 }));
+    const bump = { bump: "gradient", bumpScale: amplitude };
     return { steepest, triangles: displaced.info.triangleCount, draws: [
-      { mesh: base, material: material("bump", { bump: "gradient", bumpScale: amplitude, ...slot("height", heights) }) },
+      { mesh: base, material: material("bump", { ...bump, ...slot("height", heights) }) },
       { mesh: base, material: material("normal", slot("normal", normalMap)) },
       { mesh: displaced, material: material("plain", {}) },
     ] };
@@ -88,7 +94,7 @@ export function make({ shd, context }) {
     label: "Bump map, normal map and displacement: drag the light",
     settings: {
       shape: { label: "Surface", options: Object.keys(SHAPES), value: "sphere" },
-      pattern: { label: "Heights", options: Object.keys(PATTERNS), value: "rings" },
+      pattern: { label: "Heights", options: Object.keys(PATTERNS), value: "tiles" },
       amplitude: { label: "Amplitude", min: 0, max: 0.2, step: 0.01, value: 0.08 },
     },
     heightOf: (width) => layOut(width).height,
@@ -102,7 +108,8 @@ export function make({ shd, context }) {
       const lights = [{ kind: "directional", direction }, { kind: "ambient" }].map((desc) =>
         cache.get("light", desc, () => new shd.Light(context, desc)));
       draws.forEach((draw, i) => {
-        pictures[i].render({ draws: [draw], lights, camera: SHAPES[state.shape].camera, clearColor: [0.02, 0.024, 0.03, 1] });
+        const { camera } = SHAPES[state.shape];
+        pictures[i].render({ draws: [draw], lights, camera, clearColor: [0.02, 0.024, 0.03, 1] });
         pictures[i].draw(target, places[i]);
         label(target, WAYS[i], [places[i].x + places[i].width / 2, places[i].y - TITLE / 2],
               { colour: ink, halo: null, size: width < 500 ? 11 : 13 });

@@ -92,7 +92,8 @@ export function make({ shd, context }) {
   function paintLevel(target, place, { levels: [across, down], list }, explanation, ink) {
     const [columns, rows] = [across, down].map((level) => SIZE >> level);
     target.save();
-    path(target, [[0, 0], [1, 0], [1, 1], [0, 1]].map(([i, j]) => [place.x + i * place.width, place.y + j * place.height]));
+    target.beginPath();
+    target.rect(place.x, place.y, place.width, place.height);
     target.clip();
     levels[across === down ? across : 0].draw(target, place, false);
     grid(target, place, columns, rows, "rgb(60 60 60 / 55%)");
@@ -109,12 +110,13 @@ export function make({ shd, context }) {
     const [long, short] = [longerAxis, shorterAxis].map((axis) => Math.hypot(...axis));
     const sum = tables.reduce((total, { list }) => list.reduce((part, [, , weight]) => part + weight, total), 0);
     const texels = `${tapCount} ${tapCount === 1 ? "texel" : "texels"}`;
+    const names = tables.map((table) => nameOf(table.levels));
     return {
       values: { lx, ly, detail, lod, sum, levels: tables.map((table) => table.levels), tapCount, result },
       text: `L_x = ${number(lx)}, L_y = ${number(ly)} texels;   D = log2 max(L_x, L_y) = ${number(detail)}\n`
         + `ellipse ${number(long)} × ${number(short)} texels, ratio ${number(long / Math.max(short, 1e-6), 1)};   `
         + `level of detail of trilinear ${number(lod)}\n`
-        + `${filter.replaceAll("_", " ")}: ${isRead ? `${texels} of ${tables.map((t) => nameOf(t.levels)).join(" and ")}`
+        + `${filter.replaceAll("_", " ")}: ${isRead ? `${texels} of ${names.join(" and ")}`
           : `${texels} have a weight`}, sum ${number(sum, 3)}; result ${point(result.slice(0, 3))}`,
     };
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The weights of a filter that has no list of its texels: its results in textures in which one texel is 1 and all others
-// are 0.
+// The weights of a filter that has no list of its texels: its results in textures in which one texel is 1 and all
+// others are 0.
 
 const FILTERS = ["summed_area", "exact"];
 const CHANNELS = 4, LEAST = 1e-7;

@@ -50,7 +50,8 @@ export function make({ shd, context }) {
   return {
     label: "A plane in perspective and its spectrum: drag the view and choose a filter",
     settings: {
-      method: { label: "Method", min: 0, max: METHODS.length - 1, step: 1, value: 0, names: METHODS.map(([name]) => name) },
+      method: { label: "Method", min: 0, max: METHODS.length - 1, step: 1, value: 0,
+                names: METHODS.map(([name]) => name) },
       texture: { label: "Texture", options: ["checker", "zone", "brick"], value: "checker" },
     },
     heightOf: (width) => layOut(width).height,
@@ -73,14 +74,15 @@ export function make({ shd, context }) {
       picture.put(bytesOf(columns)).draw(target, places[0], false);
       const { bytes, high } = spectrum(middle(columns), SPECTRUM);
       frequencies.put(bytes).draw(target, places[1]);
-      label(target, name, [places[0].x, places[0].y - 11], { align: "left", colour: ink, halo: null });
-      label(target, "spectrum of the square below the horizon", [places[1].x, places[1].y - 11], { align: "left", colour: ink, halo: null, size: 12 });
+      [name, "spectrum of the square below the horizon"].forEach((title, i) =>
+        label(target, title, [places[i].x, places[i].y - 11], { align: "left", colour: ink, halo: null, size: 13 - i }));
       cache.sweep();
       const error = means ? errorOf(columns, means) : null;
       return {
         isRough: !means, values: { error, high },
-        text: `${name}: error against the exact mean ${means ? number(error, 4) : "…"} (root of the mean square, linear)\n`
-          + `${number(100 * high, 2)} % of the spectrum's power lies above half of the highest frequency`,
+        text: `${name}: error against the exact mean ${means ? number(error, 4) : "…"} `
+          + `(root of the mean square, linear)\n${number(100 * high, 2)} % of the spectrum's power lies above half of `
+          + "the highest frequency",
       };
     },
   };

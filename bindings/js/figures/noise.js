@@ -2,10 +2,10 @@
 // A slice of a solid texture (shd/solid.h), and its values along a line.
 import { enums } from "../lib/api.js";
 import { bytesOf, cssOf, Pixels } from "./picture.js";
-import { COLOURS, line, number, path } from "./paint.js";
+import { COLOURS, line, number, path, point } from "./paint.js";
 
 const KINDS = ["value", "perlin", "simplex", "marble", "wood"];
-const COLUMNS = 360, ROWS = 216, CELLS = 6, DEPTH = 0.37;
+const COLUMNS = 384, ROWS = 192, CELLS = 6, DEPTH = 0.37;
 const CURVE = 90, GAP = 10;  // CSS pixels
 const FADES = Object.keys(enums.solid_fade);
 const COLOURED = {
@@ -80,14 +80,15 @@ export function make({ shd, context }) {
       const desc = descOf(state);
       paintSlice(target, desc);
       paintCurve(target, desc, view);
-      const { value, gradient, channel } = evaluate(desc, [p[0] * CELLS], [p[1] * CELLS], { value: 1, gradient: 3, channel: 4 });
+      const place = p.map((v) => v * CELLS);
+      const wanted = { value: 1, gradient: 3, channel: 4 };
+      const { value, gradient, channel } = evaluate(desc, [place[0]], [place[1]], wanted);
       fill = cssOf(channel.map(([v]) => v));
       const slope = gradient.map(([v]) => v);
       return {
-        text: `At (${number(p[0] * CELLS)}, ${number(p[1] * CELLS)}, ${DEPTH}): n = ${number(value[0], 3)}, `
-          + `gradient (${slope.map((v) => number(v)).join(", ")})\n`
-          + `${state.octaves} ${state.octaves > 1 ? "octaves" : "octave"}, cells of 1; the curve has the values along the line`,
-        values: { value: value[0], gradient: slope, place: p.map((v) => v * CELLS) },
+        text: `At ${point([...place, DEPTH])}: n = ${number(value[0], 3)}, gradient ${point(slope)}\n${state.octaves} `
+          + `${state.octaves > 1 ? "octaves" : "octave"}, cells of 1; the curve has the values along the line`,
+        values: { value: value[0], gradient: slope, place },
       };
     },
   };

@@ -37,7 +37,8 @@ export function arrow(target, from, to, colour) {
 }
 
 /** A text with a halo, so that it can be read on any ground. */
-export function label(target, text, [x, y], { size = 13, align = "center", colour = "#fff", halo = "rgb(0 0 0 / 75%)" } = {}) {
+export function label(target, text, [x, y], options = {}) {
+  const { size = 13, align = "center", colour = "#fff", halo = "rgb(0 0 0 / 75%)" } = options;
   Object.assign(target, { font: `600 ${size}px system-ui, "DejaVu Sans", sans-serif`, textAlign: align,
                           textBaseline: "middle", lineJoin: "round" });
   if (halo) {
@@ -75,7 +76,8 @@ export function shares(target, { x, y, width, height }, columns, rows, list) {
     Object.assign(target, { strokeStyle: "rgb(0 0 0 / 60%)", lineWidth: 1 });
     target.strokeRect(x + i * w + 0.5, y + j * h + 0.5, w - 1, h - 1);
     const text = number(100 * weight, Math.abs(weight) < 0.0995 && w >= 34 ? 1 : 0);
-    if (w >= 20 && h >= 14 && Math.abs(weight) >= 5e-4) label(target, text, [x + (i + 0.5) * w, y + (j + 0.5) * h], { size: Math.min(14, w / 2.2) });
+    if (w < 20 || h < 14 || Math.abs(weight) < 5e-4) continue;
+    label(target, text, [x + (i + 0.5) * w, y + (j + 0.5) * h], { size: Math.min(14, w / 2.2) });
   }
 }
 

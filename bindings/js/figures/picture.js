@@ -51,7 +51,8 @@ export const encode = (value) => encoded[Math.round(STEPS * Math.min(Math.max(va
 export function bytesOf([r, g, b]) {
   const bytes = new Uint8ClampedArray(4 * r.length);
   for (let i = 0; i < r.length; ++i) {
-    bytes[4 * i] = encode(r[i]), bytes[4 * i + 1] = encode(g[i]), bytes[4 * i + 2] = encode(b[i]), bytes[4 * i + 3] = 255;
+    bytes[4 * i] = encode(r[i]), bytes[4 * i + 1] = encode(g[i]), bytes[4 * i + 2] = encode(b[i]);
+    bytes[4 * i + 3] = 255;
   }
   return bytes;
 }

@@ -2,7 +2,7 @@
 // Shadows of a moving light by the filters of shadow maps (shd/shadow.h).
 import { Cache } from "../playground/cache.js";
 import { Picture } from "./picture.js";
-import { number } from "./paint.js";
+import { number, point } from "./paint.js";
 
 const FILTERS = ["hard", "pcf", "pcss", "variance"];
 const WIDTH = 480, HEIGHT = 320;
@@ -25,7 +25,7 @@ export function make({ shd, context }) {
   const ambient = new shd.Light(context, { kind: "ambient" });
   const view = shd.call("shd_view_from_camera", { ...CAMERA, aspect: WIDTH / HEIGHT });
   const inverse = shd.call("shd_matrix_invert", view.worldToView);
-  let light = [-1.6, 1.4], p = [1.2, -0.1];  // x and z
+  let light = [-1.6, 1.4], p = [1.15, 0.96];  // x and z
   let size = [1, 1];
 
   /** The place of a world point in the picture, in CSS pixels. */
@@ -72,15 +72,16 @@ export function make({ shd, context }) {
       const desc = { kind: "point", position: place, intensity: [9, 8.6, 7.8] };
       const lamp = cache.get("light", desc, () => new shd.Light(context, desc));
       const shadow = shadowOf(lamp, state);
-      picture.render({ draws, lights: [lamp, ambient], shadows: [shadow, null], view, clearColor: [0.3, 0.36, 0.45, 1] });
+      picture.render({ draws, lights: [lamp, ambient], shadows: [shadow, null], view,
+                       clearColor: [0.3, 0.36, 0.45, 1] });
       picture.draw(target, { x: 0, y: 0, width, height });
       const { visibility } = shadow.sample({ position: [[p[0]], [0], [p[1]]], normal: [[0], [1], [0]] },
                                            { visibility: new Float32Array(1) });
       cache.sweep();
       return {
-        text: `Light at (${place.map((v) => number(v, 1)).join(", ")}); at (${number(p[0], 1)}, 0, ${number(p[1], 1)}) `
-          + `its visibility is ${number(visibility[0], 3)}\n`
-          + `${state.filter}: map of ${state.mapSize} × ${state.mapSize} texels a face, bias ${number(state.bias, 3)}`,
+        text: `Light at ${point(place, 1)}; at ${point([p[0], 0, p[1]], 1)} its visibility is `
+          + `${number(visibility[0], 3)}\n${state.filter}: map of ${state.mapSize} × ${state.mapSize} texels a face, `
+          + `bias ${number(state.bias, 3)}`,
         values: { visibility: visibility[0], light: place },
       };
     },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// <shd-figure name="texels">text</shd-figure>: a figure of this folder. It starts when it comes into view, and replaces the
-// text, which stays where it cannot start. All figures of a page share one instance of the library.
+// <shd-figure name="texels">text</shd-figure>: a figure of this folder. It starts when it comes into view, and replaces
+// the text, which stays where it cannot start. All figures of a page share one instance of the library.
 import { control, element } from "../playground/setting.js";
 import { load } from "../lib/index.js";
 import { Stage } from "./stage.js";
@@ -37,24 +37,20 @@ class ShdFigure extends HTMLElement {
   #stage = null;
   #controls = [];
   #text = element("output", { id: "text", className: "text" });
-  #ends = new AbortController();
   #rest = 0;
+  #hasStarted = false;
   /** The values of the settings. */
   state = {};
   /** What the text states, as numbers. */
   values = {};
 
   connectedCallback() {
-    observer.observe(this);
-    this.#ends.signal.addEventListener("abort", () => observer.unobserve(this));
-  }
-
-  disconnectedCallback() {
-    this.#ends.abort();
+    if (!this.#hasStarted) observer.observe(this);
   }
 
   /** Starts after the figures before it. */
   start() {
+    this.#hasStarted = true;
     const before = lastStart;
     lastStart = this.#start(before).catch((problem) => {
       this.dispatchEvent(new CustomEvent("problem", { detail: problem }));
@@ -92,7 +88,7 @@ class ShdFigure extends HTMLElement {
     box.setAttribute("aria-label", label);
     root.append(...sheets.map(({ link }) => link), box);
     await Promise.all(sheets.map(({ arrival }) => arrival));
-    this.#stage.start(this.#figure, this.#ends.signal);
+    this.#stage.start(this.#figure);
   }
 
   /** Changes settings. */
@@ -104,11 +100,9 @@ class ShdFigure extends HTMLElement {
   /** Draws anew when the page changes between light and dark. */
   #watchTheme() {
     const redraw = () => this.#stage.change();
-    const observer = new MutationObserver(redraw);
-    for (const watched of [document.documentElement, document.body]) observer.observe(watched, { attributes: true });
-    const { signal } = this.#ends;
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
-    signal.addEventListener("abort", () => observer.disconnect());
+    const changes = new MutationObserver(redraw);
+    for (const watched of [document.documentElement, document.body]) changes.observe(watched, { attributes: true });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   }
 
   #draw() {

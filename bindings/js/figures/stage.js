@@ -3,9 +3,9 @@
 //
 //   { label, settings, heightOf(width, state), handles(view, state), draw(target, view, state) }
 //
-// `view` has the width and height in CSS pixels, and the colour of the text. A handle is { label, at: [x, y], move(x, y),
-// fill }. draw() returns { text, values, isRough }: the numbers of the figure in words, and for programs. A figure that is
-// rough while it changes is drawn again when it rests, with view.isResting.
+// `view` has the width and height in CSS pixels, and the colour of the text. A handle is { label, at: [x, y],
+// move(x, y), fill }. draw() returns { text, values, isRough }: the numbers of the figure in words, and for programs. A
+// figure that is rough while it changes is drawn again when it rests, with view.isResting.
 import { element } from "../playground/setting.js";
 
 const STEP = 4, LONG_STEP = 20;  // CSS pixels of an arrow key, and with Shift
@@ -34,13 +34,11 @@ export class Stage {
     this.#canvas.addEventListener("pointerdown", (event) => this.#take(event));
   }
 
-  start(figure, signal) {
+  start(figure) {
     this.#figure = figure;
-    const observer = new ResizeObserver(() => {
+    new ResizeObserver(() => {
       if (this.element.clientWidth !== this.#view.width) this.change();
-    });
-    observer.observe(this.element);
-    signal.addEventListener("abort", () => observer.disconnect());
+    }).observe(this.element);
   }
 
   /** Draws in full what does not change any more. */

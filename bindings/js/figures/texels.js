@@ -16,8 +16,8 @@ function makeTexels() {
   for (let y = 0; y < SIZE; ++y) {
     for (let x = 0; x < SIZE; ++x) {
       const isDisc = Math.hypot(x - 3.2, y - 3.6) < 2.4;
-      const colour = isDisc ? [225, 90 + 14 * y, 60] : (x + 2 * y) % 5 < 2 ? [38, 70 + 10 * x, 120] : [226, 222, 205 - 9 * y];
-      texels.set([...colour, 255], 4 * (y * SIZE + x));
+      const ground = (x + 2 * y) % 5 < 2 ? [38, 70 + 10 * x, 120] : [226, 222, 205 - 9 * y];
+      texels.set([...(isDisc ? [225, 90 + 14 * y, 60] : ground), 255], 4 * (y * SIZE + x));
     }
   }
   return texels;
@@ -38,10 +38,11 @@ export function make({ shd, context }) {
     const place = p.map((v) => v * SIZE - 0.5), [i, j] = place.map(Math.floor);
     const fraction = place.map((v) => v - Math.floor(v));
     const sum = taps.reduce((total, { weight }) => total + weight, 0);
-    const texel = (axis, k) => `${"uv"[axis]} = ${number(p[axis], 3)} → ${"xy"[axis]} = ${SIZE} ${"uv"[axis]} − ½ = `
-      + `${number(place[axis])}: texel ${k}, ${"st"[axis]} = ${number(fraction[axis])}`;
-    return { sum, fraction, text: `${texel(0, i)}\n${texel(1, j)}\n${taps.length} texels with weights in %, sum ${number(100 * sum, 1)}; `
-      + `result, linear: ${point(result.slice(0, 3), 3)}` };
+    const texel = (axis, k) => `${"uv"[axis]} = ${number(p[axis], 3)} → ${"xy"[axis]} = ${SIZE} ${"uv"[axis]} − ½ `
+      + `= ${number(place[axis])}: texel ${k}, ${"st"[axis]} = ${number(fraction[axis])}`;
+    const total = `${taps.length} texels with weights in %, sum ${number(100 * sum, 1)}`;
+    return { sum, fraction, text: `${texel(0, i)}\n${texel(1, j)}\n${total}; result, linear: `
+      + point(result.slice(0, 3), 3) };
   }
 
   return {
