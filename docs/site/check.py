@@ -131,7 +131,7 @@ def check_pages(_):
             ("$$\nshd_a\n$$\n$shd_a$ [shd_a](x.md) `shd_a(b)` shd_unknown", None),
             ("text\n\n    shd_a\n\nshd_a", "text\n\n    shd_a\n\n[shd_a](c/a_8h.html#1)"),
             ("- item\n  shd_a", "- item\n  [shd_a](c/a_8h.html#1)"),
-            ("[c](../examples/course/README.md) ![g](../examples/g.png)", "[c](course.md) ![g](examples/g.png)")):
+            ("[c](../examples/course/README.md) ![g](../examples/g.png)", "[c](course-programs.md) ![g](examples/g.png)")):
         assert pages.convert(text, places) == (text if expected is None else expected) + "\n", pages.convert(text, places)
     assert pages.convert("[b](../../docs/build.md#x)", places, "../../") == "[b](build.md#x)\n"
     assert pages.slug("Use it, `now`") == "use-it-now"

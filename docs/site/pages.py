@@ -7,7 +7,7 @@ interface lead to the reference of the headers.
 import re
 
 # Pages of other folders, by their paths from docs/.
-OTHER = {"../examples/course/README.md": "course.md"}
+OTHER = {"../examples/course/README.md": "course-programs.md"}
 PICTURE = re.compile(r"\]\((?:\.\./)+(examples/[\w/.-]+\.png)\)")
 # Left as they are: links, code, formulas, tags of HTML. Code that is one name of the interface is a link, too.
 SKIPPED = r"!?\[[^\]]*\]\([^)]*\)|`[^`]*`|\$[^$]+\$|<[^>]*>"

@@ -7,7 +7,7 @@
 - README has at most 150 lines, and its first program is a part of examples/hello.c, without its indentation.
 - Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
 - Every relative link and picture is there, and every heading that a link names.
-- docs/index.md, docs/filters.md or docs/tutorial.md links every page, and the menu of the site has it.
+- docs/index.md, docs/course.md, docs/filters.md or docs/tutorial.md links every page, and the menu of the site has it.
 - The whole programs of the tutorial are the files of examples/ that their pages name, without the line of the licence.
 - Every test that a page names in backticks is in CTest, and its source contains the case that follows the name.
 - docs/build.md, CMakeLists.txt and CMakePresets.json name the same version of CMake.
@@ -183,7 +183,7 @@ def check(root, compiler):
 
 def check_lists(root):
     """The pages with lists name every other page, and so does the menu of the site."""
-    lists = "".join((root / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("index", "filters", "tutorial"))
+    lists = "".join((root / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("index", "course", "filters", "tutorial"))
     menu = (root / "docs/site/mkdocs.yml").read_text(encoding="utf-8")
     for page in sorted((root / "docs").glob("*.md")):
         if page.name != "index.md" and f"]({page.name})" not in lists:
