@@ -14,7 +14,6 @@
 | heights, normals | a height map of bricks, and its normal map |
 | sky | an environment in latitude and longitude (.hdr) |
 | cloud | 48 x 48 x 48 densities of 8 bits (.raw) |
-| cycle | three bars, each in front of the next one (.obj) |
 """
 import argparse
 import ctypes
@@ -154,7 +153,7 @@ def noise(context, names):
 
 
 def sky(_context, _):
-    """Radiance: a blue sky, a dark ground, clouds of noise, and a sun of 60 times the sky."""
+    """Radiance: a blue sky, a dark ground, clouds of noise, and a sun."""
     height, width = 128, 256
     v, u = (np.indices((height, width)) + 0.5) / np.array([height, width])[:, None, None]
     up, around = np.cos(np.pi * v), 2 * np.pi * u
@@ -163,7 +162,7 @@ def sky(_context, _):
     above = np.float64([0.35, 0.55, 1.0]) * (0.4 + 0.6 * (1 - np.abs(up[..., None])))
     radiance = np.where(up[..., None] > 0, above + clouds[..., None] * 0.8, [0.16, 0.13, 0.1])
     sun = np.float64([-0.5, 0.6, 0.62])
-    radiance[direction @ (sun / np.linalg.norm(sun)) > 0.985] = [60, 55, 45]
+    radiance[direction @ (sun / np.linalg.norm(sun)) > 0.985] = [25, 23, 19]
     return radiance
 
 
@@ -176,20 +175,6 @@ def cloud(context, _):
     return grey(np.clip(1.05 - np.sqrt((position ** 2).sum(axis=-1)), 0, 1) * np.clip(0.35 + 1.6 * turbulence, 0, 1))
 
 
-def cycle(_context, _):
-    """Three flat bars, turned by 120 degrees, each of which rises from behind one neighbour to before the other."""
-    lines = []
-    for k in range(3):
-        turn = 2 * np.pi * k / 3
-        along, across = np.array([np.cos(turn), np.sin(turn)]), np.array([-np.sin(turn), np.cos(turn)])
-        for a, b in ((-1, -0.14), (1, -0.14), (1, 0.14), (-1, 0.14)):
-            x, y = a * along + (b - 0.3) * across
-            lines.append(f"v {x:.6f} {y:.6f} {0.35 * a:.6f}")
-    for k in range(3):
-        lines.append(f"f {4 * k + 1} {4 * k + 2} {4 * k + 3} {4 * k + 4}")
-    return "\n".join(lines) + "\n"
-
-
 def write_hdr(path, radiance):
     """Radiance RGBE without run lengths (Ward, "Real Pixels", 1991)."""
     mantissa, exponent = np.frexp(np.maximum(radiance.max(axis=-1), 1e-30))
@@ -199,7 +184,7 @@ def write_hdr(path, radiance):
         file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % pixels.shape[:2] + pixels.tobytes())
 
 
-SUBJECTS = {f.__name__: f for f in (magnify, wrap, triangle, pyramid, noise, heights, normals, sky, cloud, cycle)}
+SUBJECTS = {f.__name__: f for f in (magnify, wrap, triangle, pyramid, noise, heights, normals, sky, cloud)}
 
 
 def main():
@@ -209,10 +194,7 @@ def main():
     parser.add_argument("-o", "--output", required=True)
     options = parser.parse_args()
     made = SUBJECTS[options.subject](shd.Context(), options.arguments)
-    if isinstance(made, str):
-        with open(options.output, "w", encoding="ascii") as file:
-            file.write(made)
-    elif options.output.endswith(".hdr"):
+    if options.output.endswith(".hdr"):
         write_hdr(options.output, made)
     elif options.output.endswith(".raw"):
         made.tofile(options.output)
