@@ -10,7 +10,7 @@
 | wrap | a texture between -0.5 and 1.5, by each of five wraps |
 | triangle | the three coordinates of a triangle, and their lines |
 | pyramid | the mip levels of a texture, each beside the previous one |
-| noise KIND... | squares of noise: value, perlin, fbm, turbulence, marble, or perlin-cubic |
+| noise KIND... | squares of noise: the keys of NOISES |
 | heights, normals | a height map of bricks, and its normal map |
 | sky | an environment in latitude and longitude (.hdr) |
 | cloud | 48 x 48 x 48 densities of 8 bits (.raw) |
@@ -134,6 +134,7 @@ def pyramid(context, _):
 NOISES = {
     "value": {"kind": "value"},
     "perlin": {"kind": "perlin"},
+    "perlin-linear": {"kind": "perlin", "fade": "linear"},
     "perlin-cubic": {"kind": "perlin", "fade": "cubic", "gradients": "table"},
     "simplex": {"kind": "simplex"},
     "fbm": {"kind": "perlin", "octaves": 6},
