@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Pictures and inputs of pictures for the pages of the course (course.md).
 
-    course_pictures.py SUBJECT [ARGUMENT...] -o FILE
+    course_pictures.py SUBJECT [ARGUMENT...] [-o FILE]
 
 | subject | file |
 |---|---|
@@ -192,7 +192,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("subject", choices=SUBJECTS)
     parser.add_argument("arguments", nargs="*")
-    parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("-o", "--output", default="out.png")
     options = parser.parse_args()
     made = SUBJECTS[options.subject](shd.Context(), options.arguments)
     if options.output.endswith(".hdr"):
