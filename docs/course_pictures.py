@@ -9,7 +9,6 @@
 | magnify FILTER... | a texture of 8 x 8 texels, enlarged by each filter; bicubic kernels as bicubic:b-spline |
 | wrap | a texture between -0.5 and 1.5, by each of five wraps |
 | triangle | the three coordinates of a triangle, and their lines |
-| pyramid | the mip levels of a texture, each beside the previous one |
 | noise KIND... | squares of noise: the keys of NOISES |
 | heights, normals | a height map of bricks, and its normal map |
 | sky | an environment in latitude and longitude (.hdr) |
@@ -114,23 +113,6 @@ def normals(context, _):
     return out
 
 
-def pyramid(context, _):
-    """Level 0 at the left, the others in a column."""
-    size = 256
-    y, x = (np.indices((size, size)) + 0.5) / size - 0.5
-    rays = 0.5 + 0.5 * np.sign(np.sin(24 * np.arctan2(y, x)))
-    texels = np.stack([rays, bricks(size), 1 - rays * 0.6], axis=-1)
-    texture = shd.Texture(context, codes(texels), srgb=True, tables="mipmap")
-    sheet = np.full((size, size + GAP + size // 2, 3), 255, np.uint8)
-    sheet[:, :size] = texture.read_level(0)[..., :3]
-    top = 0
-    for level in range(1, 9):
-        part = texture.read_level(level)[..., :3]
-        sheet[top:top + len(part), size + GAP:size + GAP + len(part)] = part
-        top += len(part)
-    return sheet
-
-
 NOISES = {
     "value": {"kind": "value"},
     "perlin": {"kind": "perlin"},
@@ -185,7 +167,7 @@ def write_hdr(path, radiance):
         file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % pixels.shape[:2] + pixels.tobytes())
 
 
-SUBJECTS = {f.__name__: f for f in (magnify, wrap, triangle, pyramid, noise, heights, normals, sky, cloud)}
+SUBJECTS = {f.__name__: f for f in (magnify, wrap, triangle, noise, heights, normals, sky, cloud)}
 
 
 def main():
