@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Debian packages by CPack: one per library with the name of its soname, libshd-dev, libshd-doc and shd-tools. README.md
-# of this folder has the commands. deb/finish.sh completes each package with what CPack does not write.
+# Debian packages by CPack: one per library with the name of its soname, libshd-dev, libshd-doc, shd-tools and
+# python3-shd. README.md of this folder has the commands. deb/finish.sh completes each package with what CPack does not write.
 set(SHD_MAINTAINER "The shd authors <shd@shd.invalid>" CACHE STRING "Maintainer of the Debian packages")
 
 if(NOT SHD_BUILD_SHARED)
@@ -88,5 +88,22 @@ ${about}
 This package has shd-render, which renders a picture of a model file with
 lights, shadows, environments and volumes; shd-check, which judges texture
 lookups; and shd-maketx, which makes tiled files with mip levels." ${libraries})
+endif()
+# The Python package needs only libshd; its modules shd.io, shd.scene and others load the components when they are used.
+execute_process(COMMAND /usr/bin/python3 -c "import pip, setuptools, wheel" RESULT_VARIABLE no_pip OUTPUT_QUIET ERROR_QUIET)
+if(no_pip)
+  message(STATUS "python3-shd is not packaged (Debian: python3-pip python3-setuptools python3-wheel)")
+else()
+  set(python_dir ${PROJECT_BINARY_DIR}/dist-packages)
+  add_custom_target(shd_deb_python ALL COMMAND ${CMAKE_CURRENT_LIST_DIR}/deb/python.sh ${python_dir} VERBATIM)
+  install(DIRECTORY ${python_dir}/ DESTINATION lib/python3/dist-packages COMPONENT python)
+  shd_deb(python python3-shd python "texture filtering and software rasterisation on the CPU (Python)
+${about}
+This package has the Python module, which works on arrays of NumPy." shd)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3:any, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS
+      "libshd-color${soname_version}, libshd-io${soname_version}, libshd-scene${soname_version}")
 endif()
 include(CPack)

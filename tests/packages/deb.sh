@@ -60,7 +60,7 @@ run_unpacked() {
 # Inside the chroot: no file of the packages is left behind, nor a package that they depend on.
 purge_all() {
   # shellcheck disable=SC2016 # the shell inside expands it
-  inside sh -c 'names=$(dpkg-query -W -f "\${Package}\n" "libshd*" shd-tools 2>/dev/null); [ -z "$names" ] ||
+  inside sh -c 'names=$(dpkg-query -W -f "\${Package}\n" "libshd*" shd-tools python3-shd 2>/dev/null); [ -z "$names" ] ||
     apt-get purge -qy $names >/dev/null; apt-get autoremove --purge -qy >/dev/null'
   local left
   left=$(find "$root/usr" "$root/etc" -name '*shd*' ! -path '*/share/zoneinfo/*' | head)
@@ -103,6 +103,7 @@ run_in_chroot() {
     [ ! -e "$root/usr/include/shd/$name.h" ] || check_component "$name"
   done
   render_teapot
+  [ -z "$(find "$WORK/packages" -name 'python3-shd_*')" ] || check_python
   purge_all
 }
 
@@ -115,6 +116,13 @@ check_component() {
   inside sh -c "cd /packages && gcc -std=c99 component.c -o component \$(pkg-config --cflags --libs shd_$1)"
   inside /packages/component
   echo "libshd_$1 starts"
+}
+
+# The programs of the Python package, which finds the libraries by their names.
+check_python() {
+  cp "$SOURCE/bindings/python/examples/programs.py" "$root/packages"
+  check_programs chroot "$root" python3 /packages/programs.py
+  inside python3 -c 'import shd.scene; print("python3-shd", shd.__file__)'
 }
 
 render_teapot() {

@@ -101,7 +101,7 @@ finish() {
   write_trigger
   find "$work/tree/usr/share/man" -type f ! -name '*.gz' -exec gzip -9n {} + 2>/dev/null || true
   case $name in
-    *-doc | *-tools) set_field Multi-Arch foreign ;;
+    *-doc | *-tools | python3-*) set_field Multi-Arch foreign ;;
     *) set_field Multi-Arch same ;;
   esac
   # Any revision of a version has its functions.
