@@ -11,6 +11,7 @@
 - The whole programs of the tutorial are the files of examples/ that their pages name, without the line of the licence.
 - Every test that a page names in backticks is in CTest, and its source contains the case that follows the name.
 - docs/build.md, CMakeLists.txt and CMakePresets.json name the same version of CMake.
+- The packages of all languages, the newest part of CHANGELOG.md and the pages have the version of CMakeLists.txt.
 - The C examples of the pages compile as C99, without warnings. An example without functions is the body of one, with the
   usual handles at hand.
 
@@ -152,6 +153,32 @@ def check_cmake_version(root):
         yield f"CMakePresets.json: CMake is not {version}"
 
 
+# Files with versions of shd, and how they write them.
+VERSIONS = {
+    "CHANGELOG.md": r"^## \[([\d.]+)\]",
+    "bindings/csharp/Shd.csproj": r"<Version>([\d.]+)<",
+    "bindings/js/package.json": r'"version": "([\d.]+)"',
+    "bindings/js/README.md": r"shd-([\d.]+)\.tgz",
+    "bindings/python/pyproject.toml": r'^version = "([\d.]+)"',
+    "bindings/rust/Cargo.lock": r'name = "shd[-\w]*"\nversion = "([\d.]+)"',
+    "bindings/rust/shd-sys/Cargo.toml": r'^version = "([\d.]+)"',
+    "bindings/rust/shd/Cargo.toml": r'(?<!-)version = "([\d.]+)"',
+    "docs/bindings.md": r"shd-([\d.]+)\.tgz",
+    "src/packaging/vcpkg/shd/vcpkg.json": r'"version": "([\d.]+)"',
+}
+
+
+def check_version(root):
+    text = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"^project\(shd VERSION ([\d.]+)", text, re.M)[1]
+    for name, pattern in VERSIONS.items():
+        found = re.findall(pattern, (root / name).read_text(encoding="utf-8"), re.M)
+        found = found[:1] if name == "CHANGELOG.md" else found
+        if not found:
+            yield f"{name}: no version of shd"
+        yield from (f"{name}: {other} is not {version}, the version of CMakeLists.txt" for other in found if other != version)
+
+
 def check(root, compiler):
     headers = "\n".join(p.read_text(encoding="utf-8") for p in sorted((root / "include/shd").glob("*.h")))
     names = set(re.findall(r"\b(?:shd|SHD)_\w+", headers))
@@ -162,6 +189,7 @@ def check(root, compiler):
     if not first or not hello_contains(root, first.group(1)):
         yield "README.md: its first program is not a part of examples/hello.c"
     yield from check_cmake_version(root)
+    yield from check_version(root)
     yield from check_lists(root)
     yield from check_tutorial(root)
     tests = find_tests(root)
