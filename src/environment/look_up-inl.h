@@ -42,7 +42,7 @@ struct SquareV {
 template <class D, class V>
 HWY_INLINE SquareV<V> SquarePoint(D d, const Vec3V<V>& n) {
   const V one = hn::Set(d, 1.0f), sum = hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z);
-  const auto usable = hn::And(hn::Gt(sum, hn::Set(d, 0x1p-126f)), hn::Lt(sum, hn::Set(d, __builtin_inff())));
+  const auto usable = hn::And(hn::Gt(sum, hn::Set(d, 0x1p-126f)), hn::Lt(sum, hn::Inf(d)));
   const Vec3V<V> safe = Select(usable, n, Vec3V<V>{hn::Zero(d), hn::Zero(d), hn::Zero(d)});
   const projection::HWY_NAMESPACE::Octahedral<D> at(d, safe, one / hn::IfThenElse(usable, sum, one));
   return {at.a, at.b};

@@ -33,7 +33,7 @@ void TransformVertices(const Mesh& mesh, const Transform& transform, const Verte
     const V eighth = hn::Set(d, 0.125f);
     const V clip_sum = hn::Abs(h.x) * eighth + hn::Abs(h.y) * eighth + (hn::Abs(h.z) * eighth + hn::Abs(h.w) * eighth);
     const V world_sum = hn::Abs(world.x) * eighth + hn::Abs(world.y) * eighth + hn::Abs(world.z) * eighth;
-    const auto finite = hn::Lt(clip_sum * eighth + world_sum * eighth, hn::Set(d, __builtin_inff()));
+    const auto finite = hn::Lt(clip_sum * eighth + world_sum * eighth, hn::Inf(d));
     StorePositions(d, world, hn::Load(d, &mesh.u[i]), to, out);
     StoreNormals(d, normal, hn::Load(d, &mesh.v[i]), to, out);
     StoreRaster(d, transform, h, finite, to, out);

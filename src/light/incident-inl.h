@@ -39,7 +39,7 @@ HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMES
   if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {simd::HWY_NAMESPACE::Set3(d, light.to_light), one};
   const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
-  const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
+  const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Inf(d)));
   const V safe = choices.Select(usable, squared, one);
   const V inverse = one / hn::Sqrt(safe);
   V falloff = choices.OrZero(usable, one / choices.AtLeast(safe, hn::Set(d, 1e-8f)));

@@ -77,7 +77,7 @@ struct BoundedDirection {
   /// 2^127.
   HWY_NOINLINE void shorten(D d, const Vec3V<V>& given, Vec3V<V>* dn, V* growth) const {
     using simd::HWY_NAMESPACE::ZeroIfNaN;
-    const V one = hn::Set(d, 1.0f), infinity = hn::Set(d, __builtin_inff()), limit = hn::Set(d, kLongStep);
+    const V one = hn::Set(d, 1.0f), infinity = hn::Inf(d), limit = hn::Set(d, kLongStep);
     const auto largest_of = [](const Vec3V<V>& v) {
       return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
     };

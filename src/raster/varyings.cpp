@@ -57,7 +57,7 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
   }
   const V sum = e[0] + e[1] + e[2];
   const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
-  usable = hn::And(usable, hn::Lt(size, hn::Set(d, __builtin_inff())));
+  usable = hn::And(usable, hn::Lt(size, hn::Inf(d)));
   usable = hn::AndNot(one_w, hn::And(usable, hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f))));
   const V inverse = one / hn::IfThenElse(usable, sum, one);
   const V raw1 = hn::IfThenElse(usable, e[1] * inverse, perspective.b1);

@@ -20,7 +20,7 @@ struct Interval {
 /// Bounds of the finite points. Without finite points the bounds are empty, and their distance to every light is 0.
 Interval IntervalOf(const float* column, size_t count) {
   const hn::ScalableTag<float> d;
-  const auto limit = hn::Set(d, __builtin_inff());
+  const auto limit = hn::Inf(d);
   auto low = limit, high = hn::Neg(limit);
   // Points past count repeat the last one.
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shade/light_table.h"
 
+#include <limits>
 #include <utility>
 
 #include "data/data.h"
@@ -30,8 +31,8 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
     table.y[k] = light.position[1];
     table.z[k] = light.position[2];
     // The margin exceeds the rounding of distances. Beyond the range the falloff is 0.
-    table.max_squared_distance[k] =
-        light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
+    table.max_squared_distance[k] = light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range)
+                                                       : std::numeric_limits<float>::infinity();
     table.any_range |= light.range > 0.0f;
   }
   return table;

@@ -2,6 +2,7 @@
 #include "shade/parallax.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "data/data.h"
 
@@ -74,7 +75,7 @@ bool step(const MarchColumns& m, const float* height, float part, float width, s
     const float drop = m.above[i] - above;
     // above <= 0: interpolate back to the crossing of the line between the two steps. Infinite heights cannot be
     // interpolated.
-    const float back = drop > 0.0f && drop < __builtin_inff() ? above / drop : 0.0f;
+    const float back = drop > 0.0f && drop < std::numeric_limits<float>::infinity() ? above / drop : 0.0f;
     const float crossing = part + width * std::max(back, -1.0f);
     m.found[i] = hits ? std::max(crossing, 0.0f) : m.found[i];
     m.above[i] = above;

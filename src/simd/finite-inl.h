@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Lanes that are finite. The test takes two operations on every target; Highway's test may take three.
 template <class D, class V>
 HWY_INLINE hn::Mask<D> IsFinite(D d, V x) {
-  return hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff()));
+  return hn::Lt(hn::Abs(x), hn::Inf(d));
 }
 
 /// Lanes whose three components are finite.

@@ -9,6 +9,7 @@
 #endif
 
 #include <hwy/highway.h>
+#include <limits>
 
 #include "simd/integer-inl.h"
 #include "simd/round-inl.h"
@@ -74,11 +75,11 @@ HWY_INLINE V Log2(D d, V x) {
   const ReducedLog2<D> r(d, hn::IfThenElse(tiny, x * hn::Set(d, 8388608.0f), x));
   V y = (r.exponent - hn::IfThenElseZero(tiny, hn::Set(d, 23.0f))) + r.s * r.of_m_by_s;
 
-  const V infinity = hn::Set(d, __builtin_inff());
+  const V infinity = hn::Inf(d);
   y = hn::IfThenElse(hn::Eq(x, infinity), infinity, y);
   y = hn::IfThenElse(hn::Eq(x, hn::Zero(d)), hn::Neg(infinity), y);
   // Negative numbers and NaN fail the comparison >= 0.
-  return hn::IfThenElse(hn::Ge(x, hn::Zero(d)), y, hn::Set(d, __builtin_nanf("")));
+  return hn::IfThenElse(hn::Ge(x, hn::Zero(d)), y, hn::Set(d, std::numeric_limits<float>::quiet_NaN()));
 }
 
 /// 2^x. Relative error <= 2e-7 (measured over every float with a normal result: 9.7e-8); gradual underflow below

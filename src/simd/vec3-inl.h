@@ -74,7 +74,7 @@ HWY_INLINE Vec3V<V> Select(M mask, const Vec3V<V>& a, const Vec3V<V>& b) {
 template <class D, class V>
 HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
   const V squared = Dot(a, a);
-  const auto usable = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Lt(squared, hn::Set(d, __builtin_inff())));
+  const auto usable = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Lt(squared, hn::Inf(d)));
   const V inverse = hn::Set(d, 1.0f) / hn::Sqrt(hn::IfThenElse(usable, squared, hn::Set(d, 1.0f)));
   const V scale = hn::IfThenElseZero(usable, inverse);
   return {hn::IfThenElseZero(usable, a.x * scale), hn::IfThenElseZero(usable, a.y * scale),

@@ -68,7 +68,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
 
   const V blur_u = hn::Set(d, sampler.blur_u), blur_v = hn::Set(d, sampler.blur_v);
   const V largest = hn::Max(LargestMagnitude(j->dudx, j->dvdx, j->dudy, j->dvdy), hn::Max(blur_u, blur_v));
-  const auto finite = hn::Lt(largest, hn::Set(d, __builtin_inff()));
+  const auto finite = hn::Lt(largest, hn::Inf(d));
   const auto exponent = ExponentOf(d, largest);
   const V down = PowerOfTwo(d, hn::Neg(exponent)), up = PowerOfTwo(d, exponent);
   const V ux = j->dudx * down, uy = j->dudy * down, ub = blur_u * down;
@@ -108,7 +108,7 @@ SHD_KERNEL_PART FootprintAxes<D> AxesOf(D d, const Derivatives<D>& j, float widt
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f), zero = hn::Zero(d);
   V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
   const V largest = LargestMagnitude(ux, vx, uy, vy);
-  const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
+  const auto infinite = hn::Eq(largest, hn::Inf(d));
   const auto exponent = ExponentOf(d, largest);
   const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(exponent)));
   const auto scaled = [&](V x) { return hn::IfThenZeroElse(infinite, x * down); };

@@ -141,7 +141,7 @@ SHD_KERNEL_PART PlaceAxes<D> AxesOfPlaces(D d, Places<D> p) {
   const V half = hn::Set(d, 0.5f), zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const V largest =
       hn::Max(LargestMagnitude(p.dudx, p.dvdx, p.dudy, p.dvdy), hn::Max(hn::Abs(p.dwdx), hn::Abs(p.dwdy)));
-  const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
+  const auto infinite = hn::Eq(largest, hn::Inf(d));
   const auto exponent = ExponentOf(d, largest);
   const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(exponent)));
   for (V* value : {&p.dudx, &p.dvdx, &p.dwdx, &p.dudy, &p.dvdy, &p.dwdy}) {

@@ -47,7 +47,7 @@ SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, 
   const V w = hn::Set(d, width), h = hn::Set(d, height);
   const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
   const V largest = LargestMagnitude(ux, vx, uy, vy);
-  const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
+  const auto infinite = hn::Eq(largest, hn::Inf(d));
   Lengths<D> lengths;
   lengths.exponent = ExponentOf(d, largest);
   const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(lengths.exponent)));

@@ -24,7 +24,7 @@ using Direction = simd::HWY_NAMESPACE::Vec3V<hn::Vec<D>>;
 /// Derivatives of a point; infinite in lanes where the change of the direction has an infinite component.
 template <class D>
 HWY_INLINE maps::StepV<hn::Vec<D>> WithInfinity(D d, const Direction<D>& dn, const maps::StepV<hn::Vec<D>>& step) {
-  const auto infinity = hn::Set(d, __builtin_inff());
+  const auto infinity = hn::Inf(d);
   const auto is_infinite = [&](hn::Vec<D> x) { return hn::Eq(hn::Abs(x), infinity); };
   const auto any = hn::Or(hn::Or(is_infinite(dn.x), is_infinite(dn.y)), is_infinite(dn.z));
   return {hn::IfThenElse(any, infinity, step.du), hn::IfThenElse(any, infinity, step.dv)};

@@ -3,6 +3,8 @@
 // compute for a block of lookups, times the Jacobian of the projection.
 #include "texture/stream.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/filter/directions_gradient.cpp"
 #include <hwy/foreach_target.h>
@@ -33,7 +35,8 @@ void WriteComponent(size_t count, const float* du, const float* dv, const float*
     const auto a = BoundedProduct(d, hn::Load(d, du + i), hn::Load(d, rate_u + i));
     const auto b = BoundedProduct(d, hn::Load(d, dv + i), hn::Load(d, rate_v + i));
     const auto sum = ClampWhere(d, hn::And(IsFinite(d, a), IsFinite(d, b)), a + b) + hn::Zero(d);
-    StoreFirst(d, hn::IfThenElse(hn::Eq(sum, sum), sum, hn::Set(d, __builtin_nanf(""))), count - i, out + i);
+    StoreFirst(d, hn::IfThenElse(hn::Eq(sum, sum), sum, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), count - i,
+               out + i);
   }
 }
 

@@ -4,6 +4,8 @@
 // exact for integer entries. It is weighted by the part of its cells that the box covers.
 #include "texture/table/summed_area.h"
 
+#include <limits>
+
 #include "texture/filter/prefetch.h"
 #include "texture/format/formats.h"
 #include "texture/stream.h"
@@ -235,7 +237,8 @@ struct SummedArea {
       hn::StoreU(hn::DemoteTo(df, mean), df, value + c);
     }
     for (size_t c = 0; c < kChannels; ++c) {
-      if (out.channel[c]) out.channel[c][i] = totals.nonfinite[lane][c] ? __builtin_nanf("") : value[c];
+      if (out.channel[c])
+        out.channel[c][i] = totals.nonfinite[lane][c] ? std::numeric_limits<float>::quiet_NaN() : value[c];
     }
   }
 

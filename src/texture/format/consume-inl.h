@@ -36,6 +36,7 @@
 #define SHD_TEXTURE_CONSUME_INL_H_
 #endif
 
+#include <limits>
 #include <type_traits>
 
 #include <hwy/highway.h>
@@ -135,7 +136,8 @@ struct Blend {
   /// Returns the result. All NaN become the same NaN, because the NaN of an operation depends on the target.
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value, size_t = 0) {
-    if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
+    if constexpr (F::kFloat)
+      return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, std::numeric_limits<float>::quiet_NaN()));
     if constexpr (kBorder) return value;
     return F::template finish<C>(d, value);
   }
