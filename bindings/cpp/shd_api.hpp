@@ -49,6 +49,7 @@
 #include <shd/shapes.h>
 #include <shd/slot.h>
 #include <shd/solid.h>
+#include <shd/table.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
 #if __has_include(<shd/texture_file.h>)
@@ -60,6 +61,7 @@
 #endif
 #include <shd/tiles.h>
 #include <shd/transform.h>
+#include <shd/uv_projection.h>
 #include <shd/vertices.h>
 #include <shd/view.h>
 #include <shd/volume.h>
@@ -345,6 +347,10 @@ struct shadow_render_desc : shd_shadow_render_desc {
   shadow_render_desc() noexcept : shd_shadow_render_desc(shd_shadow_render_desc_default()) {}
   shadow_render_desc(const shd_shadow_render_desc& values) noexcept : shd_shadow_render_desc(values) {}
 };
+struct shadow_info : shd_shadow_info {
+  shadow_info() noexcept : shd_shadow_info(shd_shadow_info_default()) {}
+  shadow_info(const shd_shadow_info& values) noexcept : shd_shadow_info(values) {}
+};
 struct shadow_lookups : shd_shadow_lookups {
   shadow_lookups() noexcept : shd_shadow_lookups(shd_shadow_lookups_default()) {}
   shadow_lookups(const shd_shadow_lookups& values) noexcept : shd_shadow_lookups(values) {}
@@ -376,6 +382,14 @@ struct solid_points : shd_solid_points {
 struct solid_values : shd_solid_values {
   solid_values() noexcept : shd_solid_values(shd_solid_values_default()) {}
   solid_values(const shd_solid_values& values) noexcept : shd_solid_values(values) {}
+};
+struct table_desc : shd_table_desc {
+  table_desc() noexcept : shd_table_desc(shd_table_desc_default()) {}
+  table_desc(const shd_table_desc& values) noexcept : shd_table_desc(values) {}
+};
+struct table_info : shd_table_info {
+  table_info() noexcept : shd_table_info(shd_table_info_default()) {}
+  table_info(const shd_table_info& values) noexcept : shd_table_info(values) {}
 };
 struct tessellation_desc : shd_tessellation_desc {
   tessellation_desc() noexcept : shd_tessellation_desc(shd_tessellation_desc_default()) {}
@@ -1372,6 +1386,18 @@ inline void shadow_render(
   check(shd_shadow_render(context_, shadow_, desc));
 }
 
+/// Get size and range of a rendered map. See shd_shadow_get_info().
+inline shd_shadow_info shadow_get_info(const shd_shadow* shadow_) {
+  shd_shadow_info made = shd_shadow_info_default();
+  check(shd_shadow_get_info(shadow_, &made));
+  return made;
+}
+
+/// Copy a face of the map out, as its filter reads it, row by row from the top. See shd_shadow_read_map().
+inline void shadow_read_map(const shd_shadow* shadow_, uint32_t face, const shd_f32_out* out_) {
+  check(shd_shadow_read_map(shadow_, face, out_));
+}
+
 /// Compute the fraction of the light that reaches each point, 0 (in shadow) to 1 (lit), as frames do. See
 /// shd_shadow_sample().
 inline void shadow_sample(
@@ -1400,6 +1426,22 @@ inline void solid_evaluate(
   check(shd_solid_evaluate(context_, desc, points, out_));
 }
 
+/// Get the size of a level, of sums or of a picture. See shd_texture_get_table_info().
+inline shd_table_info texture_get_table_info(const shd_texture* texture_, const shd_table_desc* desc) {
+  shd_table_info made = shd_table_info_default();
+  check(shd_texture_get_table_info(texture_, desc, &made));
+  return made;
+}
+
+/// Copy a level, sums or a picture into columns, on the executor of the texture's context. See
+/// shd_texture_read_table().
+inline void texture_read_table(
+    const shd_texture* texture_,
+    const shd_table_desc* desc,
+    const shd_f32_out* out_) {
+  check(shd_texture_read_table(texture_, desc, out_));
+}
+
 /// Make a mesh of smaller triangles. See shd_mesh_tessellate().
 inline shd::mesh mesh_tessellate(
     shd_context* context_,
@@ -1426,7 +1468,7 @@ inline shd_texture_info texture_get_info(const shd_texture* texture_) {
 
 /// Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
 /// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. Tiles of blocks are read again.
-/// See shd_texture_read_level().
+/// shd_texture_read_table() gives linear values of all tables. See shd_texture_read_level().
 inline void texture_read_level(
     const shd_texture* texture_,
     uint32_t layer,
