@@ -12,8 +12,8 @@
 #   *.crate                         the crates
 #   Shd.<version>.nupkg             the package for .NET, with the libraries of the wheel
 #
-# Each is built from the archive of the sources, in FOLDER/work. What needs an absent tool is skipped with a message, and
-# the exit code is then 77.
+# Each is built from the archive of the sources, in FOLDER/work. A part whose tool is absent is skipped with a message,
+# and the exit code is then 77.
 set -uo pipefail
 root=$(readlink -f "$(dirname "$0")/../..")
 commit=$(git -C "$root" rev-parse --verify "${2:-HEAD}^{commit}") || exit 1
