@@ -155,7 +155,7 @@ def cloud(context, _):
     z, y, x = (np.indices((size, size, size)) + 0.5) / size * 2 - 1
     position = np.stack([x, y, z], axis=-1).astype(np.float32)
     turbulence = shd.evaluate_solid(context, position, kind="perlin", octaves=4, size=0.6)
-    return grey(np.clip(1.05 - np.sqrt((position ** 2).sum(axis=-1)), 0, 1) * np.clip(0.35 + 1.6 * turbulence, 0, 1))
+    return grey(np.clip(1.05 - np.sqrt(x * x + y * y + z * z), 0, 1) * np.clip(0.35 + 1.6 * turbulence, 0, 1))
 
 
 def write_hdr(path, radiance):
