@@ -98,7 +98,7 @@ def check_figures(folder):
     page = (stage / "course-a.md").read_text(encoding="utf-8")
     assert page.count('<script type="module" async src="figures/shd-figure.js">') == 1, page
     loaded = re.findall('<link rel="modulepreload" href="([^"]*)">', page)
-    assert loaded == ["figures/shd-figure.js", "lib/index.js", "lib/api.js", "figures/stage.js"], loaded
+    assert loaded == ["figures/shd-figure.js", "figures/texels.js", "lib/index.js", "figures/stage.js", "lib/api.js"], loaded
     assert all((stage / path).is_file() for path in loaded) and "Text</shd-figure>" in page, page
     assert (stage / "course-b.md").read_text(encoding="utf-8") == "# B\n"
     stage, source = make_figures(folder)

@@ -74,13 +74,16 @@ def add_playground(stage, source, module):
         insert_before(stage / f"filter-{name.replace('_', '-')}.md", "## Error", text)
 
 
-def modules_of(folder, name, found=()):
-    """The module `name` of a folder and all modules that it imports, as paths from the folder."""
-    found = [*found, name]
-    for other in IMPORT.findall((folder / name).read_text(encoding="utf-8")):
-        path = posixpath.normpath(posixpath.join(posixpath.dirname(name), other))
-        if path not in found:
-            found = modules_of(folder, path, found)
+def modules_of(folder, names):
+    """Modules of a folder and all modules that they import, as paths from the folder."""
+    found, waiting = [], [*names]
+    while waiting:
+        name = waiting.pop(0)
+        if name in found:
+            continue
+        found.append(name)
+        imports = IMPORT.findall((folder / name).read_text(encoding="utf-8"))
+        waiting += [posixpath.normpath(posixpath.join(posixpath.dirname(name), other)) for other in imports]
     return found
 
 
@@ -97,9 +100,10 @@ def add_figures(stage, source, module):
     """The scripts of the figures on all pages that have some; a browser loads them together. After add_playground()."""
     shutil.copytree(source / "figures", stage / "figures")
     shutil.copyfile(module, stage / "figures/shd-figures.wasm")
-    scripts = [f'<link rel="modulepreload" href="{name}">' for name in modules_of(stage, MAIN)]
-    scripts.append(f'<script type="module" async src="{MAIN}"></script>')
     for page in sorted(stage.glob("*.md")):
-        if figures_of(page, source):
+        if names := figures_of(page, source):
+            modules = modules_of(stage, [MAIN, *(f"figures/{name}.js" for name in names)])
+            scripts = [f'<link rel="modulepreload" href="{name}">' for name in modules]
+            scripts.append(f'<script type="module" async src="{MAIN}"></script>')
             with page.open("a", encoding="utf-8") as file:
                 file.write("\n" + "\n".join(scripts) + "\n")

@@ -6,7 +6,7 @@ import { textureOf } from "../playground/textures.js";
 import { Picture } from "./picture.js";
 import { COLOURS, label, MARK, number, panels } from "./paint.js";
 
-const SIZE = 320, TITLE = 22, DISTANCE = 2.7, FOV = 0.9;
+const SIZE = 320, TITLE = 22, DISTANCE = 3.1, FOV = 0.9;
 const WAYS = [["Affine", "affine"], ["Perspective-correct", "none"]];
 
 export function make({ shd, context }) {

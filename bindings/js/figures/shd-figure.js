@@ -26,11 +26,11 @@ const observer = new IntersectionObserver((entries) => {
   }
 }, { rootMargin: AHEAD });
 
-/** A link to a style sheet, and the promise of its arrival. */
-function sheet(name) {
-  const link = element("link", { rel: "stylesheet", href: new URL(name, import.meta.url) });
-  return { link, arrival: new Promise((resolve, reject) => { link.onload = resolve; link.onerror = reject; }) };
-}
+/** The style sheets, which all figures share. */
+const sheets = Promise.all(SHEETS.map(async (name) => {
+  const response = await fetch(new URL(name, import.meta.url));
+  return new CSSStyleSheet().replace(await response.text());
+}));
 
 class ShdFigure extends HTMLElement {
   #figure = null;
@@ -81,13 +81,11 @@ class ShdFigure extends HTMLElement {
       this.#controls.push([key, made]);
     }
     this.#stage = new Stage(this, label, () => this.#draw());
-    const sheets = SHEETS.map(sheet);
-    const root = this.attachShadow({ mode: "open" });
     const box = element("div", { className: "figure" }, this.#stage.element, rows, this.#text);
     box.setAttribute("role", "group");
     box.setAttribute("aria-label", label);
-    root.append(...sheets.map(({ link }) => link), box);
-    await Promise.all(sheets.map(({ arrival }) => arrival));
+    const adoptedStyleSheets = await sheets;
+    Object.assign(this.attachShadow({ mode: "open" }), { adoptedStyleSheets }).append(box);
     this.#stage.start(this.#figure);
   }
 
