@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // shd_scene_desc.uv_projection: meshes without uv get them from the bounds of the model, in the pose of the file, and
 // keep them in other poses.
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "support/context.h"
@@ -44,9 +46,44 @@ std::string text_of_scene()
     return file.text();
 }
 
-shd_result load(shd_uv_projection projection, shd_scene **out)
+/// A skin of two joints on a wall behind and one in front; the upper joint rises by 2 until the end.
+/// @param length  length of the normals in the file
+std::string text_of_skin(float length = 1)
 {
-    const std::string text = text_of_scene();
+    GltfFile file;
+    const auto text = [](int i) { return std::to_string(i); };
+    std::vector<float> position, normal, weight;
+    std::vector<uint8_t> joint;
+    for (const float z : {-1.0f, 1.0f}) {
+        for (const float y : {-1.0f, 1.0f}) {
+            for (const float x : {-1.0f, 0.0f, 1.0f}) {
+                position.insert(position.end(), {x, y, z});
+                normal.insert(normal.end(), {0, 0, length * z});  // without them each triangle has vertices of its own
+                joint.insert(joint.end(), {static_cast<uint8_t>(y > 0 ? 1 : 0), 0, 0, 0});
+                weight.insert(weight.end(), {1, 0, 0, 0});
+            }
+        }
+    }
+    const std::string indices =
+        text(file.column<uint16_t>({0, 3, 1, 1, 3, 4, 1, 4, 2, 2, 4, 5, 6, 7, 9, 7, 10, 9, 7, 8, 10, 8, 11, 10}, 1));
+    const std::string attributes = "{\"POSITION\":" + text(file.column<float>(position, 3)) +
+                                   ",\"NORMAL\":" + text(file.column<float>(normal, 3)) +
+                                   ",\"JOINTS_0\":" + text(file.column<uint8_t>(joint, 4)) +
+                                   ",\"WEIGHTS_0\":" + text(file.column<float>(weight, 4)) + "}";
+    const std::string times = text(file.column<float>({1, 3}, 1));
+    const std::string moves = text(file.column<float>({0, 0, 0, 0, 2, 0}, 3));
+    file.members =
+        ",\"scenes\":[{\"nodes\":[0,1,2]}],\"nodes\":[{\"mesh\":0,\"skin\":0},{\"translation\":[0,0,0]},"
+        "{\"translation\":[0,0,0]}],\"skins\":[{\"joints\":[1,2]}],\"meshes\":[{\"primitives\":[{\"attributes\":" +
+        attributes + ",\"indices\":" + indices +
+        "}]}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":2,\"path\":\"translation\"}}],"
+        "\"samplers\":[{\"input\":" +
+        times + ",\"output\":" + moves + "}]}]";
+    return file.text();
+}
+
+shd_result load(shd_uv_projection projection, shd_scene **out, const std::string &text = text_of_scene())
+{
     shd_scene_desc desc = shd_scene_desc_default();
     desc.flags = SHD_SCENE_IN_PROCESS;
     desc.uv_projection = projection;
@@ -54,7 +91,7 @@ shd_result load(shd_uv_projection projection, shd_scene **out)
 }
 
 struct Vertices {
-    std::vector<float> position, uv, tangent;
+    std::vector<float> position, normal, uv, tangent;
 };
 Vertices read(const shd_scene *scene, size_t instance_index)
 {
@@ -76,6 +113,9 @@ Vertices read(const shd_scene *scene, size_t instance_index)
     shd_assert_ok(shd_mesh_read_positions(mesh, columns));
     shd_assert_ok(shd_mesh_read_uv(mesh, columns + 3));
     shd_assert_ok(shd_mesh_read_tangents(mesh, columns + 5));
+    out.normal.resize(out.position.size());
+    for (size_t c = 0; c < 3; ++c) columns[c].data = out.normal.data() + c;
+    shd_assert_ok(shd_mesh_read_normals(mesh, columns));
     return out;
 }
 
@@ -126,6 +166,40 @@ void test_split(void **)
     }
 }
 
+/// Copies at the seam move with the joints of their originals.
+void test_skin(void **)
+{
+    shd_scene *scene = nullptr, *pose = nullptr;
+    shd_assert_ok(load(SHD_UV_PROJECTION_CYLINDRICAL, &scene, text_of_skin()));
+    shd_assert_ok(shd_scene_pose(scene, 0, 3, &pose));
+    const Vertices before = read(scene, 0), after = read(pose, 0);
+    assert_true(before.uv == after.uv);
+    size_t at_seam[2] = {0, 0};
+    for (size_t i = 0; i < before.position.size() / 3; ++i) {
+        const float *p = &before.position[3 * i], *q = &after.position[3 * i], *uv = &before.uv[2 * i];
+        shd_assert_close("y", i, static_cast<double>(q[1]), p[1] > 0 ? 3 : -1, 1e-6, 0);
+        if (p[0] == 0 && p[2] < 0 && (uv[0] == 0 || uv[0] == 1)) ++at_seam[uv[0] > 0 ? 1 : 0];
+    }
+    assert_int_equal(before.uv.size() / 2, 14);
+    assert_true(at_seam[0] == 2 && at_seam[1] == 2);
+    shd_scene_release(pose);
+    shd_scene_release(scene);
+}
+
+/// Normals of length 0 are computed before vertices are split: copies have those of their originals.
+void test_normals(void **)
+{
+    shd_scene *scene = nullptr;
+    shd_assert_ok(load(SHD_UV_PROJECTION_CYLINDRICAL, &scene, text_of_skin(0)));
+    const Vertices walls = read(scene, 0);
+    assert_int_equal(walls.normal.size() / 3, 14);
+    for (size_t i = 0; i < walls.normal.size(); i += 3) {
+        const float z = walls.position[i + 2];
+        assert_true(walls.normal[i] == 0 && walls.normal[i + 1] == 0 && walls.normal[i + 2] == z);
+    }
+    shd_scene_release(scene);
+}
+
 void test_none(void **)
 {
     shd_scene *scene = nullptr;
@@ -147,10 +221,9 @@ void test_bad(void **)
 int main()
 {
     const CMUnitTest tests[] = {
-        {"planar", test_planar, nullptr, nullptr, nullptr},
-        {"split", test_split, nullptr, nullptr, nullptr},
-        {"none", test_none, nullptr, nullptr, nullptr},
-        {"bad", test_bad, nullptr, nullptr, nullptr},
+        {"planar", test_planar, nullptr, nullptr, nullptr}, {"split", test_split, nullptr, nullptr, nullptr},
+        {"skin", test_skin, nullptr, nullptr, nullptr},     {"none", test_none, nullptr, nullptr, nullptr},
+        {"bad", test_bad, nullptr, nullptr, nullptr},       {"normals", test_normals, nullptr, nullptr, nullptr},
     };
-    return _cmocka_run_group_tests("api.scene_uv", tests, 4, set_up, tear_down);
+    return _cmocka_run_group_tests("api.scene_uv", tests, 6, set_up, tear_down);
 }
