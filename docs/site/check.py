@@ -238,6 +238,7 @@ def check_search(site):
     for function in description["functions"]:
         page, _, name = found[function["name"]].partition("?")
         assert name == function["name"] and f"{name}()</h2>" in (site / page).read_text(encoding="utf-8"), name
+    assert 'fetch("search/search_index.json")' in (site / "index.html").read_text(encoding="utf-8")
     assert found["shd_shadow_create"] == "c/shadow_8h.html?shd_shadow_create"
     assert '<a href="../shadows.html">Shadows</a>' in (site / "c/shadow_8h.html").read_text(encoding="utf-8")
     assert "c/shadow_8h.html#" in (site / "shadows.html").read_text(encoding="utf-8")

@@ -15,7 +15,7 @@ const COLOURED = {
 
 export function make({ shd, context }) {
   const pixels = new Pixels(COLUMNS, ROWS);
-  let p = [0.42, 0.45], picture = null, fill = "#fff";
+  let p = [0.42, 0.2], picture = null, fill = "#fff";
 
   function descOf({ kind, octaves, sum, fade, seed }) {
     const desc = { kind, octaves, seed, fade: kind === "simplex" ? FADES[0] : fade };
