@@ -12,7 +12,7 @@ Picture show_terms(const Stage& stage, const Frame& frame) {
   for (const Term term : {Term::kAmbient, Term::kDiffuse, Term::kSpecular, Term::kAll}) {
     Options options = stage.options;
     options.term = term;
-    const Paint paint = make_paint(stage.context, options, stage.model);
+    const Paint paint = make_paint(stage.context, options, stage.model, stage.uv);
     Frame one;
     one.camera = frame.camera;
     one.draws = make_draws(stage.context, options, stage.model, paint, frame.camera);

@@ -95,9 +95,9 @@ Stage open_stage(shd_context* context, const Options& options) {
     make_camera(options, shot, 0.0f, stage.model, shown_of(stage), stage.bounds);
   }
   const Camera first = make_camera(options, options.shots[0], 0.0f, stage.model, shown_of(stage), stage.bounds);
-  const shd_slot uv = uv_slot(options.uv, box_of(shown_of(stage)), first);
+  stage.uv = uv_slot(options.uv, box_of(shown_of(stage)), first);
   add_extras(stage);
-  stage.paint = make_paint(context, options, stage.model, uv);
+  stage.paint = make_paint(context, options, stage.model, stage.uv);
   stage.framebuffer = make_framebuffer(context, options);
   stage.environment = load_environment(context, options);
   return stage;

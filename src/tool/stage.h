@@ -23,6 +23,7 @@ struct Stage {
   Poses poses;
   Model all;  // the box around all poses; no geometry if there is one pose
   Bounds bounds;
+  shd_slot uv = shd_slot_default();  // the coordinates of the textures of the options
   Paint paint;
   Framebuffer framebuffer;
   Environment environment;
