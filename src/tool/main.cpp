@@ -66,7 +66,9 @@ void run(const std::vector<Options>& settings) {
     return;
   }
   std::vector<Stage> stages;
-  for (const Options& setting : settings) stages.push_back(open_stage(context.get(), setting));
+  for (const Options& setting : settings) {
+    stages.push_back(open_stage(context.get(), setting, stages.empty()));
+  }
   const uint32_t pictures = std::max({options.turntable, options.frames, static_cast<uint32_t>(options.shots.size())});
   const auto frames = pictures * static_cast<uint32_t>(stages.size());
   Progress progress(options.progress || isatty(STDERR_FILENO), frames);

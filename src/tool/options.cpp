@@ -91,6 +91,9 @@ void check_show(const Options& options) {
   refuse_if(options.show_step && !over, "--show-step is for --show tangents and footprint");
   refuse_if(options.show >= Show::kDepth && !options.volume.file.empty(), "--show shows surfaces, not a --volume");
   refuse_if(options.show == Show::kFootprint && options.solid.kind, "--show footprint needs a texture, not a --solid");
+  const bool is_uv = options.uv != Uv::kTriplanar && options.uv != Uv::kCamera;
+  refuse_if(!is_uv && (options.show == Show::kFootprint || options.show == Show::kUvLayout),
+            "--show footprint and uv-layout are of the coordinates of vertices: not of --uv triplanar and camera");
   refuse_if(options.show == Show::kTerms && !options.environment.empty(),
             "--show terms shows the light of lights, not of an --environment");
   refuse_if(options.show == Show::kTerms && options.reflectance && !has_terms(*options.reflectance),

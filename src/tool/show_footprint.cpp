@@ -107,7 +107,7 @@ Picture show_footprints(const Stage& stage, const Frame& frame) {
     if (derivatives.draw[pixel] >= frame.draws.solid_count) return;  // nothing, or a line
     const Instance& instance = stage.model.instances[frame.draws.instance[derivatives.draw[pixel]]];
     const shd_slot& slot = stage.paint.diffuse[instance.surface];
-    if (!slot.texture || slot.uv_set != 0) return;
+    if (!slot.texture || slot.uv_set != 0 || slot.coordinates != SHD_SLOT_COORDINATES_UV) return;
     const Footprint f = footprint_of(derivatives, pixel, slot);
     if (!(f.major > 0.0f) || !std::isfinite(f.major)) return;
     footprints.push_back({{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, f});

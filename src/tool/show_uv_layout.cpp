@@ -147,8 +147,8 @@ Picture show_uv_layout(const Stage& stage, const Frame&) {
   const Material ink = make_flat(stage, shd_slot_default(), {1.0f, 0.35f, 0.0f});
   const shd_draw draws[] = {make_flat_draw(sheet, dim, SHD_FILL_SOLID, 1),
                             make_flat_draw(triangles, layout.slot.texture ? full : gray, SHD_FILL_SOLID, 1),
-                            make_flat_draw(triangles, ink, SHD_FILL_WIREFRAME, 1.25f),
-                            make_flat_draw(triangles, ink, SHD_FILL_POINTS, 4)};
+                            make_flat_draw(triangles, ink, SHD_FILL_WIREFRAME, 1),
+                            make_flat_draw(triangles, ink, SHD_FILL_POINTS, 3)};
   shd_render_desc desc = shd_render_desc_default();
   desc.framebuffer = stage.framebuffer.get();
   desc.draws = draws;

@@ -78,13 +78,13 @@ void add_extras(Stage& stage) {
 
 }  // namespace
 
-Stage open_stage(shd_context* context, const Options& options) {
+Stage open_stage(shd_context* context, const Options& options, bool reports) {
   Stage stage;
   stage.context = context;
   stage.options = options;
   stage.volume = load_volume(context, options);
   stage.model = stage.volume.volume.get() ? volume_model(stage.volume) : make_model(context, options);
-  report_model(options, stage.model);
+  if (reports) report_model(options, stage.model);
   stage.poses = find_poses(options, stage.model);
   if (!stage.poses.times.empty()) {
     stage.model = pose_model(stage.model, stage.poses.animation, stage.poses.times[0]);

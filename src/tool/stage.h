@@ -36,7 +36,8 @@ struct Frame {
 };
 
 /// Loads all that the options name. Throws Failure.
-Stage open_stage(shd_context* context, const Options& options);
+/// @param reports  whether report_model() is called
+Stage open_stage(shd_context* context, const Options& options, bool reports);
 
 /// Prepares one of several pictures, counted from 0.
 Frame make_frame(Stage& stage, uint32_t picture, uint32_t pictures);

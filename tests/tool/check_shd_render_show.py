@@ -148,6 +148,7 @@ def check_footprints():
     plain, _ = draw(*low, "--uv-scale", "2")
     assert any(rgb(shown, *at) != rgb(plain, *at) for at in pixels(plain))
     refused("no place of the grid shows a texture", "--show", "footprint", code=3)
+    refused("not of --uv triplanar", "--show", "footprint", "--texture", "checker", "--uv", "triplanar")
     refused("needs a texture, not a --solid", "--show", "footprint", "--solid", "wood")
 
 
