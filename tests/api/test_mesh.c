@@ -224,12 +224,13 @@ static void test_create(void **state)
 static void test_null(void **state)
 {
     shd_mesh *mesh = (shd_mesh *)&g_context;
-    shd_mesh_info info, zero = shd_mesh_info_default();
+    shd_mesh_info info, zero;
     shd_f32_out out[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
     shd_mesh_desc desc = nine();
     (void)state;
     memset(&info, 0x55, sizeof info);
-    info.struct_size = sizeof info;
+    memset(&zero, 0, sizeof zero); /* the padding, too */
+    info.struct_size = zero.struct_size = sizeof info;
     shd_assert_result("desc", shd_mesh_create(g_context, NULL, &mesh), BAD, "mesh: NULL");
     assert_null(mesh);
     shd_assert_result("info", shd_mesh_get_info(NULL, &info), BAD, "mesh: NULL");
