@@ -90,7 +90,7 @@ lights, shadows, environments and volumes; shd-check, which judges texture
 lookups; and shd-maketx, which makes tiled files with mip levels." ${libraries})
 endif()
 # The Python package needs only libshd; its modules shd.io, shd.scene and others load the components when they are used.
-execute_process(COMMAND /usr/bin/python3 -c "import pip, setuptools, wheel" RESULT_VARIABLE no_pip OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND /usr/bin/python3 -c "import setuptools, pip, wheel" RESULT_VARIABLE no_pip OUTPUT_QUIET ERROR_QUIET)
 if(no_pip)
   message(STATUS "python3-shd is not packaged (Debian: python3-pip python3-setuptools python3-wheel)")
 else()

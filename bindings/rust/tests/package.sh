@@ -17,7 +17,7 @@ list=$(tar -tzf "$package")
 for file in src/api.rs build/main.rs source/CMakeLists.txt source/src/shd.map source/include/shd/shd.h LICENSE; do
   grep -qx "$name/$file" <<<"$list" || { echo "shd-sys: the package has no $file"; exit 1; }
 done
-"$CARGO" package --list --offline --allow-dirty -p shd | grep -qx examples/programs.rs
+"$CARGO" package --list --offline --allow-dirty -p shd | grep -x examples/programs.rs > /dev/null
 echo "$(wc -l <<<"$list") files, $(stat -c %s "$package") bytes"
 
 rm -rf shd-sys

@@ -38,7 +38,7 @@ split_debug() {
   local file id folder=$work/debug/usr/lib/debug/.build-id
   rm -rf "$work/debug"
   list_binaries | while IFS= read -r file; do
-    readelf --wide --section-headers "$file" | grep -qF ' .debug_info ' || continue
+    readelf --wide --section-headers "$file" | grep -F ' .debug_info ' >/dev/null || continue
     id=$(readelf --notes "$file" | sed -n 's/^ *Build ID: //p')
     mkdir -p "$folder/${id:0:2}"
     objcopy --only-keep-debug --compress-debug-sections "$file" "$folder/${id:0:2}/${id:2}.debug"
