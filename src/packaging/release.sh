@@ -12,16 +12,16 @@
 #   *.crate                         the crates
 #   Shd.<version>.nupkg             the package for .NET, with the libraries of the wheel
 #
-# Each is built from the archive of the sources, in FOLDER/work. A part whose tool is absent is skipped with a message,
+# Each is built from the archive of the sources, in FOLDER/stage. A part whose tool is absent is skipped with a message,
 # and the exit code is then 77.
 set -uo pipefail
 root=$(readlink -f "$(dirname "$0")/../..")
 commit=$(git -C "$root" rev-parse --verify "${2:-HEAD}^{commit}") || exit 1
 version=$(git -C "$root" show "$commit:CMakeLists.txt" | sed -n 's/^project(shd VERSION \([0-9.]*\).*/\1/p')
 folder=${1:-$root/build/release-$version}
-mkdir -p "$folder/work"
+mkdir -p "$folder/stage"
 folder=$(readlink -f "$folder")
-work=$folder/work source=$folder/work/shd-$version
+stage=$folder/stage source=$folder/stage/shd-$version
 export SOURCE_DATE_EPOCH
 SOURCE_DATE_EPOCH=$(git -C "$root" show -s --format=%ct "$commit")
 export CCACHE_BASEDIR=$source CCACHE_NOHASHDIR=1
@@ -40,16 +40,16 @@ pack() {
 
 make_sources() {
   git -C "$root" archive --format=tar --prefix="shd-$version/" "$commit" | gzip -9n >"$folder/shd-$version.tar.gz" &&
-    rm -rf "$source" && tar -xzf "$folder/shd-$version.tar.gz" -C "$work"
+    rm -rf "$source" && tar -xzf "$folder/shd-$version.tar.gz" -C "$stage"
 }
 
 make_amalgamated() {
-  local one=$work/shd-amalgamated-$version
+  local one=$stage/shd-amalgamated-$version
   python3 "$source/src/packaging/amalgamate.py" "$one" && pack "$one.tar.gz" "$one" && mv "$one.tar.gz" "$folder"
 }
 
 make_deb() {
-  local multiarch build=$work/deb
+  local multiarch build=$stage/deb
   multiarch=$(dpkg-architecture -qDEB_HOST_MULTIARCH) && command -v file >/dev/null || return 77
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
     -DCMAKE_INSTALL_LIBDIR="lib/$multiarch" -DCMAKE_INSTALL_LIBEXECDIR="lib/$multiarch" -DCMAKE_SKIP_INSTALL_RPATH=ON \
@@ -58,8 +58,8 @@ make_deb() {
 }
 
 make_wheel() {
-  PYTHON=/usr/bin/python3 "$source/bindings/python/wheel.sh" "$work/wheel" -G Ninja "${launcher[@]}" &&
-    cp "$work/wheel/dist/"*.whl "$folder"
+  PYTHON=/usr/bin/python3 "$source/bindings/python/wheel.sh" "$stage/wheel" -G Ninja "${launcher[@]}" &&
+    cp "$stage/wheel/dist/"*.whl "$folder"
 }
 
 make_npm() {
@@ -69,12 +69,12 @@ make_npm() {
 
 make_crates() {
   command -v cargo >/dev/null || return 77
-  "$source/bindings/rust/pack.sh" "$work/crates" && cp "$work/crates/"*.crate "$folder"
+  "$source/bindings/rust/pack.sh" "$stage/crates" && cp "$stage/crates/"*.crate "$folder"
 }
 
 # The libraries of the wheel need nothing besides glibc.
 make_nuget() {
-  local native=$work/native
+  local native=$stage/native
   ls "$folder/"shd-"$version"-*.whl >/dev/null || return 77
   rm -rf "$native" && python3 -m zipfile -e "$folder/"shd-"$version"-*.whl "$native" &&
     "$source/bindings/csharp/pack.py" "$folder" --native "$native/shd"
