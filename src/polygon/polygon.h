@@ -4,7 +4,9 @@
 ///
 /// Input:      vertices of a polygon in order, or of a closed triangle mesh, a cage; points.
 /// Output:     a weight for each vertex at each point.
-/// Invariants: everything is computed in double; the weights of a point sum to 1, and do not depend on other points.
+/// Invariants: everything is computed in double, except mean value coordinates in cages: those are in floats at points
+///             where a bound of the error shows that floats suffice. The weights of a point sum to 1, and do not depend
+///             on other points.
 ///
 /// | file            | contents                                                              |
 /// |-----------------|-----------------------------------------------------------------------|

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random polygons and points, valid and invalid. Weights are finite and have the sum 1, nothing is written beside the
 // columns, and every target gives the same bits.
+#include "barycentric.h"
 #include "host.h"
 #include "mutator.h"
 
@@ -50,17 +51,6 @@ struct Output {
   size_t outside_count = 0, nonfinite_count = 0;
   std::vector<float> weights;
 };
-
-void check_sum(const std::vector<Column<float>>& columns, size_t point) {
-  double sum = 0.0, size = 0.0;
-  for (const Column<float>& column : columns) {
-    const double weight = static_cast<double>(column[point]);
-    SHD_FUZZ_CHECK(std::isfinite(weight));
-    sum += weight;
-    size += std::fabs(weight);
-  }
-  SHD_FUZZ_CHECK(std::fabs(sum - 1.0) <= 1e-4 * std::fmax(size, 1.0));
-}
 
 void run(const Case& c, shd_simd simd, Output& output) {
   Host host(simd, c.budget);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "barycentric.h"
 #include "host.h"
 #include "mutator.h"
 
@@ -75,17 +76,6 @@ struct Output {
   size_t outside_count = 0, nonfinite_count = 0;
   std::vector<float> numbers;
 };
-
-void check_sum(const std::vector<Column<float>>& columns, size_t point) {
-  double sum = 0.0, size = 0.0;
-  for (const Column<float>& column : columns) {
-    const double weight = static_cast<double>(column[point]);
-    SHD_FUZZ_CHECK(std::isfinite(weight));
-    sum += weight;
-    size += std::fabs(weight);
-  }
-  SHD_FUZZ_CHECK(std::fabs(sum - 1.0) <= 1e-4 * std::fmax(size, 1.0));
-}
 
 void keep(const std::vector<Column<float>>& columns, size_t count, std::vector<float>* numbers) {
   for (const Column<float>& column : columns) {
